@@ -1,0 +1,504 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The nominal profile: contours made of NURBS curves, with arc length, normals and curvature.
+
+Direction and sign: a contour runs with the material on its left, so its normal, the tangent turned right by
+90 degrees, points out of the material.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from math import comb
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .errors import FormatError, InputError
+from .nurbs import NurbsCurve
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+CORNER_ANGLE = np.radians(10.0)
+"""Joints that turn more are corners: filters stop there. Joints that turn less (facets of a dense program,
+arcs rounded to the program's decimals) belong to one stretch."""
+
+SMOOTH_ANGLE = 1e-6
+"""Joints that turn less than this, in rad, count as tangent continuous."""
+
+GAP = 2e-3
+"""Largest gap in mm between the end of one curve and the start of the next that still counts as joined."""
+
+_ARC_ORDER = 16
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Contour:
+    """One connected row of curves, each starting where the one before ends.
+
+    Parameters
+    ----------
+    curves : tuple of NurbsCurve
+        In order, run with the material on the left.
+    closed : bool
+        True where the last curve ends at the start of the first.
+    """
+
+    curves: tuple[NurbsCurve, ...]
+    closed: bool
+
+    def reversed(self) -> Contour:
+        """The same contour run the other way, that is with the material on the other side."""
+        return Contour(tuple(c.reversed() for c in reversed(self.curves)), self.closed)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Profile:
+    """One or more contours in the XY plane of the work frame, cut into spans for computation.
+
+    Make one with `Profile.from_contours`. A span is a rational polynomial of a local parameter t in 0..1.
+
+    Attributes
+    ----------
+    contours : tuple of Contour
+        The curves as given.
+    coefficient : (p + 1, 3, m) float64
+        Power-basis coefficients of (w x, w y, w), lowest power first.
+    polynomial : bool
+        True where every weight is 1.
+    contour, curve, stretch : (m,) int64
+        Contour of each span; index of the curve in its contour; smooth stretch (numbered through all contours).
+    bounds : (m, 2) float64
+        Parameters of the curve at the span's ends.
+    begin, length : (m,) float64
+        Arc length in mm at the span's start, counted from the contour's start, and the span's own.
+    arc : (m, 18) float64
+        Chebyshev coefficients of the arc length over the local parameter.
+    turn : (m,) float64
+        Angle in rad by which the tangent turns at the span's end, positive to the left; NaN at an open end.
+    first : (k + 1,) int64
+        First span of each contour, and m.
+    """
+
+    contours: tuple[Contour, ...]
+    coefficient: Floats
+    polynomial: bool
+    contour: Ints
+    curve: Ints
+    stretch: Ints
+    bounds: Floats
+    begin: Floats
+    length: Floats
+    arc: Floats
+    turn: Floats
+    first: Ints
+
+    def __post_init__(self) -> None:
+        for name in self.__slots__:
+            value = getattr(self, name)
+            if isinstance(value, np.ndarray):
+                value.flags.writeable = False
+
+    @staticmethod
+    def from_contours(contours: Iterable[Contour]) -> Profile:
+        """Profile of the given contours.
+
+        Raises
+        ------
+        InputError
+            If there is no contour, a contour has no length, or two curves that should meet are apart.
+        """
+        contours = tuple(contours)
+        if not contours:
+            raise InputError("the profile has no contour")
+        points: list[Floats] = []
+        rows: list[tuple[int, int, float, float]] = []
+        degree = max((c.degree for contour in contours for c in contour.curves), default=1)
+        for k, contour in enumerate(contours):
+            for j, nurbs in enumerate(contour.curves):
+                bounds, bezier = nurbs.bezier()
+                power = _raise_degree(_power_basis(bezier), degree)
+                for i in range(len(power)):
+                    if np.ptp(bezier[i, :, :2] / bezier[i, :, 2:], axis=0).max() > 1e-9:
+                        points.append(power[i])
+                        rows.append((k, j, bounds[i], bounds[i + 1]))
+        if not points:
+            raise InputError("the profile has no length")
+        power = np.array(points)
+        owner = np.array([r[:2] for r in rows], dtype=np.int64)
+        bounds = np.array([r[2:] for r in rows])
+        power, owner, bounds, arc = _split_until_arc_length_is_exact(power, owner, bounds)
+        contour_of = owner[:, 0]
+        first = np.searchsorted(contour_of, np.arange(len(contours) + 1))
+        if (np.diff(first) == 0).any():
+            raise InputError(f"contour {int(np.flatnonzero(np.diff(first) == 0)[0])} of the profile has no length")
+        length = _chebyshev_sum(arc, np.ones(len(arc)))
+        begin = np.concatenate([np.cumsum(length[a:b]) - length[a:b] for a, b in zip(first[:-1], first[1:], strict=True)])
+        turn = _turns(power, contours, first)
+        stretch = np.zeros(len(power), dtype=np.int64)
+        count = 0
+        for k, (a, b) in enumerate(zip(first[:-1], first[1:], strict=True)):
+            corner = np.abs(turn[a:b]) > CORNER_ANGLE
+            local = np.concatenate([[0], np.cumsum(corner[:-1])])
+            if contours[k].closed and not corner[-1] and local[-1] > 0:
+                local[local == local[-1]] = 0
+            stretch[a:b] = count + local
+            count += int(local.max()) + 1
+        return Profile(
+            contours,
+            np.ascontiguousarray(power.transpose(1, 2, 0)),
+            bool(np.all(power[:, 0, 2] == 1) and not power[:, 1:, 2].any()),
+            contour_of,
+            owner[:, 1],
+            stretch,
+            bounds,
+            begin,
+            length,
+            arc,
+            turn,
+            first,
+        )
+
+    @property
+    def spans(self) -> int:
+        """Number of spans."""
+        return len(self.length)
+
+    @property
+    def total(self) -> Floats:
+        """Length of each contour in mm, shape (k,)."""
+        last = self.first[1:] - 1
+        return self.begin[last] + self.length[last]
+
+    def reversed(self) -> Profile:
+        """The same contours with the material on the other side."""
+        return Profile.from_contours(c.reversed() for c in self.contours)
+
+    def signed_areas(self) -> Floats:
+        """Area enclosed by each contour in mm2, positive where it runs anticlockwise; shape (k,)."""
+        out = np.zeros(len(self.contours))
+        nodes, weights = np.polynomial.legendre.leggauss(16)
+        span = np.repeat(np.arange(self.spans), 16)
+        t = np.tile((nodes + 1) / 2, self.spans)
+        c, d1, _ = self.evaluate(span, t)
+        piece = (c[:, 0] * d1[:, 1] - c[:, 1] * d1[:, 0]).reshape(-1, 16) @ (weights / 4)
+        np.add.at(out, self.contour, piece)
+        for k, contour in enumerate(self.contours):
+            if not contour.closed:
+                a, b = self.ends(k)
+                out[k] += (b[0] * a[1] - b[1] * a[0]) / 2
+        return out
+
+    def ends(self, contour: int) -> tuple[Floats, Floats]:
+        """First and last point of a contour, each (2,) in mm."""
+        a, b = int(self.first[contour]), int(self.first[contour + 1]) - 1
+        c, _, _ = self.evaluate(np.array([a, b]), np.array([0.0, 1.0]))
+        return c[0], c[1]
+
+    def evaluate(self, span: Ints, t: Floats) -> tuple[Floats, Floats, Floats]:
+        """Point and first two derivatives over the local parameter.
+
+        Parameters
+        ----------
+        span : (n,) int64
+        t : (n,) float64
+            Local parameters; outside 0..1 the span is continued by its own polynomial.
+
+        Returns
+        -------
+        c, d1, d2 : (n, 2) float64 each
+            mm, and mm per unit of the local parameter.
+        """
+        x, y, dx, dy, ddx, ddy = self._derivatives(span, t)
+        return np.stack([x, y], 1), np.stack([dx, dy], 1), np.stack([ddx, ddy], 1)
+
+    def _derivatives(self, span: Ints, t: Floats) -> tuple[Floats, ...]:
+        coefficient = self.coefficient
+        p = len(coefficient) - 1
+        axes = 2 if self.polynomial else 3
+        values = []
+        for axis in range(axes):
+            f = coefficient[p, axis][span]
+            d = np.zeros_like(f)
+            dd = np.zeros_like(f)
+            for k in range(p - 1, -1, -1):
+                dd = dd * t + d
+                d = d * t + f
+                f = f * t + coefficient[k, axis][span]
+            values.append((f, d, 2 * dd))
+        if self.polynomial:
+            (x, dx, ddx), (y, dy, ddy) = values
+            return x, y, dx, dy, ddx, ddy
+        (ax, adx, addx), (ay, ady, addy), (w, dw, ddw) = values
+        x, y = ax / w, ay / w
+        dx, dy = (adx - dw * x) / w, (ady - dw * y) / w
+        ddx, ddy = (addx - 2 * dw * dx - ddw * x) / w, (addy - 2 * dw * dy - ddw * y) / w
+        return x, y, dx, dy, ddx, ddy
+
+    def normals(self, span: Ints, t: Floats) -> Floats:
+        """Directional cosines (cos alpha, cos beta) of the outward normal; shape (n, 2)."""
+        _, _, dx, dy, _, _ = self._derivatives(span, t)
+        speed = np.hypot(dx, dy)
+        return np.stack([dy / speed, -dx / speed], axis=1)
+
+    def curvature(self, span: Ints, t: Floats) -> Floats:
+        """Signed curvature in 1/mm, positive where the contour turns left (bulges out); shape (n,)."""
+        _, _, dx, dy, ddx, ddy = self._derivatives(span, t)
+        out: Floats = (dx * ddy - dy * ddx) / np.hypot(dx, dy) ** 3
+        return out
+
+    def arc_length(self, span: Ints, t: Floats) -> Floats:
+        """Arc length in mm from the contour's start; outside 0..1 it goes on at the end's speed."""
+        inside = np.clip(t, 0.0, 1.0)
+        s = self.begin[span] + _chebyshev_sum(self.arc[span], inside)
+        out = t - inside
+        beyond = np.flatnonzero(out)
+        if len(beyond):
+            _, d1, _ = self.evaluate(span[beyond], inside[beyond])
+            s[beyond] += out[beyond] * np.hypot(*d1.T)
+        return s
+
+    def locate(self, contour: ArrayLike, s: ArrayLike) -> tuple[Ints, Floats]:
+        """Spans and local parameters at arc lengths.
+
+        Parameters
+        ----------
+        contour : int or (n,) int
+        s : (n,) float64
+            mm from the contour's start; taken round a closed contour, clipped at the ends of an open one.
+
+        Returns
+        -------
+        span : (n,) int64
+        t : (n,) float64
+        """
+        s = np.atleast_1d(np.asarray(s, dtype=float))
+        contours = np.broadcast_to(np.asarray(contour, dtype=np.int64), s.shape)
+        span = np.empty(s.shape, dtype=np.int64)
+        t = np.empty(s.shape)
+        total = self.total
+        for k in np.unique(contours):
+            rows = np.flatnonzero(contours == k)
+            here = np.mod(s[rows], total[k]) if self.contours[k].closed else np.clip(s[rows], 0.0, total[k])
+            a, b = int(self.first[k]), int(self.first[k + 1])
+            span[rows] = a + np.clip(np.searchsorted(self.begin[a:b], here, side="right") - 1, 0, b - a - 1)
+            goal = here - self.begin[span[rows]]
+            local = goal / self.length[span[rows]]
+            for _ in range(20):
+                error = _chebyshev_sum(self.arc[span[rows]], local) - goal
+                _, d1, _ = self.evaluate(span[rows], local)
+                step = error / np.hypot(*d1.T)
+                local = np.clip(local - step, 0.0, 1.0)
+                if np.abs(error).max(initial=0.0) < 1e-11:
+                    break
+            t[rows] = local
+        return span, t
+
+    def at(self, contour: ArrayLike, s: ArrayLike) -> tuple[Floats, Floats]:
+        """Points and outward normals at arc lengths; each (n, 2), mm."""
+        span, t = self.locate(contour, s)
+        c, _, _ = self.evaluate(span, t)
+        return c, self.normals(span, t)
+
+    def neighbour(self, span: Ints, step: int) -> Ints:
+        """Span after (`step` 1) or before (-1) each span along its contour; the span itself at an open end."""
+        k = self.contour[span]
+        low, high = self.first[k], self.first[k + 1]
+        moved = span + step
+        closed = np.array([c.closed for c in self.contours])[k]
+        wrapped = low + np.mod(moved - low, high - low)
+        return np.where(closed, wrapped, np.clip(moved, low, high - 1))
+
+    def samples(self, spacing: float) -> tuple[Ints, Floats]:
+        """Spans and local parameters of points along the whole profile, ends of spans included.
+
+        Parameters
+        ----------
+        spacing : float
+            Largest step in mm (by mean speed of each span).
+        """
+        count = np.maximum(1, np.ceil(self.length / spacing).astype(np.int64))
+        count = np.maximum(count, 4 if len(self.coefficient) > 2 else 1)
+        span = np.repeat(np.arange(self.spans), count + 1)
+        offset = np.arange(len(span)) - np.repeat(np.cumsum(count + 1) - (count + 1), count + 1)
+        return span, offset / count[span]
+
+    def bounding_box(self) -> tuple[float, float, float, float]:
+        """Left, bottom, right, top in mm of the sampled profile (exact to a few micrometres)."""
+        span, t = self.samples(max(float(self.total.sum()) / 2000, 1e-3))
+        c, _, _ = self.evaluate(span, t)
+        return float(c[:, 0].min()), float(c[:, 1].min()), float(c[:, 0].max()), float(c[:, 1].max())
+
+    def as_dict(self) -> dict[str, Any]:
+        """The profile as plain numbers for JSON (millimetres, material on the left)."""
+        return {
+            "unit": "mm",
+            "material": "left",
+            "contours": [
+                {"closed": c.closed, "curves": [n.as_dict() for n in c.curves]} for c in self.contours
+            ],
+        }
+
+    @staticmethod
+    def from_dict(data: dict[str, Any]) -> Profile:
+        """Profile from the numbers that `as_dict` gives.
+
+        Raises
+        ------
+        InputError
+            If something is missing or contradicts itself.
+        """
+        try:
+            if data.get("unit", "mm") != "mm" or data.get("material", "left") != "left":
+                raise InputError("profile: unit must be mm and material left")
+            return Profile.from_contours(
+                Contour(tuple(NurbsCurve.from_dict(n) for n in c["curves"]), bool(c["closed"]))
+                for c in data["contours"]
+            )
+        except (KeyError, TypeError, AttributeError) as error:
+            raise InputError(f"profile: {error!r} is missing or of the wrong kind") from error
+
+    @staticmethod
+    def read_json(path: str | Path) -> Profile:
+        """Profile from a `profile.json`; FormatError if it is none."""
+        try:
+            return Profile.from_dict(json.loads(Path(path).read_text(encoding="utf-8")))
+        except OSError as error:
+            raise FormatError(error.strerror or str(error), path) from error
+        except (ValueError, UnicodeDecodeError) as error:
+            raise FormatError(f"not a millcorr profile: {error}", path) from error
+
+
+def join(curves: Sequence[NurbsCurve], closed: bool | None = None) -> Contour:
+    """Contour of curves that already follow each other; closed where the ends meet unless stated."""
+    if closed is None:
+        a = curves[0].evaluate([curves[0].knots[0]])[0]
+        b = curves[-1].evaluate([curves[-1].knots[-1]])[0]
+        closed = bool(np.hypot(*(a - b)) <= GAP)
+    return Contour(tuple(curves), closed)
+
+
+def _power_basis(bezier: Floats) -> Floats:
+    """Power-basis coefficients (m, p + 1, 3) of Bezier control points of the same shape."""
+    p = bezier.shape[1] - 1
+    matrix = np.zeros((p + 1, p + 1))
+    for k in range(p + 1):
+        for i in range(k + 1):
+            matrix[k, i] = comb(p, k) * comb(k, i) * (-1) ** (k - i)
+    out: Floats = np.einsum("ki,mid->mkd", matrix, bezier)
+    return out
+
+
+def _raise_degree(power: Floats, degree: int) -> Floats:
+    missing = degree + 1 - power.shape[1]
+    return np.pad(power, ((0, 0), (0, missing), (0, 0))) if missing else power
+
+
+def _halves(power: Floats) -> tuple[Floats, Floats]:
+    """Coefficients of the first and second half of each span."""
+    p = power.shape[1] - 1
+    first = power * (0.5 ** np.arange(p + 1))[None, :, None]
+    shift = np.zeros((p + 1, p + 1))
+    for k in range(p + 1):
+        for i in range(k, p + 1):
+            shift[k, i] = comb(i, k)
+    return first, np.einsum("ki,mid->mkd", shift, first)
+
+
+def _speed(power: Floats, t: Floats) -> Floats:
+    """Speed |C'(t)| in mm per unit of the local parameter, shape (m, k)."""
+    p = power.shape[1] - 1
+    values = np.einsum("mid,ki->mkd", power, t[:, None] ** np.arange(p + 1))
+    slope = t[:, None] ** np.maximum(np.arange(p + 1) - 1, 0) * np.arange(p + 1)
+    derivative = np.einsum("mid,ki->mkd", power, slope)
+    w = values[:, :, 2]
+    dx = (derivative[:, :, 0] - derivative[:, :, 2] * values[:, :, 0] / w) / w
+    dy = (derivative[:, :, 1] - derivative[:, :, 2] * values[:, :, 1] / w) / w
+    return np.hypot(dx, dy)
+
+
+def _arc_coefficients(power: Floats) -> Floats:
+    """Chebyshev coefficients in 2 t - 1 of the arc length from the span's start, shape (m, order + 2)."""
+    n = _ARC_ORDER + 1
+    node = np.cos(np.pi * (np.arange(n) + 0.5) / n)
+    speed = _speed(power, (node + 1) / 2)
+    transform = np.cos(np.pi * np.outer(np.arange(n), np.arange(n) + 0.5) / n) * (2 / n)
+    transform[0] /= 2
+    c = speed @ transform.T
+    padded = np.pad(c, ((0, 0), (0, 2)))
+    out = np.zeros((len(power), n + 1))
+    out[:, 1] = c[:, 0] - padded[:, 2] / 2
+    k = np.arange(2, n + 1)
+    out[:, 2:] = (padded[:, k - 1] - padded[:, k + 1]) / (2 * k)
+    out /= 2
+    out[:, 0] = -(out[:, 1:] * (-1.0) ** np.arange(1, n + 1)).sum(axis=1)
+    return out
+
+
+def _chebyshev_sum(coefficient: Floats, t: Floats) -> Floats:
+    """Clenshaw sum of each row's Chebyshev series at 2 t - 1."""
+    x2 = 2 * (2 * t - 1)
+    b1 = np.zeros_like(t)
+    b2 = np.zeros_like(t)
+    for k in range(coefficient.shape[1] - 1, 0, -1):
+        b1, b2 = coefficient[:, k] + x2 * b1 - b2, b1
+    return coefficient[:, 0] + x2 / 2 * b1 - b2
+
+
+def _split_until_arc_length_is_exact(
+    power: Floats, owner: Ints, bounds: Floats
+) -> tuple[Floats, Ints, Floats, Floats]:
+    """Halve spans until the tail of their arc length series is below 1e-11 mm."""
+    order = np.arange(len(power), dtype=float)
+    done: list[tuple[Floats, Ints, Floats, Floats, Floats]] = []
+    for depth in range(24):
+        arc = _arc_coefficients(power)
+        speed_floor = _speed(power, np.linspace(0.0, 1.0, 9)).min(axis=1)
+        if (speed_floor <= 1e-12).any() and depth > 12:
+            break
+        good = np.abs(arc[:, -3:]).max(axis=1) < 1e-11 * np.maximum(1.0, np.abs(arc[:, 0]))
+        done.append((power[good], owner[good], bounds[good], arc[good], order[good]))
+        power, owner, bounds, order = power[~good], owner[~good], bounds[~good], order[~good]
+        if not len(power):
+            break
+        left, right = _halves(power)
+        middle = bounds.mean(axis=1)
+        power = np.concatenate([left, right])
+        owner = np.concatenate([owner, owner])
+        bounds = np.concatenate([np.stack([bounds[:, 0], middle], 1), np.stack([middle, bounds[:, 1]], 1)])
+        order = np.concatenate([order, order + 0.5 ** (depth + 1)])
+    if len(power):
+        raise InputError("the profile has a cusp or a point where its parametrisation stands still")
+    key = np.argsort(np.concatenate([d[4] for d in done]), kind="stable")
+    p, o, b, a = (np.concatenate([d[i] for d in done])[key] for i in range(4))
+    return p, o, b, a
+
+
+def _turns(power: Floats, contours: tuple[Contour, ...], first: Ints) -> Floats:
+    """Turning angle at the end of every span; InputError where neighbours do not meet."""
+    start = power[:, 0, :2] / power[:, 0, 2:]
+    total = power.sum(axis=1)
+    end = total[:, :2] / total[:, 2:]
+    d0 = (power[:, 1, :2] - power[:, 1, 2:] * start) / power[:, 0, 2:]
+    slope = (power * np.arange(power.shape[1])[None, :, None]).sum(axis=1)
+    d1 = (slope[:, :2] - slope[:, 2:] * end) / total[:, 2:]
+    turn = np.full(len(power), np.nan)
+    for k, contour in enumerate(contours):
+        a, b = int(first[k]), int(first[k + 1])
+        this = np.arange(a, b)
+        after = np.roll(this, -1)
+        if not contour.closed:
+            this, after = this[:-1], after[:-1]
+        gap = np.hypot(*(start[after] - end[this]).T)
+        if len(gap) and gap.max() > GAP:
+            i = int(np.argmax(gap))
+            x, y = end[this[i]]
+            raise InputError(f"contour {k} of the profile has a gap of {gap[i]:.4f} mm at X{x:.3f} Y{y:.3f}")
+        cross = d1[this, 0] * d0[after, 1] - d1[this, 1] * d0[after, 0]
+        dot = (d1[this] * d0[after]).sum(axis=1)
+        turn[this] = np.arctan2(cross, dot)
+    return turn
