@@ -1,0 +1,650 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The meaning of an NC program: its words followed through the modal groups to moves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from .errors import FormatError
+from .gcode_arcs import read_arcs
+from .gcode_words import OddLine, Words
+from .toolpath import Bools, Compensation, Floats, Ints, Kind, Plane, Toolpath
+
+INCH = 25.4
+UNSTATED = -1
+"""Motion of a line before any motion code."""
+
+# Codes are held as ten times their number, so that G90.1 is 901.
+_PATHS = (0, 10, 20, 30, 50)
+_CYCLES = (730, 740, 760, 810, 820, 830, 840, 850, 860, 870, 880, 890)
+_CANCEL_CYCLE = 800
+_OFFSETS = (*range(540, 600), 1540, *range(1100, 1300, 10), 5000, *range(5050, 6000, 10))
+_LENGTH_OFFSETS = (430, 431, 432, 440, 490)
+_EXTENDED_OFFSETS = (541, 1540)
+# Okuma: G15 Hn chooses the work offset, G54 to G59 with H the tool length.
+_OKUMA_OFFSET = 150
+_OKUMA_LENGTHS = range(540, 600, 10)
+_HOMING = (280, 300)
+
+_GROUPS: dict[str, dict[int, int]] = {
+    "motion": {code: code for code in (*_PATHS, *_CYCLES, _CANCEL_CYCLE)},
+    "plane": {170: 17, 180: 18, 190: 19},
+    "distance": {900: 90, 910: 91},
+    "arc distance": {901: 90, 911: 91},
+    "unit": {200: 20, 210: 21, 700: 20, 710: 21},
+    "compensation": {
+        400: Compensation.OFF,
+        410: Compensation.LEFT,
+        411: Compensation.LEFT,
+        420: Compensation.RIGHT,
+        421: Compensation.RIGHT,
+    },
+    "feed mode": {930: 93, 940: 94, 950: 95},
+    "cycle return": {980: 98, 990: 99},
+}
+_INITIAL = {
+    "motion": UNSTATED,
+    "plane": 17,
+    "distance": 90,
+    "arc distance": 91,
+    "unit": 21,
+    "compensation": 0,
+    "feed mode": 94,
+    "cycle return": 98,
+}
+
+_FRAME_ON = {
+    920: "G92 shifts the frame",
+    520: "G52 shifts the frame",
+    100: "G10 may change a work offset",
+    680: "G68 rotates the frame",
+    681: "G68.1 rotates the frame",
+    682: "G68.2 tilts the plane",
+    510: "G51 scales the frame",
+    511: "G51.1 mirrors the frame",
+    1010: "G101 mirrors the frame",
+    160: "G16 states polar coordinates",
+    121: "G12.1 interpolates in polar coordinates",
+    1120: "G112 interpolates in polar coordinates",
+    71: "G7.1 interpolates on a cylinder",
+    1070: "G107 interpolates on a cylinder",
+    70: "G7 states diameters",
+    434: "G43.4 controls the tool centre point",
+    435: "G43.5 controls the tool centre point",
+    2340: "G234 controls the tool centre point",
+    660: "G66 calls a macro at every move",
+    930: "G93 states the feed as inverse time",
+}
+_FRAME_OFF: dict[int, tuple[int, ...]] = {
+    921: (920,),
+    922: (920,),
+    110: (100,),
+    690: (680, 681, 682),
+    691: (680, 681, 682),
+    500: (510,),
+    501: (511,),
+    1000: (1010,),
+    150: (160,),
+    131: (121,),
+    1130: (1120,),
+    80: (70,),
+    430: (434, 435),
+    490: (434, 435),
+    2350: (2340,),
+    670: (660,),
+    940: (930,),
+    950: (930,),
+    **{code: (100,) for code in _OFFSETS},
+}
+_POSITION_SURVIVES = (930, 70)
+_CALL_CODES = {650: "G65 calls a macro"}
+_CALL_MS = (97, 98, 198)
+_PROGRAM_ENDS = (2, 30, 99)
+
+# The axis words of a line with one of these are not the target of a move.
+_NOT_A_TARGET = frozenset(
+    [40, 100, 281, 301, 520, 920, 921, 922, 923, 500, 501, 510, 511, 650, 660, 680, 682, 71, 1070]
+)
+_HARMLESS = frozenset(
+    [code for group in _GROUPS.values() for code in group]
+    + [*_FRAME_ON, *_FRAME_OFF, *_OFFSETS, *_LENGTH_OFFSETS, *_HOMING, *_CALL_CODES, *_NOT_A_TARGET, 530]
+    + [51, 90, 600, 601, 610, 611, 620, 630, 640, 960, 970, 1030, 1870, 4500, 4510]
+    + [6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450]
+)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Modal:
+    """Modal state after each line of a program, arrays of shape (lines,).
+
+    Parameters
+    ----------
+    motion : int64
+        Number of the motion code in force times ten (G1 is 10, G5 is 50); `UNSTATED` where none is known.
+    plane, distance, arc_distance, unit : int64
+        17, 18 or 19; 90 or 91; 90 or 91 for G90.1 or G91.1; 20 or 21.
+    feed_word : float64
+        Number of the F word in force, in the program's own unit; NaN before any.
+    """
+
+    motion: Ints
+    plane: Ints
+    distance: Ints
+    arc_distance: Ints
+    unit: Ints
+    feed_word: Floats
+
+
+@dataclass(frozen=True, slots=True)
+class Stretch:
+    """Lines that cannot be corrected because their motion is not plain.
+
+    Parameters
+    ----------
+    first, last : int
+        Indices of the lines, from 0, both included.
+    reason : str
+        What makes them so.
+    """
+
+    first: int
+    last: int
+    reason: str
+
+
+def follow(
+    words: Words, odd: Sequence[OddLine], lines: int, name: str
+) -> tuple[Toolpath, Modal, tuple[Stretch, ...]]:
+    """Follow a program line by line to its moves.
+
+    Parameters
+    ----------
+    words : Words
+        All words of the program.
+    odd : sequence of OddLine
+        Lines that hold more than plain words.
+    lines : int
+        Number of lines.
+    name : str
+        Name of the program for messages.
+
+    Returns
+    -------
+    Toolpath
+    Modal
+    tuple of Stretch
+        What cannot be corrected, in the order of the lines.
+
+    Raises
+    ------
+    FormatError
+        If words contradict each other or an arc is impossible.
+    """
+    return _Follower(words, odd, lines, name).result()
+
+
+def _last_index(stated: Bools) -> Ints:
+    """Index of the last True at or before each place; -1 before the first."""
+    index = np.where(stated, np.arange(len(stated)), -1)
+    return np.maximum.accumulate(index, out=index)
+
+
+def _held(stated: Bools, value: Floats, initial: float) -> Floats:
+    """Value last stated at or before each line, `initial` before the first statement."""
+    index = _last_index(stated)
+    return np.where(index < 0, initial, value[index])
+
+
+class _Follower:
+    """One reading of one program: columns of words, modal groups, positions, moves."""
+
+    def __init__(self, words: Words, odd: Sequence[OddLine], lines: int, name: str) -> None:
+        self.name = name
+        self.lines = lines
+        self.stretches: list[Stretch] = []
+        last = self._last_line(words)
+        if last < lines - 1:
+            behind = np.searchsorted(words.line, last + 1)
+            if np.isin(words.letter[behind:], [ord(c) for c in "XYZIJKR"]).any():
+                self.stretches.append(Stretch(last + 1, lines - 1, "behind the end of the program"))
+            words = words.take(np.arange(behind))
+        self.odd = [o for o in odd if o.line <= last]
+        self.words = words
+        self.columns: dict[str, tuple[Bools, Floats]] = {}
+        g = words.of("G")
+        plain = np.flatnonzero(np.isfinite(g.value))
+        self.code = np.rint(g.value[plain] * 10).astype(np.int64)
+        self.code_line = g.line[plain]
+        tenths = g.value[plain] * 10
+        bad = np.flatnonzero((tenths < 0) | (tenths > 99999) | (abs(tenths - self.code) > 1e-6))
+        if len(bad):
+            raise self._error(int(self.code_line[bad[0]]), f"G{tenths[bad[0]] / 10:g} is not a G code")
+        present = np.flatnonzero(np.bincount(self.code))
+        self.present = frozenset(present.tolist())
+
+    def _error(self, line: int, message: str) -> FormatError:
+        return FormatError(message, self.name, line + 1)
+
+    def _last_line(self, words: Words) -> int:
+        m = words.of("M")
+        ends = m.line[np.isin(m.value, _PROGRAM_ENDS)]
+        return int(ends[0]) if len(ends) else self.lines - 1
+
+    # -- columns and groups -------------------------------------------------------------------------------
+
+    def column(self, letter: str) -> tuple[Bools, Floats]:
+        """Whether and with which number a letter stands on each line, twice (lines,)."""
+        if letter not in self.columns:
+            these = self.words.of(letter)
+            twice = np.flatnonzero(these.line[1:] == these.line[:-1])
+            if len(twice) and letter in "XYZIJKRF":
+                message = f"two {letter} words on one line: keep the one that is meant"
+                raise self._error(int(these.line[twice[0]]), message)
+            stated = np.zeros(self.lines, np.bool_)
+            value = np.full(self.lines, np.nan)
+            stated[these.line] = True
+            value[these.line] = these.value
+            self.columns[letter] = stated, value
+        return self.columns[letter]
+
+    def any_of(self, letters: str) -> Bools:
+        """Lines that hold one of these letters, (lines,)."""
+        out = np.zeros(self.lines, np.bool_)
+        for letter in letters:
+            out |= self.column(letter)[0]
+        return out
+
+    def lines_with(self, codes: Iterable[int]) -> Ints:
+        """Indices of the lines that hold one of these G codes."""
+        wanted = self.present.intersection(codes)
+        if not wanted:
+            return np.empty(0, np.int64)
+        table = np.zeros(int(self.code.max()) + 1, np.bool_)
+        table[list(wanted)] = True
+        return np.unique(self.code_line[table[self.code]])
+
+    def marked(self, codes: Iterable[int]) -> Bools:
+        """Lines that hold one of these G codes, (lines,)."""
+        out = np.zeros(self.lines, np.bool_)
+        out[self.lines_with(codes)] = True
+        return out
+
+    def group(self, what: str, without: Bools | None = None) -> tuple[Bools, Ints]:
+        """Lines that state a modal group, and the state after every line."""
+        members = _GROUPS[what]
+        stated = np.zeros(self.lines, np.bool_)
+        state = np.full(self.lines, _INITIAL[what], np.int64)
+        if not self.present.intersection(members):
+            return stated, state
+        table = np.full(int(self.code.max()) + 1, -9, np.int64)
+        for code, value in members.items():
+            if code < len(table):
+                table[code] = value
+        value = table[self.code]
+        these = np.flatnonzero(value != -9)
+        if what == "motion" and _CANCEL_CYCLE in self.present:
+            # G0 G80 is a customary safety line: the other code of the line decides.
+            cancel = value[these] == _CANCEL_CYCLE
+            others = self.code_line[these[~cancel]]
+            these = these[~(cancel & np.isin(self.code_line[these], others))]
+        line = self.code_line[these]
+        clash = np.flatnonzero((line[1:] == line[:-1]) & (value[these][1:] != value[these][:-1]))
+        if len(clash):
+            a, b = self.code[these][clash[0] : clash[0] + 2] / 10
+            raise self._error(int(line[clash[0]]), f"G{a:g} and G{b:g} on one line contradict each other")
+        stated[line] = True
+        state[line] = value[these]
+        if without is not None:
+            stated &= ~without
+        index = _last_index(stated)
+        return stated, np.where(index < 0, _INITIAL[what], state[index])
+
+    # -- what is not plain --------------------------------------------------------------------------------
+
+    def _mark(self, lines: Ints, reason: str) -> None:
+        """Note lines, runs of neighbours as one stretch."""
+        if len(lines):
+            breaks = np.flatnonzero(np.diff(lines) > 1)
+            firsts = lines[np.concatenate([[0], breaks + 1])]
+            lasts = lines[np.concatenate([breaks, [len(lines) - 1]])]
+            for first, last in zip(firsts.tolist(), lasts.tolist(), strict=True):
+                self.stretches.append(Stretch(first, last, reason))
+
+    def _frames(self, lost: Bools) -> None:
+        """Stretches between a code that changes the frame and the one that ends it."""
+        events: list[tuple[int, int, bool]] = []
+        on = {code: reason for code, reason in _FRAME_ON.items() if code in self.present}
+        for code in on:
+            for line in self.lines_with([code]).tolist():
+                events.append((line, code, self._turns_on(code, line)))
+        for code, ended in _FRAME_OFF.items():
+            if code in self.present and any(e in on for e in ended):
+                for line in self.lines_with([code]).tolist():
+                    events += [(line, e, False) for e in ended if e in on]
+        since: dict[int, int] = {}
+        for line, code, turns_on in sorted(events, key=lambda e: (e[0], e[2])):
+            if turns_on:
+                since.setdefault(code, line)
+            elif code in since:
+                self.stretches.append(Stretch(since.pop(code), line, on[code]))
+            else:
+                continue
+            if code not in _POSITION_SURVIVES:
+                lost[line] = True
+        for code, line in since.items():
+            self.stretches.append(Stretch(line, self.lines - 1, on[code]))
+
+    def _turns_on(self, code: int, line: int) -> bool:
+        """Whether a frame code really changes the frame by the words beside it."""
+        def number(letter: str) -> float:
+            stated, value = self.column(letter)
+            return float(value[line]) if stated[line] else 0.0
+
+        if code == 520:
+            return any(number(axis) != 0 for axis in "XYZABC")
+        if code == 71 or code == 1070:
+            return number("C") != 0
+        if code == 100:
+            return number("L") in (0, 2, 20)
+        if code == 160:
+            return not self.column("H")[0][line]
+        return True
+
+    def _offset_changes(self, lost: Bools) -> None:
+        """A change of work offset or tool length: what is not stated afresh is unknown."""
+        h_stated, h = self.column("H")
+        p = self.column("P")[1]
+        offset, length = "G54", "G49"
+        codes = {*_OFFSETS, *_LENGTH_OFFSETS, _OKUMA_OFFSET}
+        pick = np.isin(self.code, list(codes))
+        for code, line in zip(self.code[pick].tolist(), self.code_line[pick].tolist(), strict=True):
+            if code == _OKUMA_OFFSET and not h_stated[line]:
+                continue
+            if code in _LENGTH_OFFSETS or (code in _OKUMA_LENGTHS and h_stated[line]):
+                new = "G49" if code == 490 else f"G{code / 10:g} H{h[line]}"
+                lost[line, 2] |= new != length
+                length = new
+            else:
+                new = f"G{code / 10:g}"
+                if code == _OKUMA_OFFSET or code in _EXTENDED_OFFSETS:
+                    new += f" {h[line] if code == _OKUMA_OFFSET else p[line]}"
+                lost[line] |= new != offset
+                offset = new
+
+    def _calls(self, motion_stated: Bools, distance_stated: Bools) -> tuple[Bools, Bools]:
+        """Lines behind which nothing is known, and lines whose motion code is not known."""
+        lost = np.zeros(self.lines, np.bool_)
+        doubtful = np.zeros(self.lines, np.bool_)
+        calls = [(line, _CALL_CODES[c]) for c in _CALL_CODES for line in self.lines_with([c]).tolist()]
+        m = self.words.of("M")
+        calls += [(line, "a subprogram is called") for line in m.line[np.isin(m.value, _CALL_MS)].tolist()]
+        for o in self.odd:
+            if o.effect == "flow":
+                self.stretches.append(Stretch(o.line, self.lines - 1, o.reason))
+                break
+            if o.effect == "call":
+                calls.append((o.line, o.reason))
+            elif o.reason:
+                last = self.lines - 1 if o.effect == "frame" else o.line
+                self.stretches.append(Stretch(o.line, last, o.reason))
+        motions, distances = np.flatnonzero(motion_stated), np.flatnonzero(distance_stated)
+        for line, reason in calls:
+            lost[line] = True
+            until = _next(motions, line, self.lines)
+            doubtful[line:until] = True
+            until = _next(distances, line, self.lines)
+            self.stretches.append(Stretch(line, until - 1, f"{reason}, G90 or G91 is not stated afresh behind it"))
+        return lost, doubtful
+
+    def _strange(self, xy: Bools, motion_stated: Bools) -> tuple[Bools, Bools]:
+        """Lines with unknown codes, and lines whose motion code they leave unknown."""
+        strange = np.zeros(self.lines, np.bool_)
+        doubtful = np.zeros(self.lines, np.bool_)
+        motions = np.flatnonzero(motion_stated)
+        for code in sorted(self.present - _HARMLESS):
+            lines = self.lines_with([code])
+            self._mark(lines, f"G{code / 10:g} is not followed")
+            strange[lines] = True
+        quadratic = self.marked([51]) & xy
+        self._mark(np.flatnonzero(quadratic), "G5.1 with a target is not followed")
+        strange |= quadratic
+        for line in np.flatnonzero(strange).tolist():
+            doubtful[line : _next(motions, line, self.lines)] = True
+        return strange, doubtful
+
+    def _unknown_axes(self, homing: Bools, cycle: Bools, back_to_r: Bools, absolute: Bools) -> dict[str, Bools]:
+        """Axes whose position is unknown behind a line although it may name them, three times (lines,)."""
+        machine = self.marked([530])
+        none_named = homing & ~self.any_of("XYZ")
+        repeated = cycle & ~absolute & self.any_of("KL")
+        unknown = {axis: ((homing | machine) & self.column(axis)[0]) | none_named for axis in "XYZ"}
+        unknown["Z"] |= cycle & back_to_r
+        unknown["X"] |= repeated
+        unknown["Y"] |= repeated
+        return unknown
+
+    # -- positions ----------------------------------------------------------------------------------------
+
+    def _positions(
+        self, target: Bools, hole: Bools, lost: Bools, unknown: dict[str, Bools], absolute: Bools, scale: Floats
+    ) -> tuple[Floats, Floats, Bools]:
+        """Position before and after each line in mm, and whether it was stated before, (lines, 3) each."""
+        before = np.full((self.lines, 3), np.nan)
+        after = np.empty((self.lines, 3))
+        ever = np.zeros((self.lines, 3), np.bool_)
+        incremental = not absolute.all()
+        for k, axis in enumerate("XYZ"):
+            stated, value = self.column(axis)
+            stated = stated & target
+            if axis == "Z":
+                stated &= ~hole
+            value = np.where(stated, value * scale, np.nan)
+            value[unknown[axis]] = np.nan
+            fixed = lost[:, k] | unknown[axis] | (stated & absolute)
+            if incremental:
+                step = np.where(stated & ~absolute, value, 0.0)
+                fixed |= np.isnan(step)
+                value[~absolute] = np.nan
+                step[fixed] = 0.0
+            index = _last_index(fixed)
+            position = np.where(index < 0, np.nan, value[index])
+            if incremental:
+                sums = np.cumsum(step)
+                position += sums - sums[np.maximum(index, 0)]
+            after[:, k] = position
+            before[1:, k] = position[:-1]
+            before[lost[:, k], k] = np.nan
+            ever[1:, k] = index[:-1] >= 0
+        return before, after, ever
+
+    def _feed(self, stated_mode: Bools, mode: Ints, scale: Floats) -> tuple[Floats, Floats]:
+        """Number of the F word in force, and the feed in mm/s, after every line."""
+        stated, value = self.column("F")
+        feed = np.where(mode == 94, value * scale / 60.0, np.nan)
+        changed = stated_mode & (np.diff(mode, prepend=94) != 0)
+        return _held(stated, value, np.nan), _held(stated | changed, feed, np.nan)
+
+    def _tool(self) -> Ints:
+        """Number of the tool in the spindle after every line."""
+        stated, number = self.column("T")
+        chosen = _held(stated, number, -1.0)
+        m = self.words.of("M")
+        change = np.zeros(self.lines, np.bool_)
+        change[m.line[m.value == 6]] = True
+        if change.any():
+            chosen = _held(change, chosen, -1.0)
+        usable = np.isfinite(chosen) & (abs(chosen) < 2**53)
+        return np.where(usable, chosen, -1.0).astype(np.int64)
+
+    # -- the whole ----------------------------------------------------------------------------------------
+
+    def result(self) -> tuple[Toolpath, Modal, tuple[Stretch, ...]]:
+        """Moves, modal state and stretches that cannot be corrected."""
+        xyz, arc_words = self.any_of("XYZ"), self.any_of("IJKR")
+        # Fanuc's G5 P10000 tunes the control; a spline has its end on the line.
+        tuning = self.marked([50]) & ~xyz & ~arc_words
+        motion_stated, motion = self.group("motion", without=tuning)
+        _, plane = self.group("plane")
+        distance_stated, distance = self.group("distance")
+        _, arc_distance = self.group("arc distance")
+        _, unit = self.group("unit", without=self.marked([700, 710]) & self.any_of("IJKL"))
+        _, compensation = self.group("compensation")
+        mode_stated, mode = self.group("feed mode")
+        _, cycle_return = self.group("cycle return")
+        scale = np.where(unit == 20, INCH, 1.0)
+        absolute = distance == 90
+
+        lost = np.zeros((self.lines, 3), np.bool_)
+        self._frames(lost)
+        self._offset_changes(lost)
+        behind_call, doubtful = self._calls(motion_stated, distance_stated)
+        strange, doubtful_too = self._strange(xyz, motion_stated)
+        motion = np.where(doubtful | doubtful_too, UNSTATED, motion)
+        homing = self.marked(_HOMING)
+        target = ~self.marked(_NOT_A_TARGET)
+        cycle = np.isin(motion, _CYCLES)
+        unknown = self._unknown_axes(homing, cycle & xyz, cycle_return == 99, absolute)
+        for axis in "XYZ":
+            unknown[axis] |= strange | behind_call
+        before, after, ever = self._positions(target, cycle, lost, unknown, absolute, scale)
+
+        arc = (motion == 20) | (motion == 30)
+        moving = ((xyz | (arc & arc_words)) & target) | homing
+        ordinary = moving & ~homing
+        on_path = ordinary & np.isin(motion, _PATHS)
+        turning = self.any_of("ABCUVW") & on_path & (motion > 0)
+        for lines, reason in (
+            (turning, "a rotary or parallel axis moves with this line"),
+            (ordinary & (motion == UNSTATED), "no motion code is in force"),
+            (ordinary & (motion == _CANCEL_CYCLE), "axis words behind G80"),
+            (ordinary & cycle, "canned cycle, never rewritten"),
+            (homing, "G28 or G30 leaves the work frame"),
+            (self.marked([530]), "G53 moves in the machine frame"),
+        ):
+            self._mark(np.flatnonzero(lines), reason)
+
+        rows = np.flatnonzero(moving)
+        kind = np.zeros(len(rows), np.int64)
+        for code, value in ((10, Kind.LINE), (20, Kind.ARC), (30, Kind.ARC), (50, Kind.CUBIC)):
+            kind[on_path[rows] & (motion[rows] == code)] = value
+        start, end = before[rows], after[rows]
+        centre, sweep = self._arcs(
+            rows, kind, start, end, plane, motion == 20, arc_distance == 90, scale, ever[rows]
+        )
+        control = self._cubics(rows, kind, start, end, plane, motion, scale)
+        feed_word, feed = self._feed(mode_stated, mode, scale)
+        toolpath = Toolpath(
+            kind=kind,
+            start=start,
+            end=end,
+            centre=centre,
+            sweep=sweep,
+            control=control,
+            plane=plane[rows],
+            feed=np.where(kind == Kind.RAPID, np.nan, feed[rows]),
+            source=rows,
+            compensation=compensation[rows],
+            tool=self._tool()[rows],
+        )
+        modal = Modal(motion, plane, distance, arc_distance, unit, feed_word)
+        return toolpath, modal, tuple(sorted(self.stretches, key=lambda s: (s.first, s.last)))
+
+    def _opaque(self) -> Bools:
+        opaque = np.zeros(self.lines, np.bool_)
+        for s in self.stretches:
+            opaque[s.first : s.last + 1] = True
+        return opaque
+
+    def _refuse(self, lines: Ints, message: str) -> None:
+        if len(lines):
+            raise self._error(int(lines[0]), message)
+
+    def _arcs(
+        self,
+        rows: Ints,
+        kind: Ints,
+        start: Floats,
+        end: Floats,
+        plane: Ints,
+        clockwise: Bools,
+        absolute: Bools,
+        scale: Floats,
+        ever: Bools,
+    ) -> tuple[Floats, Floats]:
+        """Centre (n, 3) and sweep (n,) of all moves."""
+        centre = np.full((len(rows), 3), np.nan)
+        sweep = np.zeros(len(rows))
+        arcs = np.flatnonzero(kind == Kind.ARC)
+        if not len(arcs):
+            return centre, sweep
+        lines = rows[arcs]
+        opaque = self._opaque()[lines]
+        axes = np.array([Plane(p).axes[:2] for p in (17, 18, 19)])[plane[lines] - 17]
+        unknown = ~np.isfinite(np.take_along_axis(start[arcs], axes, axis=1)).all(axis=1)
+        never = ~np.take_along_axis(ever[arcs], axes, axis=1).all(axis=1)
+        message = "arc from an unknown start: state the position before it"
+        self._refuse(lines[never & unknown & ~opaque], message)
+        self._mark(lines[unknown & ~opaque], "arc from an unknown start")
+        sweep[arcs[unknown | opaque]] = np.nan
+        plain = ~(unknown | opaque)
+        arcs, lines = arcs[plain], lines[plain]
+
+        def word(letter: str) -> tuple[Bools, Floats]:
+            stated, value = self.column(letter)
+            return stated[lines], value[lines]
+
+        centre[arcs], sweep[arcs], strange = read_arcs(
+            start[arcs],
+            end[arcs],
+            plane[lines],
+            clockwise[lines],
+            (word("I"), word("J"), word("K")),
+            word("R"),
+            word("P"),
+            absolute[lines],
+            scale[lines],
+            lambda mask, message: self._refuse(lines[mask], message),
+        )
+        self._mark(lines[strange], "arc with a pitch word along its axis")
+        return centre, sweep
+
+    def _cubics(
+        self, rows: Ints, kind: Ints, start: Floats, end: Floats, plane: Ints, motion: Ints, scale: Floats
+    ) -> Floats:
+        """Inner control points (n, 4) of all moves, in mm."""
+        control = np.full((len(rows), 4), np.nan)
+        cubics = np.flatnonzero(kind == Kind.CUBIC)
+        plain = ~self._opaque()[rows[cubics]]
+        cubics = cubics[plain]
+        if not len(cubics):
+            return control
+        lines = rows[cubics]
+        i, j, p, q = (self.column(letter) for letter in "IJPQ")
+        self._refuse(lines[plane[lines] != 17], "G5 works in the XY plane only: state G17")
+        self._refuse(lines[i[0][lines] != j[0][lines]], "G5 needs both I and J, or neither behind another G5")
+        self._refuse(lines[~(p[0] & q[0])[lines]], "G5 needs P and Q")
+        self._refuse(lines[self.column("Z")[0][lines]], "G5 moves X and Y only: move Z on a line of its own")
+        free = ~i[0][lines]
+        previous = np.concatenate([[-1], cubics[:-1]])
+        chained = previous == cubics - 1
+        unbroken = np.zeros(len(cubics), np.bool_)
+        for k in np.flatnonzero(free & chained).tolist():
+            unbroken[k] = bool((motion[rows[previous[k]] : rows[cubics[k]] + 1] == 50).all())
+        self._refuse(lines[free & ~unbroken], "the first G5 of a row needs I and J")
+        ends = np.column_stack([p[1][lines], q[1][lines]]) * scale[lines, None]
+        begins = np.column_stack([i[1][lines], j[1][lines]]) * scale[lines, None]
+        begins[free] = -np.roll(ends, 1, axis=0)[free]
+        control[cubics, :2] = start[cubics, :2] + begins
+        control[cubics, 2:] = end[cubics, :2] + ends
+        unknown = ~np.isfinite(control[cubics]).all(axis=1)
+        self._refuse(lines[unknown], "spline from an unknown start: state the position before it")
+        return control
+
+
+def _next(lines: Ints, line: int, otherwise: int) -> int:
+    """First of the sorted lines behind `line`."""
+    place = int(np.searchsorted(lines, line, side="right"))
+    return int(lines[place]) if place < len(lines) else otherwise
