@@ -1,0 +1,303 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What differs between FreeCAD 0.20, 1.0 and 1.1, in one place.
+
+FreeCAD moved its machining modules, replaced its tool bits and its post processors. The rest of millcorr asks
+here and never for a version. Jobs and operations are recognised by their properties, because a document made
+by FreeCAD 0.20 opens in 1.x with dead proxies.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+from types import ModuleType
+from typing import Any
+
+import FreeCAD
+import Path
+
+from ..errors import InputError
+
+DocumentObject = Any
+"""A FreeCAD document object; FreeCAD has no type stubs."""
+
+
+def _first(*names: str) -> ModuleType:
+    """First of several modules that this FreeCAD has."""
+    for name in names[:-1]:
+        try:
+            return importlib.import_module(name)
+        except ModuleNotFoundError as error:
+            if not name.startswith(error.name or ""):
+                raise
+    return importlib.import_module(names[-1])
+
+
+def job_module() -> ModuleType:
+    """The module with ``Create`` for jobs."""
+    return _first("Path.Main.Job", "PathScripts.PathJob")
+
+
+def profile_module() -> ModuleType:
+    """The module with ``Create`` for Profile operations."""
+    return _first("Path.Op.Profile", "PathScripts.PathProfile")
+
+
+def controller_module() -> ModuleType:
+    """The module with ``Create`` for tool controllers."""
+    return _first("Path.Tool.Controller", "PathScripts.PathToolController")
+
+
+def _has_new_tool_bits() -> bool:
+    return importlib.util.find_spec("Path.Tool") is not None and (
+        importlib.util.find_spec("Path.Tool.toolbit") is not None
+    )
+
+
+def prepare_modules() -> None:
+    """Import the machining modules, so that their objects come to life when a document is opened."""
+    for module in (job_module, profile_module, controller_module):
+        module()
+
+
+# Jobs and operations ------------------------------------------------------------------------------------
+
+
+def is_job(obj: DocumentObject) -> bool:
+    """Whether an object is a machining job."""
+    return all(hasattr(obj, name) for name in ("Operations", "Model", "Tools", "PostProcessor"))
+
+
+def jobs(document: Any) -> list[DocumentObject]:
+    """Jobs of a document."""
+    return [obj for obj in document.Objects if is_job(obj)]
+
+
+def operations(job: DocumentObject) -> list[DocumentObject]:
+    """Operations and dressups of a job, in the order in which they are machined."""
+    group = job.Operations
+    return [] if group is None else list(group.Group)
+
+
+def is_operation(obj: DocumentObject) -> bool:
+    """Whether an object is an operation or a dressup: it has a path and is no job or tool controller."""
+    return (
+        obj.isDerivedFrom("Path::Feature") and hasattr(obj, "Path") and not is_job(obj) and not is_controller(obj)
+    )
+
+
+def is_controller(obj: DocumentObject) -> bool:
+    """Whether an object is a tool controller."""
+    return hasattr(obj, "Tool") and hasattr(obj, "ToolNumber")
+
+
+def is_dressup(obj: DocumentObject) -> bool:
+    """Whether an operation dresses up another one: its Base is one object with a path."""
+    base = getattr(obj, "Base", None)
+    return getattr(base, "Path", None) is not None and is_operation(base)
+
+
+def bottom_operation(obj: DocumentObject) -> DocumentObject:
+    """The operation underneath any number of dressups."""
+    seen = {obj.Name}
+    while is_dressup(obj):
+        obj = obj.Base
+        if obj.Name in seen:
+            raise InputError(f"the dressups of {obj.Label} form a ring")
+        seen.add(obj.Name)
+    return obj
+
+
+def parent_job(obj: DocumentObject) -> DocumentObject | None:
+    """The job in which an operation is machined, also where a dressup lies over it; None without one."""
+    for job in jobs(obj.Document):
+        for operation in operations(job):
+            here = operation
+            while True:
+                if here.Name == obj.Name:
+                    return job
+                if not is_dressup(here):
+                    break
+                here = here.Base
+    return None
+
+
+def replace_operation(job: DocumentObject, old: DocumentObject, new: DocumentObject) -> None:
+    """Put one operation in another's place in the job's sequence; at the end where the other is not there."""
+    group = [obj for obj in operations(job) if obj.Name != new.Name]
+    names = [obj.Name for obj in group]
+    if old.Name in names:
+        group[names.index(old.Name)] = new
+    else:
+        group.append(new)
+    job.Operations.Group = group
+
+
+def is_active(obj: DocumentObject) -> bool:
+    """Whether an operation, and every operation below it, is switched on."""
+    while True:
+        if not getattr(obj, "Active", True):
+            return False
+        if not is_dressup(obj):
+            return True
+        obj = obj.Base
+
+
+def tool_controller(obj: DocumentObject) -> DocumentObject | None:
+    """Tool controller of an operation, or of the operation below a dressup."""
+    return getattr(bottom_operation(obj), "ToolController", None)
+
+
+def tool_diameter(obj: DocumentObject) -> float:
+    """Diameter of an operation's tool in mm.
+
+    Raises
+    ------
+    InputError
+        If the operation has no tool, or a tool without a diameter.
+    """
+    controller = tool_controller(obj)
+    diameter = getattr(getattr(controller, "Tool", None), "Diameter", None)
+    if diameter is None:
+        raise InputError(f"{obj.Label}: the operation has no tool with a diameter; set ToolDiameter")
+    value = float(getattr(diameter, "Value", diameter))
+    if value <= 0:
+        raise InputError(f"{obj.Label}: the tool's diameter is {value} mm; set ToolDiameter")
+    return value
+
+
+def path_of(obj: DocumentObject) -> Any:
+    """Path of an operation in the job's frame, its placement applied where FreeCAD posts it so.
+
+    FreeCAD 0.20 ignores placements when it posts; there the path is taken as it stands.
+    """
+    placed = getattr(importlib.import_module("PathScripts.PathUtils"), "getPathWithPlacement", None)
+    return obj.Path if placed is None else placed(obj)
+
+
+# Making a job, for the demonstration and for tests ----------------------------------------------------------
+
+
+def make_job(document: Any, models: list[DocumentObject], name: str = "Job") -> DocumentObject:
+    """New job of some models, posted for LinuxCNC."""
+    FreeCAD.setActiveDocument(document.Name)
+    job = job_module().Create(name, models, None)
+    job.PostProcessor = "linuxcnc"
+    return job
+
+
+def set_end_mill(controller: DocumentObject, diameter: float) -> None:
+    """Give a tool controller an end mill of a diameter in mm."""
+    if controller.Tool is None:
+        if _has_new_tool_bits():
+            bit = importlib.import_module("Path.Tool.toolbit").ToolBit.from_shape_id("endmill.fcstd")
+            controller.Tool = bit.attach_to_doc(doc=controller.Document)
+        else:
+            controller.Tool = _first("Path.Tool.Bit", "PathScripts.PathToolBit").Factory.Create()
+    tool = controller.Tool
+    tool.Diameter = f"{diameter} mm"
+    tool.Label = f"End mill {diameter:g} mm"
+    controller.Label = f"TC: {tool.Label}"
+
+
+def make_profile(job: DocumentObject, name: str = "Profile") -> DocumentObject:
+    """New Profile operation round the job's models, outside."""
+    FreeCAD.setActiveDocument(job.Document.Name)
+    operation = profile_module().Create(name, parentJob=job)
+    if operation.Name not in [obj.Name for obj in operations(job)]:
+        job.Operations.Group = [*operations(job), operation]
+    if getattr(operation, "ToolController", None) is None:
+        operation.ToolController = job.Tools.Group[0]
+    return operation
+
+
+# Post processing ------------------------------------------------------------------------------------------------
+
+
+class _JobWithArguments:
+    """A job as a post processor sees it, with other arguments; the job itself is left alone."""
+
+    def __init__(self, job: DocumentObject, arguments: str) -> None:
+        self._job = job
+        self.PostProcessorArgs = arguments
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._job, name)
+
+
+class _Fixture:
+    """The start of a work frame, in the form that the post processors of 0.20 expect of an operation."""
+
+    def __init__(self, job: DocumentObject, name: str) -> None:
+        clearance = job.Stock.Shape.BoundBox.ZMax + job.SetupSheet.ClearanceHeightOffset.Value
+        self.Name = self.Label = name
+        self.Path = Path.Path([Path.Command(name), Path.Command("G0", {"Z": clearance})])
+        self.InList = [job]
+
+
+def _post_list(job: DocumentObject) -> list[Any]:
+    """What FreeCAD 0.20 hands to a post processor for a job: frames, tool controllers, operations."""
+    active = [obj for obj in operations(job) if is_active(obj)]
+    if job.OrderOutputBy == "Operation":
+        groups = [(job.Fixtures, [obj]) for obj in active]
+    elif job.OrderOutputBy == "Tool":
+        groups = []
+        for obj in active:
+            if groups and tool_controller(groups[-1][1][-1]) == tool_controller(obj):
+                groups[-1][1].append(obj)
+            else:
+                groups.append((job.Fixtures, [obj]))
+    else:
+        groups = [([fixture], active) for fixture in job.Fixtures]
+    out: list[Any] = []
+    current = None
+    for fixtures, group in groups:
+        for fixture in fixtures:
+            out.append(_Fixture(job, fixture))
+            for obj in group:
+                controller = tool_controller(obj)
+                if controller is not None and controller != current:
+                    out.append(controller)
+                    current = controller
+                out.append(obj)
+    return out
+
+
+def post(job: DocumentObject, arguments: str | None = None) -> str:
+    """NC text of a job, made by the FreeCAD post processor that the job names, or else by LinuxCNC's.
+
+    Parameters
+    ----------
+    job : document object
+        The job.
+    arguments : str, optional
+        Arguments of the post processor; default the job's own.
+
+    Returns
+    -------
+    str
+        The program.
+
+    Raises
+    ------
+    InputError
+        If the post processor makes no program, or several.
+    """
+    name = job.PostProcessor or "linuxcnc"
+    arguments = job.PostProcessorArgs if arguments is None else arguments
+    if "--no-show-editor" not in arguments:
+        arguments = f"{arguments} --no-show-editor".strip()
+    try:
+        factory = importlib.import_module("Path.Post.Processor").PostProcessorFactory
+    except ModuleNotFoundError:
+        processor = importlib.import_module("PathScripts.PathPostProcessor").PostProcessor.load(name)
+        sections = [("", processor.export(_post_list(job), "-", arguments))]
+    else:
+        processor = factory.get_post_processor(_JobWithArguments(job, arguments), name)
+        sections = [] if processor is None else processor.export() or []
+    texts = [text for _, text in sections if text]
+    if not texts:
+        raise InputError(f"{job.Label}: FreeCAD's post processor {name} made no program")
+    if len(texts) > 1:
+        raise InputError(f"{job.Label}: FreeCAD's post processor made {len(texts)} programs; clear SplitOutput")
+    return str(texts[0])
