@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .errors import InputError, UsageError
 from .gaussian_regression import local_line
+from .spline_regression import spline_regression
 
 Floats = NDArray[np.float64]
 
@@ -223,6 +224,8 @@ def separate(s: ArrayLike, d: ArrayLike, *, length: float, closed: bool, filter:
         parts = _moving_average(row, filter.mask)
     elif filter.kind == "gauss":
         parts = _gaussian(row, filter.cutoff)
+    elif filter.kind == "auto":
+        parts = _regression(row, 1e-12 * float(np.max(np.abs(deviations))))
     else:
         raise UsageError(f"unknown filter '{filter}'; {_LEGAL}")
     determined = np.empty_like(deviations)
@@ -408,3 +411,42 @@ def _gaussian(row: Row, cutoff: float) -> Parts:
 
 def _ends(row: Row) -> str:
     return "closed profile" if row.closed else "linear regression at the open ends per ISO 16610-28"
+
+
+def _regression(row: Row, noise_floor: float) -> Parts:
+    """B-spline regression that stops when the residuals are no longer correlated."""
+    fit = spline_regression(
+        row.d,
+        row.place,
+        row.place_s,
+        period=row.length if row.closed else None,
+        noise_floor=noise_floor,
+    )
+    warnings = list(_gap_warnings(row))
+    outliers = int(np.count_nonzero(fit.weights < 0.5))
+    if outliers:
+        warnings.append(f"{outliers} point(s) far off their neighbours were taken as outliers and ignored")
+    if not fit.settled:
+        warnings.append(
+            "the residuals are still correlated with the finest knots that the points allow"
+            f" ({fit.knot_spacing:.3g} mm): the random part holds something determined; measure more densely"
+        )
+    if fit.parameters == 1:
+        shape = "a constant"
+    elif fit.parameters < 4 and not row.closed:
+        shape = "a straight line" if fit.parameters == 2 else "a parabola"
+    else:
+        kind = "periodic cubic" if row.closed else "cubic"
+        shape = (
+            f"a {kind} B-spline of {fit.parameters} parameters, 50 % transmission at a wavelength of"
+            f" {2.0 * fit.knot_spacing:.3g} mm"
+        )
+    return Parts(
+        fit.values,
+        fit.random_std,
+        fit.variance_factor,
+        f"regression on {shape}; Moran's I of the residuals {fit.moran.index:+.3f}, z = {fit.moran.z:+.2f}"
+        f" (correlated above 1.64){_shortest(row)}",
+        tuple(warnings),
+        fit.weights,
+    )
