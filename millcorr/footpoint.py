@@ -132,6 +132,52 @@ class FootPointSearch:
         place = self._resolve_joints(x, y, span, t, foot, normal, distance)
         return FootPoints(span, t, foot, normal, distance, place, rival)
 
+    def on_the_side_of(self, points: Floats, normals: Floats, feet: FootPoints) -> FootPoints:
+        """Move foot points to the branch that faces the way the measured normals do.
+
+        Parameters
+        ----------
+        points : (n, 2) float64
+            mm.
+        normals : (n, 2) float64
+            Measured normals; rows of length 0 are left alone.
+        feet : FootPoints
+            What `find` gave for the points.
+
+        Returns
+        -------
+        FootPoints
+            Rows whose normal disagreed now lie on the nearest facing branch, where one was found within
+            2 mm along the measured normal.
+        """
+        length = np.hypot(*normals.T)
+        unit = normals / np.maximum(length, 1e-12)[:, None]
+        wrong = np.flatnonzero((length > 0.1) & ((unit * feet.normal).sum(axis=1) < 0.5))
+        for shift in (0.25, 0.5, 1.0, 2.0):
+            if not len(wrong):
+                break
+            out = self.find(points[wrong] + shift * unit[wrong])
+            facing = ((unit[wrong] * out.normal).sum(axis=1) > 0.7) & (out.place == Place.SMOOTH)
+            rows = wrong[facing]
+            if len(rows):
+                span, t, settled, values = self._newton(
+                    points[rows, 0], points[rows, 1], out.span[facing], out.t[facing]
+                )
+                cx, cy, nx, ny, distance = values
+                keep = settled & (np.abs(distance) <= 2.0)
+                back = rows[keep]
+                arrays = [np.array(a) for a in (feet.span, feet.t, feet.foot, feet.normal, feet.distance)]
+                arrays.append(np.array(feet.place))
+                arrays.append(np.array(feet.rival))
+                new = (span, t, np.stack([cx, cy], 1), np.stack([nx, ny], 1), distance)
+                for target, value in zip(arrays, new, strict=False):
+                    target[back] = value[keep]
+                arrays[5][back] = Place.SMOOTH
+                arrays[6][back] = np.inf
+                feet = FootPoints(*arrays)
+            wrong = wrong[~facing]
+        return feet
+
     def _newton(
         self, x: Floats, y: Floats, span: Ints, t: Floats, steps: int = 6
     ) -> tuple[Ints, Floats, NDArray[np.bool_], tuple[Floats, ...]]:

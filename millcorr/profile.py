@@ -56,6 +56,27 @@ class Contour:
         return Contour(tuple(c.reversed() for c in reversed(self.curves)), self.closed)
 
 
+@dataclass(frozen=True, slots=True)
+class Stretch:
+    """A part of a contour without corners.
+
+    Parameters
+    ----------
+    contour : int
+    begin : float
+        Arc length in mm of its start, from the contour's start.
+    length : float
+        mm; it may run past the contour's seam.
+    closed : bool
+        True where the stretch is a whole closed contour without any corner.
+    """
+
+    contour: int
+    begin: float
+    length: float
+    closed: bool
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Profile:
     """One or more contours in the XY plane of the work frame, cut into spans for computation.
@@ -174,6 +195,23 @@ class Profile:
         last = self.first[1:] - 1
         return self.begin[last] + self.length[last]
 
+    def stretches(self) -> list[Stretch]:
+        """Smooth stretches by their number."""
+        out = []
+        for number in range(int(self.stretch.max()) + 1):
+            spans = np.flatnonzero(self.stretch == number)
+            k = int(self.contour[spans[0]])
+            total = float(self.total[k])
+            jump = np.flatnonzero(np.diff(spans) != 1)
+            start = int(spans[jump[0] + 1]) if len(jump) else int(spans[0])
+            last = int(self.neighbour(np.array([start]), -1)[0])
+            corner = bool(np.isnan(self.turn[last]) or abs(self.turn[last]) > CORNER_ANGLE)
+            whole = len(spans) == int(self.first[k + 1] - self.first[k])
+            closed = whole and self.contours[k].closed and not corner
+            length = float(self.length[spans].sum())
+            out.append(Stretch(k, float(self.begin[start]) % total, length, closed))
+        return out
+
     def reversed(self) -> Profile:
         """The same contours with the material on the other side."""
         return Profile.from_contours(c.reversed() for c in self.contours)
@@ -286,17 +324,20 @@ class Profile:
             here = np.mod(s[rows], total[k]) if self.contours[k].closed else np.clip(s[rows], 0.0, total[k])
             a, b = int(self.first[k]), int(self.first[k + 1])
             span[rows] = a + np.clip(np.searchsorted(self.begin[a:b], here, side="right") - 1, 0, b - a - 1)
-            goal = here - self.begin[span[rows]]
-            local = goal / self.length[span[rows]]
-            for _ in range(20):
-                error = _chebyshev_sum(self.arc[span[rows]], local) - goal
-                _, d1, _ = self.evaluate(span[rows], local)
-                step = error / np.hypot(*d1.T)
-                local = np.clip(local - step, 0.0, 1.0)
-                if np.abs(error).max(initial=0.0) < 1e-11:
-                    break
-            t[rows] = local
+            t[rows] = self.parameter(span[rows], here - self.begin[span[rows]])
         return span, t
+
+    def parameter(self, span: Ints, distance: Floats) -> Floats:
+        """Local parameters at arc lengths from each span's start, clipped to 0..1; (n,)."""
+        t = np.clip(distance / self.length[span], 0.0, 1.0)
+        for _ in range(20):
+            error = _chebyshev_sum(self.arc[span], t) - distance
+            _, _, dx, dy, _, _ = self._derivatives(span, t)
+            new = np.clip(t - error / np.hypot(dx, dy), 0.0, 1.0)
+            if np.abs(new - t).max(initial=0.0) < 1e-14:
+                return new
+            t = new
+        return t
 
     def at(self, contour: ArrayLike, s: ArrayLike) -> tuple[Floats, Floats]:
         """Points and outward normals at arc lengths; each (n, 2), mm."""

@@ -1,0 +1,297 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From deviations to the correction: how far the profile is to be moved along its normal, everywhere.
+
+A correction is a function of arc length on every smooth stretch of the profile, positive out of the material;
+mirroring a deviation d gives -g d (werner-2018, eqs. 2 and 3, with gain g).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .errors import LimitError
+from .profile import Profile, Stretch
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+CONSTANT = 1e-7
+"""A correction that varies by less than this along a stretch, in mm, is one number there."""
+
+GAP_SPACINGS = 5.0
+"""A gap between points longer than this many typical spacings is bridged by a straight line and reported."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Course:
+    """A correction along one stretch: a cubic spline over arc length.
+
+    Parameters
+    ----------
+    breaks : (k + 1,) float64
+        mm from the stretch's start.
+    coefficient : (4, k) float64
+        Powers of the distance from each break, lowest first, in mm.
+    period : float
+        Length of a closed stretch; 0 for an open one, where the end values hold on.
+    """
+
+    breaks: Floats
+    coefficient: Floats
+    period: float = 0.0
+
+    @staticmethod
+    def constant(value: float, length: float, closed: bool) -> Course:
+        """The same correction everywhere."""
+        return Course(np.array([0.0, length]), np.array([[value], [0.0], [0.0], [0.0]]), length if closed else 0.0)
+
+    @staticmethod
+    def through(s: Floats, value: Floats, length: float, closed: bool) -> Course:
+        """Cubic spline through values at increasing arc lengths within one stretch (at least one)."""
+        if len(s) == 1 or np.ptp(value) == 0.0:
+            return Course.constant(float(value[0]), length, closed)
+        from scipy.interpolate import CubicSpline
+
+        if closed:
+            spline = CubicSpline(np.append(s, s[0] + length), np.append(value, value[0]), bc_type="periodic")
+        elif len(s) == 2:
+            slope = (value[1] - value[0]) / (s[1] - s[0])
+            return Course(s.copy(), np.array([[value[0]], [slope], [0.0], [0.0]]))
+        else:
+            spline = CubicSpline(s, value, bc_type="natural")
+        return Course(np.array(spline.x), np.array(spline.c[::-1]), length if closed else 0.0)
+
+    @property
+    def is_constant(self) -> bool:
+        """True where the correction is one number along the stretch."""
+        return bool(
+            np.ptp(self.coefficient[0]) < CONSTANT
+            and (np.abs(self.coefficient[1:, :]) * np.diff(self.breaks) ** np.arange(1, 4)[:, None]).max() < CONSTANT
+        )
+
+    def __call__(self, s: Floats) -> tuple[Floats, Floats]:
+        """Correction in mm and its slope at arc lengths from the stretch's start."""
+        x = s
+        if self.period:
+            x = self.breaks[0] + np.mod(s - self.breaks[0], self.period)
+            held = np.zeros(np.shape(s), dtype=bool)
+        else:
+            x = np.clip(s, self.breaks[0], self.breaks[-1])
+            held = x != s
+        i = np.clip(np.searchsorted(self.breaks, x, side="right") - 1, 0, self.coefficient.shape[1] - 1)
+        h = x - self.breaks[i]
+        a, b, c, d = self.coefficient[:, i]
+        return a + h * (b + h * (c + h * d)), np.where(held, 0.0, b + h * (2 * c + 3 * h * d))
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Correction:
+    """Where the profile is to be moved: one course a smooth stretch.
+
+    Parameters
+    ----------
+    stretches : tuple of Stretch
+        The profile's, by number.
+    courses : tuple of Course
+    """
+
+    stretches: tuple[Stretch, ...]
+    courses: tuple[Course, ...]
+
+    @staticmethod
+    def none(profile: Profile) -> Correction:
+        """No correction anywhere."""
+        stretches = tuple(profile.stretches())
+        return Correction(stretches, tuple(Course.constant(0.0, t.length, t.closed) for t in stretches))
+
+    @property
+    def largest(self) -> float:
+        """Largest absolute correction in mm."""
+        out = 0.0
+        for stretch, course in zip(self.stretches, self.courses, strict=True):
+            s = np.linspace(0.0, stretch.length, max(33, 4 * len(course.breaks)))
+            out = max(out, float(np.abs(course(s)[0]).max()))
+        return out
+
+    def at(self, number: Ints, s: Floats, profile: Profile) -> Floats:
+        """Correction in mm at arc lengths of the contour on the numbered stretches; (n,)."""
+        out = np.empty(len(s))
+        for k in np.unique(number):
+            rows = number == k
+            out[rows] = self.courses[k](along(self.stretches[k], s[rows], profile))[0]
+        return out
+
+
+def along(stretch: Stretch, s: Floats, profile: Profile) -> Floats:
+    """Arc length from the stretch's start, for arc lengths from the contour's start."""
+    local: Floats = s - stretch.begin
+    if profile.contours[stretch.contour].closed:
+        total = float(profile.total[stretch.contour])
+        local = np.mod(local, total)
+        # Rounding at the very start must not turn 0 into a whole turn.
+        local = np.where((local > stretch.length + 1e-6) & (local > total - 1e-6), local - total, local)
+    return local
+
+
+def dead_band(value: Floats, band: float) -> Floats:
+    """Leave values within the band uncorrected; 0 inside, whole from twice the band on, smooth between.
+
+    Parameters
+    ----------
+    value : (n,) float64
+        mm.
+    band : float
+        mm; 0 changes nothing.
+    """
+    if band <= 0:
+        return value
+    x = np.clip(np.abs(value) / band - 1.0, 0.0, 1.0)
+    out: Floats = value * x * x * (3 - 2 * x)
+    return out
+
+
+def correction_from(
+    profile: Profile, number: Ints, s: Floats, value: Floats, *, limit: float
+) -> tuple[Correction, tuple[str, ...]]:
+    """Correction through values at points.
+
+    Parameters
+    ----------
+    profile : Profile
+    number : (n,) int64
+        Stretch of each point.
+    s : (n,) float64
+        Arc length from the contour's start, mm.
+    value : (n,) float64
+        Wanted displacement of the profile along its normal, mm.
+    limit : float
+        Largest displacement allowed, mm.
+
+    Returns
+    -------
+    Correction
+    warnings : tuple of str
+        Gaps that were bridged, stretches without a point.
+
+    Raises
+    ------
+    LimitError
+        If a value exceeds the limit; names the place.
+    """
+    worst = int(np.argmax(np.abs(value)))
+    if abs(value[worst]) > limit:
+        point, _ = profile.at(int(profile.stretches()[int(number[worst])].contour), np.array([s[worst]]))
+        raise LimitError(
+            f"a correction of {value[worst]:+.4f} mm is needed at X{point[0, 0]:.3f} Y{point[0, 1]:.3f} "
+            f"({int((np.abs(value) > limit).sum())} points), more than --limit {limit:g} mm; nothing was corrected"
+        )
+    stretches = tuple(profile.stretches())
+    courses: list[Course | None] = []
+    warnings: list[str] = []
+    for k, stretch in enumerate(stretches):
+        rows = np.flatnonzero(number == k)
+        if not len(rows):
+            courses.append(None)
+            continue
+        local = along(stretch, s[rows], profile)
+        x, y = _merged(local, value[rows], stretch)
+        x, y, gaps = _bridged(x, y, stretch)
+        courses.append(Course.through(x, y, stretch.length, stretch.closed))
+        for a, b in gaps:
+            p, _ = profile.at(stretch.contour, np.array([stretch.begin + a, stretch.begin + b]))
+            warnings.append(
+                f"no usable point on {b - a:.2f} mm between X{p[0, 0]:.3f} Y{p[0, 1]:.3f} and "
+                f"X{p[1, 0]:.3f} Y{p[1, 1]:.3f}: the correction runs straight across or holds its last value"
+            )
+    _fill_unmeasured(profile, stretches, courses, warnings)
+    return Correction(stretches, tuple(c for c in courses if c is not None)), tuple(warnings)
+
+
+def _merged(s: Floats, value: Floats, stretch: Stretch) -> tuple[Floats, Floats]:
+    """Sort by arc length and average points that nearly coincide, so that noise is not made into slope."""
+    order = np.argsort(s, kind="stable")
+    s, value = s[order], value[order]
+    if len(s) < 3:
+        close = stretch.length * 1e-9
+    else:
+        close = max(0.4 * float(np.median(np.diff(s))), 0.25 * stretch.length / len(s))
+    group = np.floor((s - s[0]) / close).astype(np.int64) if close > 0 else np.arange(len(s))
+    if len(s) > 2 and np.diff(s).min() >= close:
+        return s, value
+    _, inverse, count = np.unique(group, return_inverse=True, return_counts=True)
+    return np.bincount(inverse, s) / count, np.bincount(inverse, value) / count
+
+
+def _bridged(s: Floats, value: Floats, stretch: Stretch) -> tuple[Floats, Floats, list[tuple[float, float]]]:
+    """Add supports on a straight line across long gaps, and hold the end values of an open stretch."""
+    gaps: list[tuple[float, float]] = []
+    if len(s) < 2:
+        return s, value, gaps
+    ends_s, ends_v = s, value
+    if stretch.closed:
+        ends_s, ends_v = np.append(s, s[0] + stretch.length), np.append(value, value[0])
+    step = np.diff(ends_s)
+    typical = float(np.median(step))
+    extra_s, extra_v = [s], [value]
+    for i in np.flatnonzero(step > GAP_SPACINGS * typical):
+        count = int(min(step[i] / typical, 200))
+        x = ends_s[i] + step[i] * np.arange(1, count) / count
+        extra_s.append(x)
+        extra_v.append(ends_v[i] + (ends_v[i + 1] - ends_v[i]) * np.arange(1, count) / count)
+        gaps.append((float(ends_s[i]), float(ends_s[i + 1])))
+    if not stretch.closed:
+        for end, at, inner in ((0.0, s[0], value[0]), (stretch.length, s[-1], value[-1])):
+            room = abs(at - end)
+            if room > GAP_SPACINGS * typical:
+                gaps.append((min(end, float(at)), max(end, float(at))))
+            if room > typical:
+                count = int(min(room / typical, 200)) + 1
+                extra_s.append(at + (end - at) * np.arange(1, count + 1) / count)
+                extra_v.append(np.full(count, inner))
+    all_s, all_v = np.concatenate(extra_s), np.concatenate(extra_v)
+    if stretch.closed:
+        all_s = np.mod(all_s, stretch.length)
+    order = np.argsort(all_s, kind="stable")
+    all_s, all_v = all_s[order], all_v[order]
+    apart = np.concatenate([[True], np.diff(all_s) > 1e-9])
+    return all_s[apart], all_v[apart], gaps
+
+
+def _fill_unmeasured(
+    profile: Profile, stretches: Sequence[Stretch], courses: list[Course | None], warnings: list[str]
+) -> None:
+    """Stretches without a point take a straight line between their neighbours' ends. In place."""
+    with_points = [i for i, course in enumerate(courses) if course is not None]
+    for k, stretch in enumerate(stretches):
+        if courses[k] is not None:
+            continue
+        measured = [i for i in with_points if stretches[i].contour == stretch.contour]
+        p, _ = profile.at(stretch.contour, np.array([stretch.begin + stretch.length / 2]))
+        where = f"the stretch of {stretch.length:.3f} mm near X{p[0, 0]:.3f} Y{p[0, 1]:.3f} has no usable point"
+        if not measured:
+            courses[k] = Course.constant(0.0, stretch.length, stretch.closed)
+            warnings.append(f"{where}: it is not corrected")
+            continue
+        total = float(profile.total[stretch.contour])
+        middle = stretch.begin + stretch.length / 2
+        ends = []
+        for i in measured:
+            other, course = stretches[i], courses[i]
+            assert course is not None
+            for at in (0.0, other.length):
+                away = other.begin + at - middle
+                if profile.contours[stretch.contour].closed:
+                    away = (away + total / 2) % total - total / 2
+                ends.append((away, float(course(np.array([at]))[0][0])))
+        before = max((e for e in ends if e[0] <= 0), default=None)
+        after = min((e for e in ends if e[0] > 0), default=None)
+        first = before or after
+        last = after or before
+        assert first is not None and last is not None
+        x = np.array([0.0, stretch.length])
+        courses[k] = Course.through(x, np.array([first[1], last[1]]), stretch.length, False)
+        warnings.append(f"{where}: it follows its neighbours, {first[1]:+.4f} to {last[1]:+.4f} mm")

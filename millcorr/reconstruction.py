@@ -1,0 +1,438 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The compensated contour: every point of the nominal profile moved along its normal by the correction.
+
+``T = C + c n``, with the outward normal n and the correction c as functions of arc length. Its tangent follows
+from ``n' = kappa t``: ``T' = (1 + c kappa) t + c' n``. The cutter's path is ``T + R m`` with the normal m of T.
+Where the nominal turns (corners, facets) the moved pieces are continued and cut at their intersection, so
+corners stay corners.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .compensation import Correction, along
+from .errors import FitError, LimitError
+from .nurbs import NurbsCurve
+from .profile import Contour, Profile
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Bools = NDArray[np.bool_]
+
+KINK = 2e-4
+"""Joints that turn less, in rad, are passed as smooth: their gap at 5 mm offset is 1 um along the tangent and
+0.0001 um across it."""
+
+FIT = 5e-5
+"""Largest distance in mm between the compensated contour and its NURBS."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Joints:
+    """Places where one piece meets the next at an angle; one row a joint.
+
+    Parameters
+    ----------
+    before, after : (j,) int64
+        Pieces.
+    turn : (j,) float64
+        Angle in rad by which the nominal turns, positive to the left (convex part corner).
+    point : (j, 2) float64
+        Nominal corner in mm.
+    """
+
+    before: Ints
+    after: Ints
+    turn: Floats
+    point: Floats
+
+
+class CompensatedContour:
+    """The nominal profile with a correction applied, in smooth pieces.
+
+    Parameters
+    ----------
+    profile : Profile
+    correction : Correction
+
+    Attributes
+    ----------
+    joints : Joints
+    low, high : (p,) float64
+        Arc lengths on each piece's nominal between which its moved curve is used, in mm.
+
+    Raises
+    ------
+    LimitError
+        If moved neighbours no longer meet, or a piece vanishes.
+    """
+
+    def __init__(self, profile: Profile, correction: Correction) -> None:
+        self.profile = profile
+        self.correction = correction
+        self._cut_into_pieces()
+        self.low = np.zeros(len(self.length))
+        self.high = self.length.copy()
+        a, b = self.meet(np.arange(len(self.joints.before)), 0.0)
+        self.high[self.joints.before] = a
+        self.low[self.joints.after] = b
+        gone = np.flatnonzero(self.high - self.low <= 0)
+        if len(gone):
+            p = self.evaluate(gone[:1], self.length[gone[:1]] / 2)[0][0]
+            raise LimitError(
+                f"the correction leaves nothing of the {self.length[gone[0]]:.3f} mm long piece of the profile "
+                f"near X{p[0]:.3f} Y{p[1]:.3f}"
+            )
+
+    def _cut_into_pieces(self) -> None:
+        profile = self.profile
+        order: list[Ints] = []
+        closed: list[bool] = []
+        before: list[int] = []
+        after: list[int] = []
+        turn: list[float] = []
+        ends: list[int] = []
+        for k, contour in enumerate(profile.contours):
+            spans = np.arange(profile.first[k], profile.first[k + 1])
+            kink = np.abs(np.nan_to_num(profile.turn[spans])) > KINK
+            if contour.closed and kink.any():
+                spans = np.roll(spans, -(int(np.flatnonzero(kink)[0]) + 1))
+                kink = np.abs(np.nan_to_num(profile.turn[spans])) > KINK
+            parts = np.split(spans, np.flatnonzero(kink[:-1]) + 1)
+            first = len(order)
+            order += parts
+            closed += [contour.closed and not kink.any()] * len(parts)
+            count = len(parts)
+            for i in range(count if contour.closed and kink.any() else count - 1):
+                before.append(first + i)
+                after.append(first + (i + 1) % count)
+                turn.append(float(profile.turn[parts[i][-1]]))
+                ends.append(int(parts[i][-1]))
+        self._order = np.concatenate(order)
+        """Spans, piece by piece in their direction."""
+        self.piece_of_span = np.empty(profile.spans, dtype=np.int64)
+        counts = np.array([len(p) for p in order])
+        owner = np.repeat(np.arange(len(order)), counts)
+        self.piece_of_span[self._order] = owner
+        lengths = profile.length[self._order]
+        before_each = np.cumsum(lengths) - lengths
+        first_row = np.cumsum(counts) - counts
+        self._row_begin = before_each - before_each[first_row][owner]
+        self._row_of_span = np.empty(profile.spans, dtype=np.int64)
+        self._row_of_span[self._order] = np.arange(len(self._order))
+        self.length = np.add.reduceat(lengths, first_row)
+        self.closed = np.array(closed)
+        # One increasing key for all pieces, with room between them, finds the span of (piece, arc length).
+        self._key = np.cumsum(self.length + 1.0) - (self.length + 1.0)
+        self._row_key = self._key[owner] + self._row_begin
+        self._first_row, self._last_row = first_row, first_row + counts - 1
+        self.stretch = profile.stretch[self._order[first_row]]
+        self.contour = profile.contour[self._order[first_row]]
+        starts = profile.begin[self._order[first_row]]
+        self._in_stretch = np.array(
+            [
+                float(along(self.correction.stretches[k], np.array([s]), profile)[0])
+                for k, s in zip(self.stretch, starts, strict=True)
+            ]
+        )
+        point = profile.evaluate(np.array(ends, dtype=np.int64), np.ones(len(ends)))[0]
+        self.joints = Joints(
+            np.array(before, dtype=np.int64), np.array(after, dtype=np.int64), np.array(turn), point
+        )
+
+    def position_on_piece(self, span: Ints, t: Floats) -> tuple[Ints, Floats]:
+        """Piece and arc length from its start, for spans and local parameters of the profile."""
+        inner = self.profile.arc_length(span, t) - self.profile.begin[span]
+        return self.piece_of_span[span], self._row_begin[self._row_of_span[span]] + inner
+
+    def _locate(self, piece: Ints, sigma: Floats) -> tuple[Ints, Floats]:
+        length = self.length[piece]
+        inside = np.where(self.closed[piece], np.mod(sigma, length), np.clip(sigma, 0.0, length))
+        row = np.searchsorted(self._row_key, self._key[piece] + inside, side="right") - 1
+        row = np.clip(row, self._first_row[piece], self._last_row[piece])
+        span = self._order[row]
+        t = self.profile.parameter(span, inside - self._row_begin[row])
+        beyond = np.where(self.closed[piece], 0.0, sigma - inside)
+        if beyond.any():
+            _, _, dx, dy, _, _ = self.profile._derivatives(span, t)
+            t = t + beyond / np.hypot(dx, dy)
+        return span, t
+
+    def evaluate(self, piece: Ints, sigma: Floats, offset: float = 0.0) -> tuple[Floats, Floats, Floats]:
+        """Points of the contour, or of its parallel curve outside it.
+
+        Parameters
+        ----------
+        piece : (n,) int64
+        sigma : (n,) float64
+            Arc length on the piece's nominal, mm; beyond its ends the piece is continued.
+        offset : float
+            Distance in mm along the compensated contour's own normal, e.g. the tool radius.
+
+        Returns
+        -------
+        point : (n, 2) float64
+            mm.
+        normal : (n, 2) float64
+            Unit normal out of the material.
+        stretch : (n,) float64
+            Length of the curve per length of nominal; not positive where it turns tighter than the offset.
+        """
+        span, t = self._locate(piece, sigma)
+        c, d1, _ = self.profile.evaluate(span, t)
+        speed = np.hypot(*d1.T)
+        tangent = d1 / speed[:, None]
+        normal = np.stack([tangent[:, 1], -tangent[:, 0]], axis=1)
+        shift, slope = self._correction(piece, sigma)
+        kappa = self.profile.curvature(span, t)
+        forward = 1.0 + shift * kappa
+        size = np.hypot(forward, slope)
+        own = (forward[:, None] * normal - slope[:, None] * tangent) / size[:, None]
+        point = c + shift[:, None] * normal + offset * own
+        # The parallel curve stretches by 1 + offset * curvature; the slope's own derivative is left out, it is
+        # smaller than the curvature by the ratio of correction to radius.
+        bend = kappa * forward / (size * size) if offset else 0.0
+        return point, own, size * (1.0 + offset * bend) * np.sign(forward)
+
+    def _correction(self, piece: Ints, sigma: Floats) -> tuple[Floats, Floats]:
+        shift, slope = np.empty(len(piece)), np.empty(len(piece))
+        number = self.stretch[piece]
+        s = self._in_stretch[piece] + sigma
+        for k in np.unique(number):
+            rows = number == k
+            shift[rows], slope[rows] = self.correction.courses[k](s[rows])
+        return shift, slope
+
+    def correction_on(self, piece: Ints, sigma: Floats) -> Floats:
+        """Correction in mm along the nominal normal at places of the pieces; (n,)."""
+        return self._correction(piece, sigma)[0]
+
+    def meet(self, joint: Ints, offset: float) -> tuple[Floats, Floats]:
+        """Where the pieces before and after joints intersect, moved out by `offset` mm.
+
+        Returns
+        -------
+        a, b : (k,) float64
+            Arc length on the piece before and on the piece after, mm; they may lie beyond the pieces' ends.
+
+        Raises
+        ------
+        LimitError
+            If two pieces do not meet.
+        """
+        before, after = self.joints.before[joint], self.joints.after[joint]
+        if not len(joint):
+            return np.zeros(0), np.zeros(0)
+        reach = offset * np.tan(np.clip(self.joints.turn[joint], -2.8, 2.8) / 2)
+        a, b = self.length[before] + reach, -reach
+        for _ in range(50):
+            pa, na, fa = self.evaluate(before, a, offset)
+            pb, nb, fb = self.evaluate(after, b, offset)
+            gap = pa - pb
+            if np.abs(gap).max() < 1e-11:
+                break
+            ta = np.stack([-na[:, 1], na[:, 0]], 1) * np.where(np.abs(fa) > 1e-3, fa, 1.0)[:, None]
+            tb = np.stack([-nb[:, 1], nb[:, 0]], 1) * np.where(np.abs(fb) > 1e-3, fb, 1.0)[:, None]
+            det = tb[:, 0] * ta[:, 1] - ta[:, 0] * tb[:, 1]
+            det = np.where(np.abs(det) > 1e-12, det, 1e-12)
+            a = a + np.clip((gap[:, 0] * tb[:, 1] - gap[:, 1] * tb[:, 0]) / det, -5.0, 5.0)
+            b = b + np.clip((gap[:, 0] * ta[:, 1] - gap[:, 1] * ta[:, 0]) / det, -5.0, 5.0)
+        miss = np.hypot(*(self.evaluate(before, a, offset)[0] - self.evaluate(after, b, offset)[0]).T)
+        worst = int(np.argmax(miss))
+        if not miss[worst] < 1e-6:
+            x, y = self.joints.point[joint[worst]]
+            raise LimitError(f"the corrected contour does not close at the corner X{x:.3f} Y{y:.3f}")
+        return a, b
+
+    def to_profile(self) -> tuple[Profile, float]:
+        """The compensated contour as NURBS: one a smooth piece, periodic where the contour is smooth all round.
+
+        Lines and arcs with a constant correction stay lines and arcs.
+
+        Returns
+        -------
+        Profile
+        residual : float
+            Largest distance in mm between the exact compensated contour and its NURBS.
+
+        Raises
+        ------
+        FitError
+            If a piece cannot be fitted to `FIT`.
+        """
+        contours: list[Contour] = []
+        residual = 0.0
+        for k, contour in enumerate(self.profile.contours):
+            pieces = np.flatnonzero(self.contour == k)
+            still = all(
+                c.is_constant and c.coefficient[0, 0] == 0.0
+                for c in (self.correction.courses[i] for i in np.unique(self.stretch[pieces]))
+            )
+            if still:
+                contours.append(contour)
+                continue
+            curves: list[NurbsCurve] = []
+            for piece in pieces:
+                new, error = self._curves_of(int(piece))
+                curves += new
+                residual = max(residual, error)
+            contours.append(Contour(tuple(_polylines(curves)), contour.closed))
+        return Profile.from_contours(contours), residual
+
+    def _curves_of(self, piece: int) -> tuple[list[NurbsCurve], float]:
+        low, high = float(self.low[piece]), float(self.high[piece])
+        course = self.correction.courses[self.stretch[piece]]
+        rows = np.arange(self._first_row[piece], self._last_row[piece] + 1)
+        inner = self._row_begin[rows[1:]]
+        if not self.closed[piece]:
+            chord = self._sample(piece, np.linspace(low, high, 33))
+            line = chord[-1] - chord[0]
+            size = float(np.hypot(*line))
+            away = chord - chord[0]
+            if size > 0 and np.abs(away[:, 0] * line[1] - away[:, 1] * line[0]).max() / size < 1e-7:
+                return [NurbsCurve.line(chord[0], chord[-1])], 0.0
+        if course.is_constant:
+            nominal = self.profile.curve[self._order[rows]]
+            change = np.flatnonzero(np.diff(nominal)) + 1
+            cuts = np.concatenate([[low], self._row_begin[rows[change]], [high]])
+            primitives = [self._line_or_arc(piece, a, b) for a, b in zip(cuts[:-1], cuts[1:], strict=True)]
+            if all(p is not None for p in primitives):
+                return [p for p in primitives if p is not None], 0.0
+        spans = self._order[rows]
+        end = self.profile.curvature(spans[:-1], np.ones(len(rows) - 1))
+        start = self.profile.curvature(spans[1:], np.zeros(len(rows) - 1))
+        jump = np.abs(end - start) > 1e-7 * (1.0 + np.abs(end))
+        jumps = inner[jump & (inner > low) & (inner < high)]
+        knots = inner[(inner > low) & (inner < high)]
+        if self.closed[piece]:
+            seam_end = self.profile.curvature(spans[-1:], np.ones(1))
+            seam_start = self.profile.curvature(spans[:1], np.zeros(1))
+            seam = bool(abs(seam_end - seam_start)[0] > 1e-7 * (1.0 + abs(seam_end[0])))
+            if not len(jumps) and not seam:
+                return self._fit_periodic(piece, np.concatenate([[0.0], knots, [high]]))
+            if not seam:
+                shift = jumps[0]
+                jumps = np.append(jumps[1:], shift + high)
+                knots = np.concatenate([knots[knots > shift], knots[knots <= shift] + high])
+                low, high = float(shift), float(shift + high)
+                jumps = jumps[jumps < high]
+        edges = np.concatenate([[low], jumps, [high]])
+        return self._fit_joined(piece, edges, knots)
+
+    def _sample(self, piece: int, sigma: Floats) -> Floats:
+        return self.evaluate(np.full(len(sigma), piece), sigma)[0]
+
+    def _slope(self, piece: int, sigma: Floats) -> Floats:
+        _, normal, size = self.evaluate(np.full(len(sigma), piece), sigma)
+        return np.stack([-normal[:, 1], normal[:, 0]], axis=1) * size[:, None]
+
+    def _line_or_arc(self, piece: int, low: float, high: float) -> NurbsCurve | None:
+        sigma = np.linspace(low, high, 17)
+        p = self._sample(piece, sigma)
+        # Inside only: at its very ends a curve may already show its neighbour's curvature.
+        inner = low + (high - low) * np.linspace(0.01, 0.99, 17)
+        span, t = self._locate(np.full(17, piece), inner)
+        kappa = self.profile.curvature(span, t)
+        if np.abs(kappa).max() < 1e-12:
+            return NurbsCurve.line(p[0], p[-1])
+        if np.ptp(kappa) > 1e-9 * abs(kappa[8]):
+            return None
+        c, _, _ = self.profile.evaluate(span[8:9], t[8:9])
+        n = self.profile.normals(span[8:9], t[8:9])
+        centre = (c - n / kappa[8])[0]
+        sweep = float(kappa[8] * (high - low))
+        if abs(sweep) > 2 * np.pi + 1e-9:
+            return None
+        return NurbsCurve.arc(p[0], p[-1], centre, sweep)
+
+    def _refine(self, piece: int, nodes: Floats, spline: object) -> tuple[Floats, float]:
+        """Nodes with every interval halved whose spline is off by more than `FIT`; and the largest error."""
+        width = np.diff(nodes)
+        probe = nodes[:-1, None] + width[:, None] * np.array([0.21, 0.5, 0.79])
+        exact = self._sample(piece, probe.ravel())
+        error = np.hypot(*(spline(probe.ravel()) - exact).T).reshape(probe.shape).max(axis=1)  # type: ignore[operator]
+        bad = error > FIT
+        middle = nodes[:-1][bad] + width[bad] / 2
+        return np.sort(np.concatenate([nodes, middle])), float(error.max())
+
+    def _fit_periodic(self, piece: int, nodes: Floats) -> tuple[list[NurbsCurve], float]:
+        from scipy.interpolate import make_interp_spline
+
+        nodes = np.unique(nodes)
+        while len(nodes) < 9:
+            nodes = np.sort(np.concatenate([nodes, nodes[:-1] + np.diff(nodes) / 2]))
+        for _ in range(16):
+            values = self._sample(piece, nodes)
+            values[-1] = values[0]
+            spline = make_interp_spline(nodes, values, k=3, bc_type="periodic")
+            refined, error = self._refine(piece, nodes, spline)
+            if len(refined) == len(nodes):
+                n = len(nodes) - 1
+                curve = NurbsCurve(3, spline.c[:n], np.ones(n), nodes, np.ones(n + 1, dtype=np.int64), True)
+                return [curve], error
+            nodes = refined
+        raise FitError(self._cannot_fit(piece, error))
+
+    def _fit_joined(self, piece: int, edges: Floats, knots: Floats) -> tuple[list[NurbsCurve], float]:
+        """Cubic splines between places where the curvature jumps, joined with equal tangents (double knots)."""
+        from scipy.interpolate import make_interp_spline
+
+        all_knots: list[Floats] = []
+        poles: list[Floats] = []
+        largest = 0.0
+        for a, b in zip(edges[:-1], edges[1:], strict=True):
+            # Just inside, so that both sides of a jump are seen with their own curvature.
+            nodes = np.unique(np.concatenate([[a], knots[(knots > a) & (knots < b)], np.linspace(a, b, 4)[1:-1], [b]]))
+            for _ in range(16):
+                values = self._sample(piece, nodes)
+                slope = self._slope(piece, nodes[[0, -1]])
+                spline = make_interp_spline(nodes, values, k=3, bc_type=([(1, slope[0])], [(1, slope[1])]))
+                refined, error = self._refine(piece, nodes, spline)
+                if len(refined) == len(nodes):
+                    break
+                nodes = refined
+            else:
+                raise FitError(self._cannot_fit(piece, error))
+            largest = max(largest, error)
+            all_knots.append(nodes)
+            poles.append(np.asarray(spline.c))
+        knot = np.concatenate([all_knots[0]] + [k[1:] for k in all_knots[1:]])
+        mult = np.ones(len(knot), dtype=np.int64)
+        mult[np.searchsorted(knot, edges[1:-1])] = 2
+        if self.closed[piece]:
+            inner = np.concatenate([p[1:-1] for p in poles])
+            mult[[0, -1]] = 2
+            return [NurbsCurve(3, np.roll(inner, 1, axis=0), np.ones(len(inner)), knot, mult, True)], largest
+        mult[[0, -1]] = 4
+        inner = np.concatenate([poles[0][:1]] + [p[1:-1] for p in poles] + [poles[-1][-1:]])
+        return [NurbsCurve(3, inner, np.ones(len(inner)), knot, mult)], largest
+
+    def _cannot_fit(self, piece: int, error: float) -> str:
+        x, y = self._sample(piece, self.length[piece : piece + 1] / 2)[0]
+        return (
+            f"the compensated profile near X{x:.3f} Y{y:.3f} cannot be fitted better than {error * 1000:.2f} um: "
+            "the deviations change too fast; use a stronger --filter"
+        )
+
+
+def _polylines(curves: list[NurbsCurve]) -> list[NurbsCurve]:
+    """Join neighbouring lines that turn by less than a corner into one curve of degree 1."""
+    from .profile import CORNER_ANGLE
+
+    out: list[NurbsCurve] = []
+    for curve in curves:
+        if out and curve.degree == 1 and out[-1].degree == 1:
+            a, b = np.diff(out[-1].poles[-2:], axis=0)[0], np.diff(curve.poles[:2], axis=0)[0]
+            turn = abs(np.arctan2(a[0] * b[1] - a[1] * b[0], a @ b))
+            if 1e-9 < turn < CORNER_ANGLE:
+                poles = np.vstack([out[-1].poles, curve.poles[1:]])
+                mult = np.ones(len(poles), dtype=np.int64)
+                mult[[0, -1]] = 2
+                out[-1] = NurbsCurve(1, poles, np.ones(len(poles)), np.arange(float(len(poles))), mult)
+                continue
+        out.append(curve)
+    return out

@@ -1,0 +1,320 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The contour that a program cuts with an ideal machine: the cutter's path offset by its radius.
+
+The path around a convex corner of the part may be an arc or run to a sharp corner: both give the corner. At a
+concave corner the two sides are continued to the corner of the drawing; the fillet of the cutter's radius that
+stays in it is no deviation that a correction could remove. (petrakov-2018: path, equidistant, theoretical
+contour.)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .errors import InputError
+from .nurbs import NurbsCurve
+from .profile import CORNER_ANGLE, Contour, Profile
+from .toolpath import Compensation, Kind, Plane, Toolpath
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+SAME_POINT = 2e-4
+"""Path points closer than this, in mm, are the same vertex (programs round to 0.001 or finer)."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class CutContour:
+    """A contour cut by one row of moves.
+
+    Parameters
+    ----------
+    contour : Contour
+        What an ideal machine leaves, run with the material on the left.
+    rows : (n,) int64
+        Rows of the toolpath that cut it, in the order of the program.
+    closed : bool
+    """
+
+    contour: Contour
+    rows: Ints
+    closed: bool
+
+
+@dataclass(slots=True)
+class _Piece:
+    """A line or an arc of the path while it is being offset; `low` and `high` trim it."""
+
+    p0: Floats
+    p1: Floats
+    centre: Floats | None
+    sweep: float
+    low: float = 0.0
+    high: float = 1.0
+
+    def at(self, u: float) -> tuple[Floats, Floats]:
+        """Point and derivative at parameter u, continued outside 0..1."""
+        if self.centre is None:
+            d = self.p1 - self.p0
+            return self.p0 + u * d, d
+        x, y = self.p0 - self.centre
+        c, s = np.cos(self.sweep * u), np.sin(self.sweep * u)
+        arm = np.array([x * c - y * s, x * s + y * c])
+        return self.centre + arm, self.sweep * np.array([-arm[1], arm[0]])
+
+    def tangent(self, u: float) -> Floats:
+        d = self.at(u)[1]
+        return d / np.hypot(d[0], d[1])
+
+    def offset_left(self, distance: float) -> _Piece | None:
+        """Parallel piece to the left; None where it shrinks to a point. InputError where it turns inside out."""
+        n0, n1 = _left(self.tangent(0.0)), _left(self.tangent(1.0))
+        if self.centre is not None and self.sweep > 0:
+            left = float(np.hypot(*(self.p0 - self.centre))) - distance
+            if abs(left) <= 2e-3:
+                return None
+            if left < 0:
+                x, y = self.at(0.5)[0]
+                raise InputError(
+                    f"the path turns with radius {left + distance:.4g} mm about X{x:.3f} Y{y:.3f}, less than the "
+                    f"tool radius {distance:g}: check --tool-diameter and --side"
+                )
+        return _Piece(self.p0 + distance * n0, self.p1 + distance * n1, self.centre, self.sweep)
+
+    def curve(self) -> NurbsCurve:
+        a, b = self.at(self.low)[0], self.at(self.high)[0]
+        if self.centre is None:
+            return NurbsCurve.line(a, b)
+        return NurbsCurve.arc(a, b, self.centre, self.sweep * (self.high - self.low))
+
+
+def cutting_runs(toolpath: Toolpath) -> list[Ints]:
+    """Rows of connected feed moves that travel in the XY plane, one array a run, in program order.
+
+    A rapid, a move along Z alone, an arc out of the XY plane, an unknown position or a change of the control's
+    radius compensation ends a run.
+    """
+    delta = toolpath.end - toolpath.start
+    travels = (np.hypot(delta[:, 0], delta[:, 1]) > 1e-9) | (toolpath.sweep != 0)
+    flat = (toolpath.kind != Kind.ARC) | (toolpath.plane == Plane.XY)
+    good = (toolpath.kind != Kind.RAPID) & travels & flat & np.isfinite(delta[:, :2]).all(axis=1)
+    rows = np.flatnonzero(good)
+    if not len(rows):
+        return []
+    breaks = (np.diff(rows) != 1) | (np.diff(toolpath.compensation[rows]) != 0)
+    return np.split(rows, np.flatnonzero(breaks) + 1)
+
+
+def closed_loops(points: Floats) -> list[tuple[int, int]]:
+    """First and last vertex of the closed loops along a run of vertices (n, 2), in order, not overlapping."""
+    key = np.round(points / SAME_POINT).astype(np.int64)
+    order = np.lexsort((np.arange(len(key)), key[:, 1], key[:, 0]))
+    same = (key[order[1:]] == key[order[:-1]]).all(axis=1)
+    following = np.full(len(key), -1)
+    following[order[:-1][same]] = order[1:][same]
+    loops = []
+    i = 0
+    starts = np.flatnonzero(following >= 0)
+    for start in starts:
+        if start >= i:
+            loops.append((int(start), int(following[start])))
+            i = int(following[start])
+    return loops
+
+
+def cut_contours(
+    toolpath: Toolpath, radius: float, material_right: bool, rows: NDArray[np.bool_] | None = None
+) -> Iterator[CutContour]:
+    """Contours that the feed moves of a program leave.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    radius : float
+        Distance in mm between the programmed path and the contour: the tool radius, or 0 where the contour
+        itself is programmed (G41, G42).
+    material_right : bool
+        True where the material lies to the right of the direction of travel.
+    rows : (n,) bool, optional
+        Moves that may be used; all by default.
+
+    Yields
+    ------
+    CutContour
+        Closed loops first found first; a run without a loop as one open contour.
+
+    Raises
+    ------
+    InputError
+        If the path turns tighter than the radius on the material's side, or holds a spline move (the offset of
+        a spline is none: give the nominal).
+    """
+    for run in cutting_runs(toolpath):
+        if rows is not None:
+            for part in np.split(run, np.flatnonzero(np.diff(rows[run].astype(int))) + 1):
+                if rows[part[0]]:
+                    yield from _contours_of_run(toolpath, part, radius, material_right)
+        else:
+            yield from _contours_of_run(toolpath, run, radius, material_right)
+
+
+def _contours_of_run(toolpath: Toolpath, run: Ints, radius: float, material_right: bool) -> Iterator[CutContour]:
+    points = np.vstack([toolpath.start[run[:1], :2], toolpath.end[run, :2]])
+    loops = closed_loops(points)
+    for a, b in loops:
+        yield _offset(toolpath, run[a:b], radius, material_right, True)
+    if not loops:
+        first = 0
+        if toolpath.compensation[run[0]] != Compensation.OFF and len(run) > 1:
+            # The control moves onto the contour during the first compensated move.
+            first = 1
+        yield _offset(toolpath, run[first:], radius, material_right, False)
+
+
+def _offset(toolpath: Toolpath, rows: Ints, radius: float, material_right: bool, closed: bool) -> CutContour:
+    pieces = []
+    for i in rows:
+        if toolpath.kind[i] == Kind.CUBIC and radius:
+            raise InputError(
+                "the program cuts along splines (G5), whose offset is no spline: give the contour with --nominal"
+            )
+        if toolpath.kind[i] == Kind.CUBIC:
+            # A polyline fine enough to lie within a nanometre of the cubic.
+            t = np.linspace(0.0, 1.0, 129)
+            p = toolpath.take(np.array([i])).position(t)[0, :, :2]
+            pieces += [_Piece(a, b, None, 0.0) for a, b in zip(p[:-1], p[1:], strict=True)]
+            continue
+        arc = toolpath.kind[i] == Kind.ARC
+        centre = toolpath.centre[i, :2] if arc else None
+        sweep = float(toolpath.sweep[i]) if arc else 0.0
+        pieces.append(_Piece(toolpath.start[i, :2], toolpath.end[i, :2], centre, sweep))
+    if material_right:
+        pieces = [_Piece(p.p1, p.p0, p.centre, -p.sweep) for p in reversed(pieces)]
+    if radius == 0:
+        return CutContour(Contour(_merge(pieces), closed), rows, closed)
+    return CutContour(Contour(_merge(_trimmed(pieces, radius, closed)), closed), rows, closed)
+
+
+def _trimmed(pieces: list[_Piece], radius: float, closed: bool) -> list[_Piece]:
+    """Offset pieces, trimmed at convex corners of the part and filleted at concave ones."""
+    offset = [p.offset_left(radius) for p in pieces]
+    kept = [i for i, p in enumerate(offset) if p is not None]
+    if not kept:
+        raise InputError("the path only circles a point at the tool radius: there is no contour")
+    out: list[_Piece] = []
+    count = len(kept)
+    for n, i in enumerate(kept):
+        a = offset[i]
+        assert a is not None
+        out.append(a)
+        if n + 1 == count and not closed:
+            break
+        j = kept[(n + 1) % count]
+        b = offset[j]
+        assert b is not None
+        adjacent = j == (i + 1) % len(pieces)
+        ta, tb = a.tangent(1.0), b.tangent(0.0)
+        turn = float(np.arctan2(ta[0] * tb[1] - ta[1] * tb[0], ta @ tb))
+        if adjacent and abs(turn) < 1e-7:
+            continue
+        if (adjacent or np.hypot(*(b.p0 - a.p1)) > SAME_POINT) and not _trim_to_each_other(a, b, 4 * radius):
+            if turn >= 0 or not adjacent:
+                x, y = a.p1
+                raise InputError(
+                    f"the offset path does not close at the corner near X{x:.3f} Y{y:.3f}: "
+                    "check --tool-diameter and --side, or give the contour with --nominal"
+                )
+            # The sides never meet (the path turns back): what the cutter leaves is a fillet of its radius.
+            out.append(_Piece(a.p1, b.p0, pieces[j].p0, turn))
+    for p in out:
+        if p.high - p.low <= 0:
+            x, y = p.at(0.5)[0]
+            raise InputError(
+                f"the path near X{x:.3f} Y{y:.3f} turns tighter than the tool radius {radius:g} mm: "
+                "check --tool-diameter and --side, or give the contour with --nominal"
+            )
+    return out
+
+
+def _trim_to_each_other(a: _Piece, b: _Piece, reach: float) -> bool:
+    """Cut or extend the end of `a` and the start of `b` to their intersection (Newton from the ends).
+
+    Returns False, changing nothing, where they do not intersect within `reach` mm.
+    """
+    u, v = 1.0, 0.0
+    for _ in range(60):
+        pa, da = a.at(u)
+        pb, db = b.at(v)
+        gap = pa - pb
+        if np.hypot(*gap) < 1e-12:
+            break
+        det = -da[0] * db[1] + da[1] * db[0]
+        if abs(det) < 1e-9 * np.hypot(*da) * np.hypot(*db):
+            break
+        u -= (gap[0] * -db[1] + gap[1] * db[0]) / det
+        v -= (da[0] * gap[1] - da[1] * gap[0]) / det
+    far = max(abs(u - 1.0) * np.hypot(*a.at(1.0)[1]), abs(v) * np.hypot(*b.at(0.0)[1]))
+    if far > reach or np.hypot(*(a.at(u)[0] - b.at(v)[0])) > 1e-6:
+        return False
+    a.high, b.low = u, v
+    return True
+
+
+def _merge(pieces: list[_Piece]) -> tuple[NurbsCurve, ...]:
+    """Curves of the pieces; lines that turn by less than a corner become one polyline of degree 1."""
+    curves: list[NurbsCurve] = []
+    chain: list[Floats] = []
+
+    def flush() -> None:
+        if len(chain) > 1:
+            n = len(chain)
+            mult = np.ones(n, dtype=np.int64)
+            mult[[0, -1]] = 2
+            curves.append(NurbsCurve(1, np.array(chain), np.ones(n), np.arange(float(n)), mult))
+        chain.clear()
+
+    for p in pieces:
+        if p.centre is not None:
+            flush()
+            curves.append(p.curve())
+            continue
+        a, b = p.at(p.low)[0], p.at(p.high)[0]
+        if np.hypot(*(b - a)) < 1e-9:
+            continue
+        if len(chain) > 1:
+            before, after = chain[-1] - chain[-2], b - a
+            turn = np.arctan2(before[0] * after[1] - before[1] * after[0], before @ after)
+            if abs(turn) > CORNER_ANGLE:
+                flush()
+        if not chain:
+            chain.append(a)
+        chain.append(b)
+    flush()
+    return tuple(curves)
+
+
+def path_profile(toolpath: Toolpath, rows: Ints, material_right: bool) -> Profile:
+    """The programmed path itself as a profile, run with the material on the left.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    rows : (n,) int64
+        Connected moves.
+    material_right : bool
+
+    Returns
+    -------
+    Profile
+        Distances to it, less the tool radius, are deviations from what the program commands.
+    """
+    ends_meet = np.hypot(*(toolpath.end[rows[-1], :2] - toolpath.start[rows[0], :2])) <= SAME_POINT
+    return Profile.from_contours([_offset(toolpath, rows, 0.0, material_right, bool(ends_meet)).contour])
+
+
+def _left(tangent: Floats) -> Floats:
+    return np.array([-tangent[1], tangent[0]])
