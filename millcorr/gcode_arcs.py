@@ -43,7 +43,8 @@ def centre_by_radius(start: Floats, end: Floats, radius: Floats, clockwise: Bool
     left = np.column_stack([-chord[:, 1], chord[:, 0]])
     with np.errstate(invalid="ignore", divide="ignore"):
         left = np.where(half[:, None] > 0, left / (2 * half[:, None]), 0.0)
-    return 0.5 * (start + end) + left * (side * height)[:, None]
+    centre: Floats = 0.5 * (start + end) + left * (side * height)[:, None]
+    return centre
 
 
 def sweep_of(start: Floats, end: Floats, centre: Floats, clockwise: Bools) -> Floats:
@@ -148,14 +149,20 @@ def read_arcs(
         first, last = np.hypot(*(s - middle).T), np.hypot(*(e - middle).T)
         allowed = np.maximum(RADIUS_TOLERANCE, RADIUS_TOLERANCE_RELATIVE * np.maximum(first, last))
         _refuse_rows(
-            refuse, n, rows, ~r & (abs(first - last) > allowed), "arc whose end is not on its circle: correct it"
+            refuse,
+            n,
+            rows,
+            ~r & (abs(first - last) > allowed),
+            "arc whose end is not on its circle: correct it",
         )
         _refuse_rows(refuse, n, rows, np.maximum(first, last) == 0, "arc of radius zero: state its centre")
-        centre[np.ix_(rows, [a, b])] = middle
+        centre[rows, a], centre[rows, b] = middle[:, 0], middle[:, 1]
         centre[rows, c] = start[rows, c]
         sweep[rows] = sweep_of(s, e, middle, clockwise[rows])
     turns = np.where(turns_word[0], turns_word[1], 1.0)
-    refuse((turns < 1) | (turns != np.rint(turns)), "the number of turns P of an arc is a whole number from 1")
+    refuse(
+        (turns < 1) | (turns != np.rint(turns)), "the number of turns P of an arc is a whole number from 1"
+    )
     return centre, sweep + np.sign(sweep) * 2 * np.pi * (turns - 1), strange
 
 

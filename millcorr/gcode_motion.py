@@ -283,20 +283,20 @@ class _Follower:
         for code, value in members.items():
             if code < len(table):
                 table[code] = value
-        value = table[self.code]
-        these = np.flatnonzero(value != -9)
+        values = table[self.code]
+        these = np.flatnonzero(values != -9)
         if what == "motion" and _CANCEL_CYCLE in self.present:
             # G0 G80 is a customary safety line: the other code of the line decides.
-            cancel = value[these] == _CANCEL_CYCLE
+            cancel = values[these] == _CANCEL_CYCLE
             others = self.code_line[these[~cancel]]
             these = these[~(cancel & np.isin(self.code_line[these], others))]
         line = self.code_line[these]
-        clash = np.flatnonzero((line[1:] == line[:-1]) & (value[these][1:] != value[these][:-1]))
+        clash = np.flatnonzero((line[1:] == line[:-1]) & (values[these][1:] != values[these][:-1]))
         if len(clash):
             a, b = self.code[these][clash[0] : clash[0] + 2] / 10
             raise self._error(int(line[clash[0]]), f"G{a:g} and G{b:g} on one line contradict each other")
         stated[line] = True
-        state[line] = value[these]
+        state[line] = values[these]
         if without is not None:
             stated &= ~without
         index = _last_index(stated)
@@ -339,6 +339,7 @@ class _Follower:
 
     def _turns_on(self, code: int, line: int) -> bool:
         """Whether a frame code really changes the frame by the words beside it."""
+
         def number(letter: str) -> float:
             stated, value = self.column(letter)
             return float(value[line]) if stated[line] else 0.0
@@ -396,7 +397,9 @@ class _Follower:
             until = _next(motions, line, self.lines)
             doubtful[line:until] = True
             until = _next(distances, line, self.lines)
-            self.stretches.append(Stretch(line, until - 1, f"{reason}, G90 or G91 is not stated afresh behind it"))
+            self.stretches.append(
+                Stretch(line, until - 1, f"{reason}, G90 or G91 is not stated afresh behind it")
+            )
         return lost, doubtful
 
     def _strange(self, xy: Bools, motion_stated: Bools) -> tuple[Bools, Bools]:
@@ -415,7 +418,9 @@ class _Follower:
             doubtful[line : _next(motions, line, self.lines)] = True
         return strange, doubtful
 
-    def _unknown_axes(self, homing: Bools, cycle: Bools, back_to_r: Bools, absolute: Bools) -> dict[str, Bools]:
+    def _unknown_axes(
+        self, homing: Bools, cycle: Bools, back_to_r: Bools, absolute: Bools
+    ) -> dict[str, Bools]:
         """Axes whose position is unknown behind a line although it may name them, three times (lines,)."""
         machine = self.marked([530])
         none_named = homing & ~self.any_of("XYZ")
@@ -429,7 +434,13 @@ class _Follower:
     # -- positions ----------------------------------------------------------------------------------------
 
     def _positions(
-        self, target: Bools, hole: Bools, lost: Bools, unknown: dict[str, Bools], absolute: Bools, scale: Floats
+        self,
+        target: Bools,
+        hole: Bools,
+        lost: Bools,
+        unknown: dict[str, Bools],
+        absolute: Bools,
+        scale: Floats,
     ) -> tuple[Floats, Floats, Bools]:
         """Position before and after each line in mm, and whether it was stated before, (lines, 3) each."""
         before = np.full((self.lines, 3), np.nan)

@@ -162,7 +162,8 @@ def take_apart(data: bytes, starts: Ints, name: str) -> tuple[Words, tuple[OddLi
     points = np.append(points, len(buffer))
     inside = points[following] <= at + width
     decimals = np.where(inside, at + width - points[following], -1)
-    words = Words(buffer[at] & 0xDF, value, line[word], decimals)
+    letter = np.bitwise_and(buffer[at], np.uint8(0xDF))
+    words = Words(letter, value, line[word], decimals)
     return (_merge(words, found) if found else words), tuple(found)
 
 
@@ -211,9 +212,7 @@ def _odd_lines(buffer: Bytes, marks: Ints, kinds: Bytes, line: Ints, length: Int
     owner = np.searchsorted(marks, point)
     twice = point[1:][owner[1:] == owner[:-1]]
     bare = sign[classes[np.minimum(sign + 1, len(buffer) - 1)] >= _LETTER]
-    lone = point[
-        (classes[point - 1] != _DIGIT) & (classes[np.minimum(point + 1, len(buffer) - 1)] != _DIGIT)
-    ]
+    lone = point[(classes[point - 1] != _DIGIT) & (classes[np.minimum(point + 1, len(buffer) - 1)] != _DIGIT)]
     for places in (stray, other, twice, bare, lone):
         if len(places):
             bad.append(line[np.searchsorted(marks, places)])
@@ -236,7 +235,8 @@ def _merge(words: Words, odd: list[OddLine]) -> Words:
 
 
 _TOKEN = re.compile(
-    r"""(?P<number>[A-Z][ ]*[+-]?[ ]*(?:[0-9][0-9 ]*(?:\.[0-9 ]*)?|\.[ ]*[0-9][0-9 ]*)(?![0-9.=\[#]|,\s*[0-9]))
+    r"""(?P<number>[A-Z][ ]*[+-]?[ ]*(?:[0-9][0-9 ]*(?:\.[0-9 ]*)?|\.[ ]*[0-9][0-9 ]*)
+            (?![0-9.=\[\#]|,\s*[0-9]))
       | (?P<assign>(?:\#\d+|\#<[^>]*>|\#\[[^=]*\]|R\d+|Q\d+)\s*=.*)
       | (?P<variable>[A-Z]\s*[+-]?\s*(?:\#+\s*(?:\d+|<[^>]*>|\[[^;]*\])|Q[LRS]?\d+))
       | (?P<expression>[A-Z]\s*[+-]?\s*(?:\[|<))

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One line of an NC program, its words changed in place."""
+
+from __future__ import annotations
+
+import re
+
+from .gcode_words import COMMENT
+
+_RANK = {letter: rank for rank, letter in enumerate("G X Y Z A B C U V W I J K R P Q".split())}
+
+_WORD = re.compile(r"([A-Za-z])([ \t]*[-+]?(?:[ \t]*[0-9.])+)")
+
+
+class Line:
+    """A line of text as words and what stands between them.
+
+    Parameters
+    ----------
+    text : str
+        The line without its ending.
+    """
+
+    def __init__(self, text: str) -> None:
+        blanked = COMMENT.sub(lambda m: b" " * len(m.group()), text.encode("latin-1")).decode("latin-1")
+        self.gaps: list[str] = []
+        self.words: list[str] = []
+        place = 0
+        for found in _WORD.finditer(blanked):
+            self.gaps.append(text[place : found.start()])
+            self.words.append(found.group())
+            place = found.end()
+        self.gaps.append(text[place:])
+
+    def text(self) -> str:
+        """Return the line as it now reads."""
+        return "".join(g + w for g, w in zip(self.gaps, [*self.words, ""], strict=True))
+
+    def letter(self, index: int) -> str:
+        """Letter of a word, upper case."""
+        return self.words[index][0].upper()
+
+    def value(self, index: int) -> float:
+        """Return the number of a word."""
+        return float(re.sub(r"[ \t]", "", self.words[index][1:]))
+
+    def find(self, letter: str) -> int:
+        """Index of the first word with this letter; -1 without one."""
+        for i, word in enumerate(self.words):
+            if word[0].upper() == letter:
+                return i
+        return -1
+
+    def number(self, letter: str) -> float | None:
+        """Return the number of the first word with this letter; None without one."""
+        i = self.find(letter)
+        return None if i < 0 else self.value(i)
+
+    def motion(self) -> int:
+        """Index of the word G0 to G3 or G5; -1 without one."""
+        for i in range(len(self.words)):
+            if self.letter(i) == "G" and self.value(i) in (0, 1, 2, 3, 5):
+                return i
+        return -1
+
+    def set_number(self, index: int, number: str) -> None:
+        """Give a word another number."""
+        self.words[index] = self.words[index][0] + number
+
+    def remove(self, letter: str) -> None:
+        """Take the first word with this letter away, if there is one, with a blank beside it."""
+        i = self.find(letter)
+        if i >= 0:
+            self.remove_at(i)
+
+    def remove_at(self, index: int) -> None:
+        """Take a word away with a blank beside it."""
+        del self.words[index]
+        before, behind = self.gaps[index], self.gaps.pop(index + 1)
+        if index and not before.strip(" \t"):
+            before = ""
+        elif not behind.strip(" \t"):
+            behind = ""
+        self.gaps[index] = before + behind
+
+    def insert(self, word: str, blanks: bool) -> None:
+        """Put a word where its letter belongs among the others."""
+        rank = _RANK.get(word[0].upper(), len(_RANK))
+        ranks = [_RANK.get(self.letter(i), -1) for i in range(len(self.words))]
+        before = [(r, i) for i, r in enumerate(ranks) if 0 <= r <= rank]
+        behind = [i for i, r in enumerate(ranks) if r > rank]
+        if before:
+            at = max(i for _, i in before) + 1 if rank == len(_RANK) else max(before)[1] + 1
+        elif behind:
+            at = behind[0]
+        else:
+            at = 1 if self.words and self.letter(0) == "N" else 0
+        inner = self.gaps[1:-1]
+        if inner:
+            blanks = any(g[:1] in (" ", "\t") for g in inner)
+        blank = " " if blanks else ""
+        if at == 0:
+            self.words.insert(0, word)
+            self.gaps.insert(1, blank if len(self.words) > 1 else "")
+        else:
+            self.words.insert(at, word)
+            self.gaps.insert(at, blank)
