@@ -11,9 +11,10 @@ from typing import Any
 import numpy as np
 import Part
 
-from ..errors import InputError
-from ..profile import Contour, Profile
-from ..toolpath import Kind, Toolpath
+from millcorr.errors import InputError
+from millcorr.profile import Contour, Profile
+from millcorr.toolpath import Kind, Toolpath
+
 from . import compat, convert
 
 
@@ -48,8 +49,8 @@ def path_radius(operation: Any, tool_radius: float) -> float:
     radius = (tool_radius if operation.UseComp else 0.0) + float(operation.OffsetExtra.Value)
     if radius < 0:
         raise InputError(
-            f"{operation.Label}: OffsetExtra {operation.OffsetExtra.Value:g} mm puts the path on the other side of "
-            "the contour"
+            f"{operation.Label}: OffsetExtra {operation.OffsetExtra.Value:g} mm puts the path on "
+            "the other side of the contour"
         )
     return radius
 
@@ -137,7 +138,9 @@ def _edges(operation: Any) -> tuple[list[Any], list[Any]]:
             for face in faces:
                 if not convert.is_horizontal(face):
                     if not convert.is_vertical(face):
-                        raise InputError(f"{operation.Label}: a face of {base.Label} is neither level nor vertical")
+                        raise InputError(
+                            f"{operation.Label}: a face of {base.Label} is neither level nor vertical"
+                        )
                     outer += convert.foot_edges(face)
         for face in flat:
             holes += _holes(face, bool(operation.processHoles), bool(operation.processCircles))

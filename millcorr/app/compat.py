@@ -16,7 +16,7 @@ from typing import Any
 import FreeCAD
 import Path
 
-from ..errors import InputError
+from millcorr.errors import InputError
 
 DocumentObject = Any
 """A FreeCAD document object; FreeCAD has no type stubs."""
@@ -60,7 +60,12 @@ def prepare_modules() -> None:
         module()
 
 
-# Jobs and operations ------------------------------------------------------------------------------------
+def has_window() -> bool:
+    """Whether FreeCAD runs with its window, so that objects need view providers."""
+    return bool(FreeCAD.GuiUp)
+
+
+# Jobs and operations ---------------------------------------------------------------------------------
 
 
 def is_job(obj: DocumentObject) -> bool:
@@ -82,7 +87,10 @@ def operations(job: DocumentObject) -> list[DocumentObject]:
 def is_operation(obj: DocumentObject) -> bool:
     """Whether an object is an operation or a dressup: it has a path and is no job or tool controller."""
     return (
-        obj.isDerivedFrom("Path::Feature") and hasattr(obj, "Path") and not is_job(obj) and not is_controller(obj)
+        obj.isDerivedFrom("Path::Feature")
+        and hasattr(obj, "Path")
+        and not is_job(obj)
+        and not is_controller(obj)
     )
 
 
@@ -175,7 +183,7 @@ def path_of(obj: DocumentObject) -> Any:
     return obj.Path if placed is None else placed(obj)
 
 
-# Making a job, for the demonstration and for tests ----------------------------------------------------------
+# Making a job, for the demonstration and for tests ---------------------------------------------------
 
 
 def make_job(document: Any, models: list[DocumentObject], name: str = "Job") -> DocumentObject:
@@ -211,7 +219,7 @@ def make_profile(job: DocumentObject, name: str = "Profile") -> DocumentObject:
     return operation
 
 
-# Post processing ------------------------------------------------------------------------------------------------
+# Post processing -------------------------------------------------------------------------------------
 
 
 class _JobWithArguments:
@@ -299,5 +307,7 @@ def post(job: DocumentObject, arguments: str | None = None) -> str:
     if not texts:
         raise InputError(f"{job.Label}: FreeCAD's post processor {name} made no program")
     if len(texts) > 1:
-        raise InputError(f"{job.Label}: FreeCAD's post processor made {len(texts)} programs; clear SplitOutput")
+        raise InputError(
+            f"{job.Label}: FreeCAD's post processor made {len(texts)} programs; clear SplitOutput"
+        )
     return str(texts[0])

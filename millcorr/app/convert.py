@@ -14,9 +14,9 @@ import numpy as np
 import Part
 from numpy.typing import NDArray
 
-from ..errors import InputError
-from ..nurbs import NurbsCurve
-from ..profile import Contour, Profile
+from millcorr.errors import InputError
+from millcorr.nurbs import NurbsCurve
+from millcorr.profile import Contour, Profile
 
 Floats = NDArray[np.float64]
 Material = Literal["inside", "outside", "left", "right"]
@@ -118,7 +118,9 @@ def chain(curves: Sequence[NurbsCurve]) -> list[Contour]:
     InputError
         If more than two curves meet in one point.
     """
-    ends = np.array([[c.evaluate([c.knots[0]])[0], c.evaluate([c.knots[-1]])[0]] for c in curves]).reshape(-1, 2, 2)
+    ends = np.array([[c.evaluate([c.knots[0]])[0], c.evaluate([c.knots[-1]])[0]] for c in curves]).reshape(
+        -1, 2, 2
+    )
     node = _nodes(ends.reshape(-1, 2)).reshape(-1, 2)
     meeting: dict[int, list[int]] = {}
     contours = []
@@ -131,7 +133,9 @@ def chain(curves: Sequence[NurbsCurve]) -> list[Contour]:
     for point, members in meeting.items():
         if len(members) > 2:
             x, y = ends.reshape(-1, 2)[np.flatnonzero(node.ravel() == point)[0]]
-            raise InputError(f"{len(members)} edges of the profile meet at X{x:.3f} Y{y:.3f}; leave one way through")
+            raise InputError(
+                f"{len(members)} edges of the profile meet at X{x:.3f} Y{y:.3f}; leave one way through"
+            )
     left = {k for members in meeting.values() for k in members}
     while left:
         loose = [k for k in sorted(left) if any(len(meeting[int(p)]) == 1 for p in node[k])]
@@ -170,8 +174,8 @@ def oriented(contours: Iterable[Contour], material: Material = "inside") -> Prof
     contours : iterable of Contour
     material : {"inside", "outside", "left", "right"}
         Where the material lies. "inside": within the outermost closed contours and, where contours nest,
-        alternating inwards; "outside": the reverse. "left" and "right" are seen along each contour as it runs,
-        and are what an open contour needs: with "inside" or "outside" it keeps its direction.
+        alternating inwards; "outside": the reverse. "left" and "right" are seen along each contour as it
+        runs, and are what an open contour needs: with "inside" or "outside" it keeps its direction.
 
     Returns
     -------
@@ -264,7 +268,9 @@ def profile_of_shape(shape: Any, material: Material = "inside") -> Profile:
         for face in shape.Faces:
             if not is_horizontal(face):
                 raise InputError("a face of the profile is not parallel to the XY plane")
-        return profile_of_edges([e for face in shape.Faces for wire in face.Wires for e in wire.Edges], material)
+        return profile_of_edges(
+            [e for face in shape.Faces for wire in face.Wires for e in wire.Edges], material
+        )
     return profile_of_edges(shape.Edges, material)
 
 
@@ -299,8 +305,8 @@ def foot_edges(face: Any) -> list[Any]:
         if edges and sum(e.Length for e in edges) * (box.ZMax - box.ZMin) >= face.Area * (1 - 1e-6):
             return edges
     raise InputError(
-        f"a side face near X{box.Center.x:.3f} Y{box.Center.y:.3f} has neither a whole bottom nor a whole top "
-        "edge; select the edges of the profile instead"
+        f"a side face near X{box.Center.x:.3f} Y{box.Center.y:.3f} has neither a whole bottom nor a whole "
+        "top edge; select the edges of the profile instead"
     )
 
 
@@ -401,7 +407,7 @@ def _without_doubles(edges: list[Any]) -> list[Any]:
     return out
 
 
-# From profile to shape ---------------------------------------------------------------------------------------------
+# From profile to shape -------------------------------------------------------------------------------
 
 
 def spline_of_curve(curve: NurbsCurve, z: float = 0.0) -> Any:

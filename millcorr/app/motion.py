@@ -13,12 +13,12 @@ from typing import Any
 import numpy as np
 import Path
 
-from .. import gcode
-from ..errors import InputError
-from ..toolpath import Kind, Plane, Toolpath
+from millcorr import gcode
+from millcorr.errors import InputError
+from millcorr.toolpath import Kind, Plane, Toolpath
 
 _PREAMBLE = "G17 G21 G40 G49 G80 G90 G91.1 G94"
-"""What FreeCAD's commands mean when they do not say otherwise: its own state, as the first line of the text."""
+"""What FreeCAD's commands mean when they do not say otherwise, as the first line of the text."""
 
 _LETTERS = "XYZABCUVWIJKRQPLSTHD"
 _RAPIDS = ("G0", "G00")
@@ -40,7 +40,7 @@ def line_of_command(command: Any) -> str:
     Returns
     -------
     str
-        Without line ending; feed in mm/min. Rapids lose their feed, which FreeCAD states but no control keeps.
+        Without line ending; feed in mm/min. Rapids lose their feed: FreeCAD states it but no control keeps it.
     """
     name = command.Name
     if name.startswith("("):

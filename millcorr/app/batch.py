@@ -1,0 +1,331 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Correct a FreeCAD document from a measured part, without a window: for scripts, macros and night runs.
+
+Example
+-------
+>>> from millcorr.app import batch
+>>> batch.correct_document("JOB.FCStd", operation="Profile", measured="cmm.csv", points="contact",
+...                        output="JOB-corrected.FCStd", gcode="part.nc", report="report/")
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from typing import Any
+from uuid import uuid4
+
+import FreeCAD
+
+from millcorr import gcode as nc
+from millcorr import pipeline, report, verification
+from millcorr.errors import FormatError, InputError, MillcorrError, RefusedError, UsageError
+
+from . import base_geometry, compat, correction, dressup, measurement_object
+
+# FreeCAD brings a document's objects to life only if their modules are there before it is opened.
+from . import profile_object as profile_object
+
+_PROPERTIES = {
+    "tool_diameter": "ToolDiameter",
+    "side": "Side",
+    "align": "Align",
+    "filter": "Filter",
+    "method": "Method",
+    "gain": "Gain",
+    "limit": "Limit",
+    "dead_band": "DeadBand",
+    "tolerance": "Tolerance",
+    "output_moves": "OutputMoves",
+}
+
+
+def correct_document(
+    document: Any,
+    operation: Any = None,
+    measured: str | Path | None = None,
+    *,
+    points: str | None = None,
+    probe_radius: float | None = None,
+    units: str | None = None,
+    nominal: Any = None,
+    output: str | Path | None = None,
+    gcode: str | Path | None = None,
+    report: str | Path | None = None,
+    **settings: Any,
+) -> pipeline.Result:
+    """Correct one operation of a document from a measured part.
+
+    Nothing is written unless everything succeeds, and every file is replaced as a whole. A document given as
+    a file is left as it is unless it is also the `output`; an open document keeps the dressup if the
+    correction succeeds and is as before if it does not.
+
+    Parameters
+    ----------
+    document : str, Path or FreeCAD document
+        The document, as a file or open.
+    operation : str or document object, optional
+        Label or name of the operation; may be left out where the document has one Profile.
+    measured : str or Path, optional
+        The measured file; without it the path is made exact and nothing is corrected.
+    points : {"contact", "centre"}, optional
+        What the coordinates are, where the file does not say.
+    probe_radius : float, optional
+        Radius of the probe's ball in mm.
+    units : {"mm", "inch"}, optional
+        Unit of the file, where it does not say.
+    nominal : str or document object, optional
+        Label or name of the object that holds the nominal profile; default the operation's own geometry.
+    output : str or Path, optional
+        Document to write.
+    gcode : str or Path, optional
+        Program to write, made by the job's own post processor and read back to prove it.
+    report : str or Path, optional
+        Directory for the report.
+    **settings
+        ``tool_diameter, side, align, filter, method, gain, limit, dead_band, tolerance, output_moves`` as in
+        `pipeline.Settings`.
+
+    Returns
+    -------
+    pipeline.Result
+
+    Raises
+    ------
+    UsageError
+        If a setting is unknown, or the operation is not found or not unique.
+    MillcorrError
+        If the input cannot be trusted or the correction is refused.
+    """
+    unknown = sorted(set(settings) - set(_PROPERTIES))
+    if unknown:
+        raise UsageError(f"unknown setting {unknown[0]}; known are {', '.join(_PROPERTIES)}")
+    compat.prepare_modules()
+    with ExitStack() as stack:
+        here = stack.enter_context(_opened(document))
+        stack.enter_context(_all_or_nothing(here))
+        base = find_operation(here, operation)
+        measurement = None
+        if measured is not None:
+            measurement = measurement_object.create(here, measured, points, probe_radius, units)
+        chosen = {_PROPERTIES[name]: value for name, value in settings.items() if value is not None}
+        if nominal is not None:
+            chosen["Nominal"] = find_object(here, nominal)
+        obj = _dressed(base, measurement, chosen)
+        corrected = correction.correct(obj)
+        here.recompute()
+        _require_valid(obj)
+        text = None if gcode is None else _posted(obj)
+        proof = None if text is None else prove(obj, text, corrected)
+        _write(here, corrected, text, proof, output, gcode, report)
+        return corrected.result
+
+
+@contextmanager
+def _opened(document: Any) -> Iterator[Any]:
+    """The document, opened and closed here where it is a file."""
+    if not isinstance(document, str | Path):
+        yield document
+        return
+    path = Path(document)
+    if not path.is_file():
+        raise FormatError("no such file", path)
+    before = FreeCAD.ActiveDocument
+    try:
+        here = FreeCAD.openDocument(str(path.resolve()))
+    except (OSError, RuntimeError, ValueError) as error:
+        raise FormatError("not a FreeCAD document", path) from error
+    # FreeCAD opens an empty document in place of a broken file instead of failing.
+    try:
+        if not here.Objects:
+            raise FormatError("the document is empty or damaged", path)
+        yield here
+    finally:
+        FreeCAD.closeDocument(here.Name)
+        if before is not None:
+            FreeCAD.setActiveDocument(before.Name)
+
+
+@contextmanager
+def _all_or_nothing(document: Any) -> Iterator[None]:
+    """Take back everything done to the document if it fails; undo is on for as long."""
+    mode = document.UndoMode
+    document.UndoMode = 1
+    FreeCAD.setActiveDocument(document.Name)
+    document.openTransaction("Correct from measurement")
+    try:
+        yield
+    except BaseException:
+        document.abortTransaction()
+        raise
+    else:
+        document.commitTransaction()
+    finally:
+        document.UndoMode = mode
+
+
+def find_object(document: Any, name: Any) -> Any:
+    """Object by label or name; UsageError if there is none or several of that label."""
+    if not isinstance(name, str):
+        return name
+    found = [obj for obj in document.Objects if obj.Label == name] or [
+        obj for obj in document.Objects if obj.Name == name
+    ]
+    if len(found) != 1:
+        raise UsageError(f"the document has {len(found) or 'no'} objects called {name}")
+    return found[0]
+
+
+def find_operation(document: Any, name: Any = None) -> Any:
+    """Operation to correct: the uppermost dressup over the one that is named.
+
+    Parameters
+    ----------
+    document : FreeCAD document
+    name : str or document object, optional
+        Label or name; without it the only Profile of the document.
+
+    Returns
+    -------
+    document object
+
+    Raises
+    ------
+    UsageError
+        If it is not found, or not unique; names those there are.
+    """
+    stacks = [(top, _below(top)) for job in compat.jobs(document) for top in compat.operations(job)]
+    if name is None:
+        tops = [top for top, below in stacks if base_geometry.is_profile_operation(below[-1])]
+    elif isinstance(name, str):
+        tops = [top for top, below in stacks if any(name == obj.Label for obj in below)] or [
+            top for top, below in stacks if any(name == obj.Name for obj in below)
+        ]
+    else:
+        tops = [top for top, below in stacks if any(name.Name == obj.Name for obj in below)]
+    if len(tops) == 1:
+        return tops[0]
+    what = "Profile operation" if name is None else f"operation called {getattr(name, 'Label', name)}"
+    there = ", ".join(top.Label for top, _ in stacks) or "none"
+    raise UsageError(f"the document has {len(tops) or 'no'} {what}; its operations are: {there}")
+
+
+def _below(obj: Any) -> list[Any]:
+    """A dressup and everything under it."""
+    out = [obj]
+    while compat.is_dressup(out[-1]):
+        out.append(out[-1].Base)
+    return out
+
+
+def _dressed(base: Any, measurement: Any, chosen: dict[str, Any]) -> Any:
+    try:
+        return dressup.create(base, measurement, **chosen)
+    except ValueError as error:
+        if isinstance(error, MillcorrError):
+            raise
+        raise UsageError(f"a setting is not possible: {error}") from error
+
+
+def _require_valid(obj: Any) -> None:
+    if "Invalid" in obj.State or not obj.Path.Commands:
+        raise RefusedError(f"{obj.Label}: FreeCAD could not recompute the corrected path")
+
+
+def _posted(obj: Any) -> str:
+    """The job's program; with four decimals where the job leaves their number open."""
+    job = compat.parent_job(obj)
+    arguments = job.PostProcessorArgs
+    # FreeCAD's default of three rounds by half a micrometre, as much as the whole path may err.
+    if "--precision" not in arguments and "--inches" not in arguments:
+        arguments = f"{arguments} --precision 4".strip()
+    return compat.post(job, arguments)
+
+
+def prove(obj: Any, text: str, corrected: correction.Correction) -> Any:
+    """Read a posted program back and compare it with the compensated profile.
+
+    Parameters
+    ----------
+    obj : document object
+        The dressup.
+    text : str
+        The whole program of the job.
+    corrected : Correction
+
+    Returns
+    -------
+    verification.Verification
+        For the stretch of the program that the dressup made.
+
+    Raises
+    ------
+    InputError
+        If the post processor left the stretch out.
+    """
+    posted = nc.parse(text, "posted program")
+    rows = _stretch(posted, obj.Label)
+    return verification.verify(
+        posted.toolpath.take(rows), corrected.result.compensated, corrected.request.radius
+    )
+
+
+def _stretch(posted: nc.Program, label: str) -> Any:
+    """Moves between the comments that FreeCAD's posts write around an operation; all moves without them."""
+    lines = posted.text.splitlines()
+    begin = [k for k, line in enumerate(lines) if re.search(r"begin operation: *" + re.escape(label), line)]
+    end = [k for k, line in enumerate(lines) if re.search(r"finish operation: *" + re.escape(label), line)]
+    source = posted.toolpath.source
+    rows = source >= 0
+    if len(begin) == 1 and len(end) == 1:
+        rows = (source > begin[0]) & (source < end[0])
+    if not rows.any():
+        raise InputError(f"{label}: the posted program has no move of this operation")
+    return rows
+
+
+def _write(
+    document: Any,
+    corrected: correction.Correction,
+    text: str | None,
+    proof: Any,
+    output: str | Path | None,
+    gcode: str | Path | None,
+    directory: str | Path | None,
+) -> None:
+    """Write everything beside its place first, then put it there."""
+    with ExitStack() as stack:
+        ready: list[tuple[Path, Path]] = []
+        if output is not None:
+            beside = stack.enter_context(_beside(Path(output)))
+            document.saveCopy(str(beside))
+            ready.append((beside, Path(output)))
+        if gcode is not None and text is not None:
+            beside = stack.enter_context(_beside(Path(gcode)))
+            beside.write_bytes(text.encode("utf-8"))
+            ready.append((beside, Path(gcode)))
+        if directory is not None:
+            beside = stack.enter_context(_beside(Path(directory)))
+            report.write(beside, corrected.request, corrected.result, proof)
+            Path(directory).mkdir(parents=True, exist_ok=True)
+            ready += [(file, Path(directory) / file.name) for file in beside.iterdir()]
+        for beside, place in ready:
+            os.replace(beside, place)
+
+
+@contextmanager
+def _beside(place: Path) -> Iterator[Path]:
+    """A temporary name in the same directory and with the same suffix."""
+    if not place.absolute().parent.is_dir():
+        raise UsageError(f"{place}: there is no directory {place.absolute().parent}")
+    path = place.absolute().parent / f".millcorr-{uuid4().hex}{place.suffix}"
+    try:
+        yield path
+    finally:
+        if path.is_dir():
+            shutil.rmtree(path, ignore_errors=True)
+        path.unlink(missing_ok=True)

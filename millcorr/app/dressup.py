@@ -1,0 +1,275 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The dressup: an operation of a job with its path corrected from a measured part."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from typing import Any
+
+import Path
+
+from millcorr.errors import InputError
+
+from . import compat, correction
+from .properties import QT_TRANSLATE_NOOP, READ_ONLY, Property, complete, store
+
+_text = QT_TRANSLATE_NOOP
+PROPERTIES = (
+    Property("Link", "Base", "Base", _text("App::Property", "The operation whose path is corrected")),
+    Property(
+        "Link",
+        "Measurement",
+        "Correction",
+        _text(
+            "App::Property", "The measured part; without one the path is made exact and nothing is corrected"
+        ),
+    ),
+    Property(
+        "Link",
+        "Nominal",
+        "Correction",
+        _text("App::Property", "Nominal profile; without one the operation's own geometry, or else its path"),
+    ),
+    Property(
+        "Length",
+        "ToolDiameter",
+        "Correction",
+        _text("App::Property", "Diameter of the tool; 0 takes it from the tool controller"),
+        0.0,
+    ),
+    Property(
+        "Enumeration",
+        "Side",
+        "Correction",
+        _text("App::Property", "Side of the contour on which the tool runs, along its direction"),
+        ("auto", "left", "right"),
+    ),
+    Property(
+        "Enumeration",
+        "Align",
+        "Correction",
+        _text("App::Property", "How the measured points are laid on the profile before they are compared"),
+        ("none", "shift", "rigid"),
+    ),
+    Property(
+        "String",
+        "Filter",
+        "Correction",
+        _text(
+            "App::Property",
+            "What separates form from scatter: none, mean:5, mean:1,2,3,2,1, gauss:MM or auto",
+        ),
+        "auto",
+    ),
+    Property(
+        "Enumeration",
+        "Method",
+        "Correction",
+        _text("App::Property", "How the path answers a deviation"),
+        ("mirror",),
+    ),
+    Property("Float", "Gain", "Correction", _text("App::Property", "Share of the deviation taken back"), 1.0),
+    Property(
+        "Length",
+        "Limit",
+        "Correction",
+        _text("App::Property", "Largest correction; a larger one is refused"),
+        0.5,
+    ),
+    Property(
+        "Length",
+        "DeadBand",
+        "Correction",
+        _text("App::Property", "Deviations up to this are left alone"),
+        0.0,
+    ),
+    Property(
+        "Length",
+        "Tolerance",
+        "Correction",
+        _text("App::Property", "Largest distance of the path from the exact one"),
+        0.001,
+    ),
+    Property(
+        "Enumeration",
+        "OutputMoves",
+        "Correction",
+        _text("App::Property", "Moves of the corrected path: as the operation's, only lines, or arcs"),
+        ("keep", "lines", "arcs"),
+    ),
+    Property("Distance", "DeviationMean", "Result", _text("App::Property", "Mean deviation"), 0.0, READ_ONLY),
+    Property("Distance", "DeviationMin", "Result", _text("App::Property", "Least deviation"), 0.0, READ_ONLY),
+    Property(
+        "Distance", "DeviationMax", "Result", _text("App::Property", "Greatest deviation"), 0.0, READ_ONLY
+    ),
+    Property(
+        "Distance", "DeviationHeight", "Result", _text("App::Property", "Greatest less least"), 0.0, READ_ONLY
+    ),
+    Property(
+        "Distance", "DeviationStd", "Result", _text("App::Property", "Standard deviation"), 0.0, READ_ONLY
+    ),
+    Property(
+        "Distance",
+        "RandomStd",
+        "Result",
+        _text("App::Property", "Standard deviation of what the filter takes for scatter"),
+        0.0,
+        READ_ONLY,
+    ),
+    Property(
+        "Distance",
+        "LargestCorrection",
+        "Result",
+        _text("App::Property", "Largest correction"),
+        0.0,
+        READ_ONLY,
+    ),
+    Property(
+        "Distance",
+        "PathError",
+        "Result",
+        _text(
+            "App::Property", "Largest distance of the path from the exact offset of the compensated profile"
+        ),
+        0.0,
+        READ_ONLY,
+    ),
+    Property("Integer", "PointsUsed", "Result", _text("App::Property", "Points used"), 0, READ_ONLY),
+    Property("Integer", "PointsRejected", "Result", _text("App::Property", "Points left out"), 0, READ_ONLY),
+    Property("StringList", "Warnings", "Result", _text("App::Property", "What to know"), [], READ_ONLY),
+    Property(
+        "String",
+        "Source",
+        "Origin",
+        _text("App::Property", "Measured file of this correction"),
+        "",
+        READ_ONLY,
+    ),
+    Property("String", "Digest", "Origin", _text("App::Property", "SHA-256 of that file"), "", READ_ONLY),
+    Property(
+        "String", "Corrected", "Origin", _text("App::Property", "When the correction was made"), "", READ_ONLY
+    ),
+)
+
+_RESULTS = tuple(row for row in PROPERTIES if row.group in ("Result", "Origin") and row.name != "Corrected")
+
+
+class DressupMillcorr:
+    """Proxy of the dressup."""
+
+    def __init__(self, obj: Any) -> None:
+        complete(obj, PROPERTIES)
+        obj.Proxy = self
+
+    def onDocumentRestored(self, obj: Any) -> None:
+        """Add the properties that an earlier version did not have; the path stays as it was saved."""
+        complete(obj, PROPERTIES)
+
+    def execute(self, obj: Any) -> None:
+        """Correct the path; on any failure the path is empty and the object is invalid."""
+        # Emptied first: whatever goes wrong from here on, no uncorrected path can be posted.
+        obj.Path = Path.Path()
+        before = obj.Digest
+        _clear(obj)
+        if obj.Base is None or not compat.is_active(obj.Base):
+            return
+        corrected = correction.correct(obj)
+        obj.Path = corrected.path()
+        _state(obj, corrected)
+        if obj.Digest != before or not obj.Corrected:
+            obj.Corrected = datetime.now().astimezone().isoformat(timespec="seconds")
+
+    def onDelete(self, obj: Any, subelements: Any = None) -> bool:
+        """Give the operation its place in the job back."""
+        base = obj.Base
+        if base is not None:
+            job = compat.parent_job(obj)
+            if job is not None:
+                compat.replace_operation(job, obj, base)
+            obj.Base = None
+            if compat.has_window() and base.ViewObject:
+                base.ViewObject.Visibility = True
+        return True
+
+    def dumps(self) -> None:
+        """Nothing but properties is stored."""
+        return None
+
+    def loads(self, state: Any) -> None:
+        """Nothing but properties is stored."""
+        return None
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def _clear(obj: Any) -> None:
+    for row in _RESULTS:
+        store(obj, row.name, row.default)
+
+
+def _state(obj: Any, corrected: correction.Correction) -> None:
+    """Write the result to the read-only properties."""
+    summary = corrected.result.summary()
+    deviation = summary.get("deviation") or {}
+    for name, key in (("Mean", "mean"), ("Min", "min"), ("Max", "max"), ("Height", "height"), ("Std", "std")):
+        store(obj, f"Deviation{name}", float(deviation.get(key) or 0.0))
+    store(obj, "RandomStd", float((summary.get("filter") or {}).get("random_std") or 0.0))
+    store(obj, "LargestCorrection", float((summary.get("correction") or {}).get("max") or 0.0))
+    store(obj, "PathError", float((summary.get("verification") or {}).get("path_error_max") or 0.0))
+    points = summary.get("points") or {}
+    store(obj, "PointsUsed", int(points.get("used") or 0))
+    store(obj, "PointsRejected", len(points.get("rejected") or ()))
+    store(obj, "Warnings", [str(w) for w in corrected.result.warnings])
+    measurement = corrected.request.measurement
+    if measurement is not None:
+        store(obj, "Source", measurement.source)
+        store(obj, "Digest", measurement.digest)
+
+
+def is_correction(obj: Any) -> bool:
+    """Whether an object is a dressup of ours, its proxy alive or not."""
+    return obj.Name.startswith("DressupMillcorr") and hasattr(obj, "Measurement") and hasattr(obj, "Base")
+
+
+def create(base: Any, measurement: Any = None, **settings: Any) -> Any:
+    """New dressup on an operation, in the operation's place in its job.
+
+    Parameters
+    ----------
+    base : document object
+        Operation or dressup that stands in a job.
+    measurement : document object, optional
+        Measurement; without one the path is made exact and nothing is corrected.
+    **settings
+        Properties of the dressup by name, such as ``Filter="mean:5"``.
+
+    Returns
+    -------
+    document object
+        Not yet recomputed.
+
+    Raises
+    ------
+    InputError
+        If the operation does not stand in a job, or a dressup lies on it already.
+    """
+    job = compat.parent_job(base)
+    if job is None:
+        raise InputError(f"{base.Label}: the operation stands in no job")
+    if base.Name not in [obj.Name for obj in compat.operations(job)]:
+        raise InputError(f"{base.Label}: a dressup lies on this operation; choose the dressup")
+    obj = base.Document.addObject("Path::FeaturePython", "DressupMillcorr")
+    DressupMillcorr(obj)
+    obj.Base = base
+    obj.Measurement = measurement
+    for name, value in settings.items():
+        setattr(obj, name, value)
+    compat.replace_operation(job, base, obj)
+    obj.Label = f"{base.Label} corrected"
+    if compat.has_window():
+        from millcorr.gui.viewproviders import DressupView
+
+        DressupView(obj.ViewObject)
+        base.ViewObject.Visibility = False
+    return obj
