@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From the bytes of a measurement file to its text, or a refusal that says what the file is instead."""
+
+from __future__ import annotations
+
+import codecs
+import re
+
+from millcorr.errors import FormatError
+
+_NOT_TEXT = (
+    (b"%PDF", "a PDF document", "export the points as CSV"),
+    (b"PK\x03\x04", "a ZIP container (a workbook, a FreeCAD document?)", "save the points as CSV"),
+    (b"\xd0\xcf\x11\xe0", "an Excel workbook", "save the points as CSV"),
+    (b"\x1f\x8b", "compressed (gzip)", "unpack it first"),
+    (b"\x89PNG", "a PNG picture", "give the measured points"),
+    (b"\xff\xd8\xff", "a JPEG picture", "give the measured points"),
+    (b"{\\rtf", "a rich text document", "save the points as plain text"),
+    (b"ISO-10303-21", "a STEP model", "give the measured points, not the model"),
+)
+
+_BOMS = (
+    (codecs.BOM_UTF8, "utf-8"),
+    (codecs.BOM_UTF32_LE, "utf-32-le"),
+    (codecs.BOM_UTF32_BE, "utf-32-be"),
+    (codecs.BOM_UTF16_LE, "utf-16-le"),
+    (codecs.BOM_UTF16_BE, "utf-16-be"),
+)
+
+_CONTROL = re.compile("[\x00-\x08\x0e-\x1b\x7f]")
+_BLANKS = {0xA0: " ", 0x202F: " ", 0x2009: " ", 0x2212: "-", 0xFEFF: None}
+
+
+def decode(data: bytes, name: str) -> str:
+    r"""Text of a file, every line ending turned into ``\n``.
+
+    Parameters
+    ----------
+    data : bytes
+    name : str
+        File name for messages.
+
+    Returns
+    -------
+    str
+        Decoded by its byte order mark, else as UTF-16 without one, UTF-8 or Windows-1252. No-break spaces are
+        blanks and the typographic minus is ``-``.
+
+    Raises
+    ------
+    FormatError
+        If the file is empty, is known to be something else, or is no text.
+    """
+    if not data.strip(b"\x00 \t\r\n\x1a"):
+        raise FormatError("the file is empty" if not data else "the file holds nothing but blanks", name)
+    head = data[:512].lstrip(codecs.BOM_UTF8).lstrip()
+    for magic, kind, remedy in _NOT_TEXT:
+        if head.startswith(magic):
+            raise FormatError(f"the file is {kind}: {remedy}", name)
+    text = _decoded(data, name)
+    start = text[:512].lstrip().lower()
+    if start.startswith(("<?xml", "<!doctype", "<html")) or re.match(r"<[a-z][\w:.-]*[\s/>]", start):
+        raise FormatError("the file is XML or HTML: export the points as text with a header x,y,z", name)
+    text = text.rstrip("\x1a\x00")
+    if "\r" in text:
+        text = text.replace("\r\n", "\n").replace("\r", "\n")
+    found = _CONTROL.search(text)
+    if found:
+        line = text.count("\n", 0, found.start()) + 1
+        raise FormatError(f"binary data (control character {ord(found[0])}): not a text file", name, line)
+    return text if text.isascii() else text.translate(_BLANKS)
+
+
+def _decoded(data: bytes, name: str) -> str:
+    if data.isascii() and b"\x00" not in data[:4096]:
+        return data.decode("ascii")
+    for mark, encoding in _BOMS:
+        if data.startswith(mark):
+            return _strict(data[len(mark) :], encoding, name)
+    # Latin text as UTF-16 without a mark has a zero in nearly every other byte.
+    sample = data[:4096]
+    half = max(1, len(sample) // 2)
+    if sample[1::2].count(0) > 0.7 * half and sample[0::2].count(0) < 0.1 * half:
+        return _strict(data, "utf-16-le", name)
+    if sample[0::2].count(0) > 0.7 * half and sample[1::2].count(0) < 0.1 * half:
+        return _strict(data, "utf-16-be", name)
+    try:
+        return data.decode("utf-8")
+    except UnicodeDecodeError:
+        return _strict(data, "cp1252", name)
+
+
+def _strict(data: bytes, encoding: str, name: str) -> str:
+    try:
+        return data.decode(encoding)
+    except UnicodeDecodeError as error:
+        newlines = (b"\n", b"\r\n", b"\r")
+        line = max(data.count(n, 0, error.start) for n in newlines) + 1
+        kind = "binary or truncated" if encoding.startswith("utf") else "binary"
+        raise FormatError(f"the file is {kind}: no text in {encoding.upper()}", name, line) from error
