@@ -162,7 +162,9 @@ class CompensatedContour:
             t = t + beyond / np.hypot(dx, dy)
         return span, t
 
-    def evaluate(self, piece: Ints, sigma: Floats, offset: float = 0.0) -> tuple[Floats, Floats, Floats]:
+    def evaluate(
+        self, piece: Ints, sigma: Floats, offset: float = 0.0, *, corrected: bool = True
+    ) -> tuple[Floats, Floats, Floats]:
         """Points of the contour, or of its parallel curve outside it.
 
         Parameters
@@ -172,6 +174,8 @@ class CompensatedContour:
             Arc length on the piece's nominal, mm; beyond its ends the piece is continued.
         offset : float
             Distance in mm along the compensated contour's own normal, e.g. the tool radius.
+        corrected : bool
+            False for the nominal in place of the compensated contour.
 
         Returns
         -------
@@ -187,7 +191,7 @@ class CompensatedContour:
         speed = np.hypot(*d1.T)
         tangent = d1 / speed[:, None]
         normal = np.stack([tangent[:, 1], -tangent[:, 0]], axis=1)
-        shift, slope = self._correction(piece, sigma)
+        shift, slope = self._correction(piece, sigma) if corrected else (np.zeros(len(t)), np.zeros(len(t)))
         kappa = self.profile.curvature(span, t)
         forward = 1.0 + shift * kappa
         size = np.hypot(forward, slope)
@@ -197,6 +201,47 @@ class CompensatedContour:
         # smaller than the curvature by the ratio of correction to radius.
         bend = kappa * forward / (size * size) if offset else 0.0
         return point, own, size * (1.0 + offset * bend) * np.sign(forward)
+
+    def distance_off(
+        self, piece: Ints, guess: Floats, points: Floats, offset: float, *, corrected: bool = True
+    ) -> tuple[Floats, Floats]:
+        """Signed distance of points from the parallel curve of given pieces, continued beyond their ends.
+
+        Parameters
+        ----------
+        piece : (n,) int64
+        guess : (n,) float64
+            Arc lengths on the pieces to start from, mm.
+        points : (n, 2) float64
+            mm.
+        offset : float
+            Distance of the parallel curve, mm.
+        corrected : bool
+            False for the nominal in place of the compensated contour.
+
+        Returns
+        -------
+        off : (n,) float64
+            mm, positive outside.
+        sigma : (n,) float64
+            Arc lengths of the foot points, mm.
+        """
+        sigma = guess
+        for _ in range(8):
+            q, normal, size = self.evaluate(piece, sigma, offset, corrected=corrected)
+            gap = points - q
+            forward = gap[:, 1] * normal[:, 0] - gap[:, 0] * normal[:, 1]
+            step = forward / np.where(np.abs(size) > 1e-3, size, 1.0)
+            sigma = sigma + np.clip(step, -20.0, 20.0)
+            if np.abs(step).max(initial=0.0) < 1e-10:
+                break
+        q, normal, _ = self.evaluate(piece, sigma, offset, corrected=corrected)
+        off: Floats = ((points - q) * normal).sum(axis=1)
+        return off, sigma
+
+    def nominal_normal(self, piece: Ints, sigma: Floats) -> Floats:
+        """Directional cosines of the nominal at places of the pieces; (n, 2)."""
+        return self.profile.normals(*self._locate(piece, sigma))
 
     def _correction(self, piece: Ints, sigma: Floats) -> tuple[Floats, Floats]:
         shift, slope = np.empty(len(piece)), np.empty(len(piece))

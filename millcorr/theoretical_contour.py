@@ -109,21 +109,28 @@ def cutting_runs(toolpath: Toolpath) -> list[Ints]:
     return np.split(rows, np.flatnonzero(breaks) + 1)
 
 
-def closed_loops(points: Floats) -> list[tuple[int, int]]:
-    """First and last vertex of the closed loops along a run of vertices (n, 2), in order, not overlapping."""
+def closed_loops(toolpath: Toolpath, run: Ints) -> list[tuple[int, int]]:
+    """Closed loops among connected moves: first and past-the-last position in `run`, in order.
+
+    The innermost are taken, so that a lead that starts where another ends is no part of them, and a path that
+    only goes out and back is none.
+    """
+    points = np.vstack([toolpath.start[run[:1], :2], toolpath.end[run, :2]])
     key = np.round(points / SAME_POINT).astype(np.int64)
     order = np.lexsort((np.arange(len(key)), key[:, 1], key[:, 0]))
     same = (key[order[1:]] == key[order[:-1]]).all(axis=1)
-    following = np.full(len(key), -1)
-    following[order[:-1][same]] = order[1:][same]
+    first, last = order[:-1][same], order[1:][same]
+    shortest = np.argsort(last - first, kind="stable")
+    quarter = toolpath.take(run).position(np.array([0.0, 0.25, 0.5, 0.75]))[:, :, :2]
+    taken = np.zeros(len(run), dtype=bool)
     loops = []
-    i = 0
-    starts = np.flatnonzero(following >= 0)
-    for start in starts:
-        if start >= i:
-            loops.append((int(start), int(following[start])))
-            i = int(following[start])
-    return loops
+    for a, b in zip(first[shortest].tolist(), last[shortest].tolist(), strict=True):
+        ring = quarter[a:b].reshape(-1, 2) - points[a]
+        area = np.sum(ring[:, 0] * np.roll(ring[:, 1], -1) - ring[:, 1] * np.roll(ring[:, 0], -1)) / 2
+        if not taken[a:b].any() and abs(area) > 1e-6:
+            taken[a:b] = True
+            loops.append((a, b))
+    return sorted(loops)
 
 
 def cut_contours(
@@ -163,8 +170,7 @@ def cut_contours(
 
 
 def _contours_of_run(toolpath: Toolpath, run: Ints, radius: float, material_right: bool) -> Iterator[CutContour]:
-    points = np.vstack([toolpath.start[run[:1], :2], toolpath.end[run, :2]])
-    loops = closed_loops(points)
+    loops = closed_loops(toolpath, run)
     for a, b in loops:
         yield _offset(toolpath, run[a:b], radius, material_right, True)
     if not loops:
@@ -201,6 +207,7 @@ def _offset(toolpath: Toolpath, rows: Ints, radius: float, material_right: bool,
 
 def _trimmed(pieces: list[_Piece], radius: float, closed: bool) -> list[_Piece]:
     """Offset pieces, trimmed at convex corners of the part and filleted at concave ones."""
+    pieces = _continued(pieces, closed)
     offset = [p.offset_left(radius) for p in pieces]
     kept = [i for i, p in enumerate(offset) if p is not None]
     if not kept:
@@ -231,13 +238,38 @@ def _trimmed(pieces: list[_Piece], radius: float, closed: bool) -> list[_Piece]:
             # The sides never meet (the path turns back): what the cutter leaves is a fillet of its radius.
             out.append(_Piece(a.p1, b.p0, pieces[j].p0, turn))
     for p in out:
-        if p.high - p.low <= 0:
+        if (p.high - p.low) * np.hypot(*p.at(0.5)[1]) < -1e-6:
             x, y = p.at(0.5)[0]
             raise InputError(
                 f"the path near X{x:.3f} Y{y:.3f} turns tighter than the tool radius {radius:g} mm: "
                 "check --tool-diameter and --side, or give the contour with --nominal"
             )
+    return [p for p in out if (p.high - p.low) * np.hypot(*p.at(0.5)[1]) > 1e-6]
+
+
+def _continued(pieces: list[_Piece], closed: bool) -> list[_Piece]:
+    """Join neighbours that continue the same line or circle, across the seam of a closed path too."""
+    out: list[_Piece] = []
+    for p in pieces:
+        if np.hypot(*(p.p1 - p.p0)) < 1e-9 and not p.sweep:
+            continue
+        if out and _continues(out[-1], p):
+            out[-1] = _Piece(out[-1].p0, p.p1, p.centre, out[-1].sweep + p.sweep)
+        else:
+            out.append(p)
+    if closed and len(out) > 1 and _continues(out[-1], out[0]):
+        out[0] = _Piece(out[-1].p0, out[0].p1, out[0].centre, out[-1].sweep + out[0].sweep)
+        out.pop()
     return out
+
+
+def _continues(a: _Piece, b: _Piece) -> bool:
+    if (a.centre is None) != (b.centre is None):
+        return False
+    if a.centre is None or b.centre is None:
+        u, v = a.p1 - a.p0, b.p1 - b.p0
+        return bool(abs(u[0] * v[1] - u[1] * v[0]) < 1e-9 * np.hypot(*u) * np.hypot(*v) and u @ v > 0)
+    return bool(np.hypot(*(a.centre - b.centre)) < 1e-7 and a.sweep * b.sweep > 0)
 
 
 def _trim_to_each_other(a: _Piece, b: _Piece, reach: float) -> bool:

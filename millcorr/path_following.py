@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which moves of a toolpath follow the profile, and where on it.
+
+A move follows where all of it lies at the cutter's radius from a piece of the nominal, on a piece's straight
+continuation (the path runs past a convex corner or past an open end), or on the arc about a convex corner.
+Leads, links, ramps beside the contour, roughing passes and rapids do not follow.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .footpoint import FootPointSearch, Place
+from .reconstruction import CompensatedContour
+from .theoretical_contour import cutting_runs
+from .toolpath import Toolpath
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+SAMPLES = np.linspace(0.0, 1.0, 9)
+NOWHERE = np.iinfo(np.int64).min
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Following:
+    """Parts of moves that follow the nominal profile, in the order of the path; one row a part.
+
+    Parameters
+    ----------
+    row : (e,) int64
+        Row of the toolpath; a row has several parts where it passes from piece to piece.
+    piece : (e,) int64
+        Piece of the contour, or ``-1 - j`` on the arc about joint j.
+    first, last : (e,) float64
+        Arc length on the piece, mm, at the part's first and last sample; NaN about a joint.
+    begin, end : (e,) float64
+        Fractions of the move between which the part lies.
+    chain : (e,) int64
+        Parts of connected moves share a number.
+    error : (n,) float64
+        For every row of the toolpath the distance in mm by which it is off the nominal's exact parallel at
+        most; NaN for rows that do not follow.
+    distance : float
+        Of the feed moves that do not follow, the smallest typical distance from the profile, mm.
+    """
+
+    row: Ints
+    piece: Ints
+    first: Floats
+    last: Floats
+    begin: Floats
+    end: Floats
+    chain: Ints
+    error: Floats
+    distance: float
+
+
+def follow(
+    toolpath: Toolpath,
+    contour: CompensatedContour,
+    radius: float,
+    *,
+    band: float,
+    rows: NDArray[np.bool_] | None = None,
+) -> Following:
+    """Find the moves that follow the nominal profile of `contour`.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    contour : CompensatedContour
+        Only its nominal pieces and joints matter here.
+    radius : float
+        Distance in mm between path and contour.
+    band : float
+        How far, in mm, a following move may be off.
+    rows : (n,) bool, optional
+        Moves that may follow; all by default.
+
+    Returns
+    -------
+    Following
+    """
+    runs = cutting_runs(toolpath)
+    index = np.concatenate(runs) if runs else np.zeros(0, dtype=np.int64)
+    if rows is not None:
+        index = index[rows[index]]
+    error = np.full(len(toolpath), np.nan)
+    none = np.zeros(0, dtype=np.int64)
+    if not len(index):
+        empty = np.zeros(0)
+        return Following(none, none, empty, empty, empty, empty, none, error, np.inf)
+    points = toolpath.take(index).position(SAMPLES)[:, :, :2].reshape(-1, 2)
+    label, sigma, off = _label(points, contour, radius, band)
+    k = len(SAMPLES)
+    label, sigma, off = label.reshape(-1, k), sigma.reshape(-1, k), off.reshape(-1, k)
+    inner = slice(1, k - 1)
+    _prefer_one_piece(label, sigma, off, points.reshape(-1, k, 2), contour, radius, band)
+    good = (label[:, inner] != NOWHERE).all(axis=1) & _steady(label, sigma, contour)
+    row, piece, first, last, begin, end = [], [], [], [], [], []
+    for i in np.flatnonzero(good):
+        names = label[i, inner]
+        cuts = np.flatnonzero(np.diff(names)) + 1
+        edges = np.concatenate([[0], cuts, [k - 2]])
+        for a, b in zip(edges[:-1], edges[1:], strict=True):
+            low, high = int(a) + 1, int(b)
+            low = 0 if low == 1 and label[i, 0] == names[a] else low
+            high = k - 1 if high == k - 2 and label[i, k - 1] == names[a] else high
+            row.append(index[i])
+            piece.append(names[a])
+            first.append(sigma[i, low])
+            last.append(sigma[i, high])
+            begin.append(0.0 if a == 0 else float(SAMPLES[a] + SAMPLES[a + 1]) / 2)
+            end.append(1.0 if b == k - 2 else float(SAMPLES[b] + SAMPLES[b + 1]) / 2)
+        seen = label[i] != NOWHERE
+        error[index[i]] = float(np.abs(off[i, seen]).max())
+    row_array = np.array(row, dtype=np.int64)
+    joined = np.zeros(len(row_array), dtype=bool)
+    if len(row_array) > 1:
+        meets = np.hypot(*(toolpath.start[row_array[1:], :2] - toolpath.end[row_array[:-1], :2]).T) < 1e-9
+        near = row_array[1:] == row_array[:-1] + 1
+        joined[1:] = (row_array[1:] == row_array[:-1]) | (near & meets)
+    distance = np.median(np.abs(off), axis=1)
+    apart = distance[~good]
+    return Following(
+        row_array,
+        np.array(piece, dtype=np.int64),
+        np.array(first),
+        np.array(last),
+        np.array(begin),
+        np.array(end),
+        np.cumsum(~joined) - 1,
+        error,
+        float(apart.min()) if len(apart) else np.inf,
+    )
+
+
+def _label(
+    points: Floats, contour: CompensatedContour, radius: float, band: float
+) -> tuple[Ints, Floats, Floats]:
+    """Piece (or joint, or NOWHERE), arc length on it, and distance off the parallel at each point."""
+    profile = contour.profile
+    feet = FootPointSearch(profile, margin=radius + 2.0).find(points)
+    piece, sigma = contour.position_on_piece(feet.span, feet.t)
+    off = feet.distance - radius
+    label = np.where(np.abs(off) <= band, piece, NOWHERE)
+    ends = np.flatnonzero(feet.place == Place.END)
+    if len(ends):
+        normal = profile.normals(feet.span[ends], feet.t[ends])
+        arm = points[ends] - feet.foot[ends]
+        along = arm[:, 1] * normal[:, 0] - arm[:, 0] * normal[:, 1]
+        off[ends] = (arm * normal).sum(axis=1) - radius
+        sigma[ends] += along
+        label[ends] = np.where(np.abs(off[ends]) <= band, piece[ends], NOWHERE)
+    at_joint = np.flatnonzero((feet.place == Place.JOINT))
+    joints = contour.joints
+    if len(at_joint) and len(joints.before):
+        gap = np.hypot(
+            points[at_joint, 0] - feet.foot[at_joint, 0], points[at_joint, 1] - feet.foot[at_joint, 1]
+        )
+        which = _joint_at(contour, feet.foot[at_joint])
+        real = which >= 0
+        at_joint, gap, which = at_joint[real], gap[real], which[real]
+        arm = points[at_joint] - joints.point[which]
+        na = contour.nominal_normal(joints.before[which], contour.length[joints.before[which]])
+        nb = contour.nominal_normal(joints.after[which], np.zeros(len(which)))
+        along_a = arm[:, 1] * na[:, 0] - arm[:, 0] * na[:, 1]
+        along_b = arm[:, 1] * nb[:, 0] - arm[:, 0] * nb[:, 1]
+        off_a, off_b = (arm * na).sum(axis=1) - radius, (arm * nb).sum(axis=1) - radius
+        off_j = np.where(feet.distance[at_joint] < 0, -gap, gap) - radius
+        options = np.abs(np.stack([off_a, off_b, off_j]))
+        options[0, along_a < -1e-9] = np.inf
+        options[1, along_b > 1e-9] = np.inf
+        # The arc about the corner only where neither side's continuation fits as well.
+        options[2] += 1e-6
+        best = options.argmin(axis=0)
+        pick = np.arange(len(which))
+        off[at_joint] = np.stack([off_a, off_b, off_j])[best, pick]
+        names = np.stack([joints.before[which], joints.after[which], -1 - which])
+        places = np.stack(
+            [contour.length[joints.before[which]] + along_a, along_b, np.full(len(which), np.nan)]
+        )
+        sigma[at_joint] = places[best, pick]
+        label[at_joint] = np.where(options[best, pick] <= band, names[best, pick], NOWHERE)
+    return label, sigma, off
+
+
+def _prefer_one_piece(
+    label: Ints, sigma: Floats, off: Floats, points: Floats, contour: CompensatedContour, radius: float, band: float
+) -> None:
+    """A move that one piece and its continuation explain whole is given to that piece. In place."""
+    k = label.shape[1]
+    inner = slice(1, k - 1)
+    for i in np.flatnonzero((label[:, inner] != label[:, 1:2]).any(axis=1) & (label[:, inner] != NOWHERE).all(axis=1)):
+        for piece in np.unique(label[i, inner][label[i, inner] >= 0]):
+            known = np.flatnonzero(label[i] == piece)
+            nearest = known[np.abs(np.arange(k)[:, None] - known[None]).argmin(axis=1)]
+            names = np.full(k, piece)
+            away, along = contour.distance_off(names, sigma[i, nearest], points[i], radius, corrected=False)
+            if (np.abs(away) <= band).all():
+                label[i], sigma[i], off[i] = piece, along, away
+                break
+
+
+def _joint_at(contour: CompensatedContour, foot: Floats) -> Ints:
+    """Joint at each foot point, -1 where there is none (a turn too small to be one)."""
+    from scipy.spatial import cKDTree
+
+    distance, which = cKDTree(contour.joints.point).query(foot)
+    return np.where(distance < 1e-6, which, -1).astype(np.int64)
+
+
+def _steady(label: Ints, sigma: Floats, contour: CompensatedContour) -> NDArray[np.bool_]:
+    """Rows that run along their pieces one way: no move across the contour passes for one along it."""
+    same = (label[:, 1:] == label[:, :-1]) & (label[:, 1:] >= 0)
+    step = np.diff(sigma, axis=1)
+    length = np.where(label[:, 1:] >= 0, contour.length[np.maximum(label[:, 1:], 0)], 1.0)
+    closed = np.where(label[:, 1:] >= 0, contour.closed[np.maximum(label[:, 1:], 0)], False)
+    step = np.where(closed, (step + length / 2) % length - length / 2, step)
+    inner = slice(1, same.shape[1] - 1)
+    forward = ((step > 0) | ~same)[:, inner].all(axis=1)
+    backward = ((step < 0) | ~same)[:, inner].all(axis=1)
+    out: NDArray[np.bool_] = forward | backward
+    return out

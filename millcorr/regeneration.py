@@ -1,0 +1,489 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The corrected toolpath: every following move laid anew on the exact parallel of the compensated contour.
+
+Each move keeps its place in the sequence, its feed and its neighbours; leads, ramps and links go along rigidly.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .curve_moves import Intervals, fit_moves
+from .errors import LimitError, UsageError
+from .path_following import Following, follow
+from .reconstruction import CompensatedContour
+from .theoretical_contour import SAME_POINT
+from .toolpath import Kind, Toolpath
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Bools = NDArray[np.bool_]
+
+BAND = 0.1
+"""A following move is at most this far, in mm, from the exact parallel of the nominal."""
+
+KEEP_SHARE = 0.5
+"""A move already this share of the tolerance from where it should be stays as it is."""
+
+FIT_SHARE = 0.4
+"""Share of the tolerance that replacing the exact path by lines and arcs may use; rounding needs the rest."""
+
+OUTPUT_MOVES = ("keep", "lines", "arcs", "nurbs")
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Regeneration:
+    """A corrected toolpath and where it came from.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+        The corrected moves; `source` as in the original.
+    origin : (m,) int64
+        Row of the original toolpath of each corrected move.
+    following : (m,) bool
+        Moves that follow the contour.
+    changed : int
+        Number of original moves that changed.
+    original_error : float
+        Largest distance in mm of the original following moves from the nominal's parallel.
+    fit_error : float
+        Largest distance in mm between the new moves and the exact path, before rounding.
+    largest_shift : float
+        Largest displacement of a vertex of the path, mm.
+    """
+
+    toolpath: Toolpath
+    origin: Ints
+    following: Bools
+    changed: int
+    original_error: float
+    fit_error: float
+    largest_shift: float
+
+
+def regenerate(
+    toolpath: Toolpath,
+    contour: CompensatedContour,
+    radius: float,
+    *,
+    tolerance: float = 0.001,
+    output_moves: str = "keep",
+    rows: Bools | None = None,
+) -> Regeneration:
+    """Lay the following moves of a toolpath on the compensated contour's parallel.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    contour : CompensatedContour
+    radius : float
+        Distance in mm from contour to path; 0 where the program gives the contour itself (G41, G42).
+    tolerance : float
+        Largest distance in mm between emitted and exact path, rounding included.
+    output_moves : {'keep', 'lines', 'arcs', 'nurbs'}
+        Kinds of move to write; 'keep' uses the kind each move has, 'nurbs' cubic splines (G5).
+    rows : (n,) bool, optional
+        Moves that may be changed; all by default.
+
+    Returns
+    -------
+    Regeneration
+
+    Raises
+    ------
+    LimitError
+        If nothing follows the profile, or the cutter would gouge: the contour turns tighter than the radius.
+    """
+    if output_moves not in OUTPUT_MOVES:
+        raise UsageError(f"--output-moves {output_moves}: choose one of {', '.join(OUTPUT_MOVES)}")
+    parts = follow(toolpath, contour, radius, band=BAND, rows=rows)
+    if not len(parts.row):
+        raise LimitError(
+            f"no move of the program follows the profile at {radius:g} mm: the nearest runs "
+            f"{parts.distance:.3f} mm off; check --tool-diameter, --side, stock to leave and the work frame"
+        )
+    start, end, sigma0, sigma1 = _vertices(toolpath, contour, radius, parts)
+    keep = _kept(toolpath, contour, radius, parts, start, end, KEEP_SHARE * tolerance)
+    _hold_kept_vertices(toolpath, parts, keep, start, end)
+    shift0, shift1 = _shifts(toolpath, parts, keep, start, end)
+    return _assemble(
+        toolpath, contour, radius, parts, keep, (start, end, sigma0, sigma1), (shift0, shift1), tolerance, output_moves
+    )
+
+
+def _vertices(
+    toolpath: Toolpath, contour: CompensatedContour, radius: float, parts: Following
+) -> tuple[Floats, Floats, Floats, Floats]:
+    """New start and end of every part, (e, 2), and their arc lengths on its piece, (e,)."""
+    count = len(parts.row)
+    start, end = np.empty((count, 2)), np.empty((count, 2))
+    sigma0, sigma1 = parts.first.copy(), parts.last.copy()
+    on_piece = parts.piece >= 0
+    rows = np.flatnonzero(on_piece)
+    start[rows] = contour.evaluate(parts.piece[rows], sigma0[rows], radius)[0]
+    end[rows] = contour.evaluate(parts.piece[rows], sigma1[rows], radius)[0]
+
+    this, after = _neighbours(toolpath, parts)
+    a, b = parts.piece[this], parts.piece[after]
+    # Within one piece the vertex keeps the foot it has; both parts sample the same point.
+    same = (a == b) & (a >= 0)
+    t, f = this[same], after[same]
+    near = np.abs(_wrapped(contour, parts.piece[t], sigma1[t] - sigma0[f])) <= 0.05 + 2 * np.abs(
+        _part_length(parts, t)
+    )
+    middle = sigma1[t]
+    sigma0[f[near]] = middle[near]
+    start[f[near]] = end[t[near]]
+
+    joints = contour.joints
+    by_pair = {}
+    for j, (p, q) in enumerate(zip(joints.before.tolist(), joints.after.tolist(), strict=True)):
+        by_pair[p, q] = (j, False)
+        by_pair.setdefault((q, p), (j, True))
+    pair = [by_pair.get((int(p), int(q))) if p >= 0 and q >= 0 and p != q else None for p, q in zip(a, b, strict=True)]
+    rows = np.array([i for i, x in enumerate(pair) if x is not None], dtype=np.int64)
+    if len(rows):
+        j = np.array([pair[i][0] for i in rows], dtype=np.int64)  # type: ignore[index]
+        back = np.array([pair[i][1] for i in rows])  # type: ignore[index]
+        on_before, on_after = contour.meet(j, radius)
+        t, f = this[rows], after[rows]
+        sigma1[t] = np.where(back, on_after, on_before)
+        sigma0[f] = np.where(back, on_before, on_after)
+        vertex = contour.evaluate(joints.before[j], on_before, radius)[0]
+        end[t], start[f] = vertex, vertex
+    # Onto or off the arc about a convex corner: the path leaves each side where that side ends.
+    for i in np.flatnonzero((a >= 0) != (b >= 0)):
+        t, f = int(this[i]), int(after[i])
+        side, arc = (t, f) if parts.piece[t] >= 0 else (f, t)
+        piece, joint = int(parts.piece[side]), -1 - int(parts.piece[arc])
+        if piece not in (joints.before[joint], joints.after[joint]):
+            raise LimitError(_lost(toolpath, int(parts.row[t])))
+        at = contour.high[piece] if piece == joints.before[joint] else contour.low[piece]
+        vertex = contour.evaluate(np.array([piece]), np.array([at]), radius)[0][0]
+        (sigma1 if side == t else sigma0)[side] = at
+        end[t], start[f] = vertex, vertex
+    _round_corner_ends(toolpath, contour, radius, parts, start, end, this, after)
+    return start, end, sigma0, sigma1
+
+
+def _round_corner_ends(
+    toolpath: Toolpath,
+    contour: CompensatedContour,
+    radius: float,
+    parts: Following,
+    start: Floats,
+    end: Floats,
+    this: Ints,
+    after: Ints,
+) -> None:
+    """Vertices within the arc about a corner, and free ends of such arcs, keep their direction. In place."""
+    joints = contour.joints
+    fixed_end, fixed_start = np.zeros(len(parts.row), dtype=bool), np.zeros(len(parts.row), dtype=bool)
+    mixed = (parts.piece[this] >= 0) | (parts.piece[after] >= 0)
+    fixed_end[this[mixed]] = True
+    fixed_start[after[mixed]] = True
+    for i in np.flatnonzero(parts.piece < 0):
+        j = -1 - int(parts.piece[i])
+        before = joints.before[j : j + 1]
+        corner = contour.evaluate(before, contour.high[before])[0][0]
+        row = toolpath.take(parts.row[i : i + 1])
+        for fraction, done, target in ((parts.begin[i], fixed_start, start), (parts.end[i], fixed_end, end)):
+            if not done[i]:
+                arm = row.position(np.array([fraction]))[0, 0, :2] - joints.point[j]
+                target[i] = corner + arm * (radius / max(np.hypot(*arm), 1e-12))
+
+
+def _neighbours(toolpath: Toolpath, parts: Following) -> tuple[Ints, Ints]:
+    """Pairs of parts that share a vertex: followers within a chain, and the seam of a closed chain."""
+    this = np.flatnonzero(np.diff(parts.chain) == 0)
+    after = this + 1
+    chains = np.flatnonzero(np.diff(np.concatenate([[-1], parts.chain]))).tolist() + [len(parts.chain)]
+    for a, b in zip(chains[:-1], chains[1:], strict=True):
+        first, last = toolpath.start[parts.row[a], :2], toolpath.end[parts.row[b - 1], :2]
+        if np.hypot(*(first - last)) < SAME_POINT and b - a > 1:
+            this, after = np.append(this, b - 1), np.append(after, a)
+    return this, after
+
+
+def _part_length(parts: Following, rows: Ints) -> Floats:
+    return np.nan_to_num(parts.last[rows] - parts.first[rows])
+
+
+def _wrapped(contour: CompensatedContour, piece: Ints, step: Floats) -> Floats:
+    length = contour.length[piece]
+    return np.where(contour.closed[piece], (step + length / 2) % length - length / 2, step)
+
+
+def _kept(
+    toolpath: Toolpath,
+    contour: CompensatedContour,
+    radius: float,
+    parts: Following,
+    start: Floats,
+    end: Floats,
+    allowed: float,
+) -> Bools:
+    """Rows whose every part already lies on the exact path within `allowed` mm, ends included."""
+    keep = np.zeros(len(toolpath), dtype=bool)
+    keep[parts.row] = True
+    samples = np.linspace(0.0, 1.0, 9)
+    fraction = parts.begin[:, None] + (parts.end - parts.begin)[:, None] * samples
+    for group in np.array_split(np.arange(len(parts.row)), max(1, len(parts.row) // 4096)):
+        rows = parts.row[group]
+        unique, inverse = np.unique(rows, return_inverse=True)
+        # Parts of one row are few; the row is sampled at all fractions of its parts.
+        piece = parts.piece[group]
+        points = np.empty((len(group), len(samples), 2))
+        plain = (parts.begin[group] == 0) & (parts.end[group] == 1)
+        whole = toolpath.take(unique).position(samples)[:, :, :2]
+        points[plain] = whole[inverse[plain]]
+        for i in np.flatnonzero(~plain):
+            points[i] = toolpath.take(rows[i : i + 1]).position(fraction[group[i]])[0, :, :2]
+        off = np.zeros((len(group), len(samples)))
+        side = np.flatnonzero(piece >= 0)
+        if len(side):
+            first, last = parts.first[group][side], parts.last[group][side]
+            step = _wrapped(contour, piece[side], last - first)
+            # A full turn ends at the foot point where it starts.
+            full = contour.closed[piece[side]] & plain[side] & (np.hypot(*(points[side, 0] - points[side, -1]).T) < 1e-9)
+            way = np.sign(_middle_way(toolpath, contour, rows[side], piece[side], first))
+            step = np.where(full, way * contour.length[piece[side]], step)
+            guess = first[:, None] + step[:, None] * samples
+            names = np.repeat(piece[side], len(samples))
+            flat, _ = contour.distance_off(names, guess.ravel(), points[side].reshape(-1, 2), radius)
+            off[side] = flat.reshape(-1, len(samples))
+        for i in np.flatnonzero(piece < 0):
+            j = -1 - int(piece[i])
+            before = contour.joints.before[j : j + 1]
+            corner = contour.evaluate(before, contour.high[before])[0][0]
+            off[i] = np.hypot(*(points[i] - corner).T) - radius
+        moved = np.maximum(
+            np.hypot(*(points[:, 0] - start[group]).T), np.hypot(*(points[:, -1] - end[group]).T)
+        )
+        bad = (np.abs(off).max(axis=1) > allowed) | (moved > 2 * allowed)
+        keep[rows[bad]] = False
+    return keep
+
+
+def _hold_kept_vertices(toolpath: Toolpath, parts: Following, keep: Bools, start: Floats, end: Floats) -> None:
+    """A vertex of a kept move does not move, for its neighbour either. In place."""
+    kept = keep[parts.row]
+    old_start, old_end = toolpath.start[parts.row, :2], toolpath.end[parts.row, :2]
+    whole_begin, whole_end = parts.begin == 0, parts.end == 1
+    start[kept & whole_begin] = old_start[kept & whole_begin]
+    end[kept & whole_end] = old_end[kept & whole_end]
+    this, after = _neighbours(toolpath, parts)
+    held = kept[this] & ~kept[after]
+    start[after[held]] = end[this[held]]
+    held = kept[after] & ~kept[this]
+    end[this[held]] = start[after[held]]
+    # A seam or a vertex that rounding left a hair open closes exactly.
+    free = ~kept[this] & ~kept[after]
+    gap = np.hypot(*(end[this[free]] - start[after[free]]).T)
+    close = gap < 1e-9
+    start[after[free][close]] = end[this[free][close]]
+
+
+def _shifts(
+    toolpath: Toolpath, parts: Following, keep: Bools, start: Floats, end: Floats
+) -> tuple[Floats, Floats]:
+    """Displacement of the start and end of every row, (n, 2) each, in mm.
+
+    From each following chain the displacement is handed on, rigidly, along everything up to the next rapid in
+    XY; between two chains each move takes that of the nearer one, and one link takes up the difference.
+    """
+    n = len(toolpath)
+    shift0, shift1 = np.zeros((n, 2)), np.zeros((n, 2))
+    first = parts.begin == 0
+    last = parts.end == 1
+    shift0[parts.row[first]] = start[first] - toolpath.start[parts.row[first], :2]
+    shift1[parts.row[last]] = end[last] - toolpath.end[parts.row[last], :2]
+    following = np.zeros(n, dtype=bool)
+    following[parts.row] = True
+    reached = np.full((n, 2), np.inf)
+    reached[following] = 0.0
+    travel = np.hypot(*(toolpath.end[:, :2] - toolpath.start[:, :2]).T)
+    travel = np.maximum(np.nan_to_num(travel), np.where(toolpath.sweep != 0, np.nan_to_num(toolpath.length()), 0.0))
+    jump = (toolpath.kind == Kind.RAPID) & (travel > 1e-9)
+    broken = ~np.isfinite(toolpath.end[:, :2]).all(axis=1) | ~np.isfinite(toolpath.start[:, :2]).all(axis=1)
+
+    chains = np.flatnonzero(following)
+    heads = chains[np.concatenate([[True], np.diff(chains) > 1])]
+    tails = chains[np.concatenate([np.diff(chains) > 1, [True]])]
+    for tail in tails:
+        moved, distance = shift1[tail], 0.0
+        for i in range(int(tail) + 1, n):
+            if following[i]:
+                break
+            if distance < reached[i, 0]:
+                shift0[i], reached[i, 0] = moved, distance
+            if jump[i] or broken[i]:
+                break
+            distance += float(travel[i])
+            if distance < reached[i, 1]:
+                shift1[i], reached[i, 1] = moved, distance
+    for head in heads:
+        moved, distance = shift0[head], 0.0
+        for i in range(int(head) - 1, -1, -1):
+            if following[i]:
+                break
+            if not np.isfinite(toolpath.end[i, :2]).all():
+                break
+            if distance < reached[i, 1]:
+                shift1[i], reached[i, 1] = moved, distance
+            if jump[i] or broken[i]:
+                break
+            distance += float(travel[i])
+            if distance < reached[i, 0]:
+                shift0[i], reached[i, 0] = moved, distance
+    return shift0, shift1
+
+
+def _assemble(
+    toolpath: Toolpath,
+    contour: CompensatedContour,
+    radius: float,
+    parts: Following,
+    keep: Bools,
+    ends: tuple[Floats, Floats, Floats, Floats],
+    shifts: tuple[Floats, Floats],
+    tolerance: float,
+    output_moves: str,
+) -> Regeneration:
+    start, end, sigma0, sigma1 = ends
+    shift0, shift1 = shifts
+    n = len(toolpath)
+    rewrite = ~keep[parts.row]
+    pick = np.flatnonzero(rewrite)
+    intervals = _intervals(toolpath, contour, parts, pick, start, end, sigma0, sigma1, output_moves)
+    fitted, owner, fit_error = fit_moves(intervals, contour, radius, FIT_SHARE * tolerance)
+
+    following = np.zeros(n, dtype=bool)
+    following[parts.row] = True
+    replaced = np.zeros(n, dtype=bool)
+    replaced[parts.row[pick]] = True
+    rigid = _moved_rigidly(toolpath, shift0, shift1, ~following)
+    base = toolpath.with_moves(start=rigid.start, end=rigid.end, centre=rigid.centre, control=rigid.control)
+    rest = np.flatnonzero(~replaced)
+    moves = Toolpath.concatenate([base.take(rest), _dressed(fitted, toolpath, parts.row[pick][owner])])
+    origin = np.concatenate([rest, parts.row[pick][owner]])
+    # Fitted moves come part by part and in order within a part; a stable sort restores the program's order.
+    order = np.argsort(origin, kind="stable")
+    shift = np.concatenate([shift0[np.isfinite(shift0).all(axis=1)], shift1[np.isfinite(shift1).all(axis=1)]])
+    changed = replaced | (np.abs(shift0) > 0).any(axis=1) | (np.abs(shift1) > 0).any(axis=1)
+    return Regeneration(
+        moves.take(order),
+        origin[order],
+        following[origin[order]],
+        int(changed.sum()),
+        float(np.nanmax(parts.error)),
+        fit_error,
+        float(np.hypot(*shift.T).max(initial=0.0)),
+    )
+
+
+def _intervals(
+    toolpath: Toolpath,
+    contour: CompensatedContour,
+    parts: Following,
+    pick: Ints,
+    start: Floats,
+    end: Floats,
+    sigma0: Floats,
+    sigma1: Floats,
+    output_moves: str,
+) -> Intervals:
+    row, piece = parts.row[pick], parts.piece[pick]
+    z0, z1 = toolpath.start[row, 2], toolpath.end[row, 2]
+    kind = toolpath.kind[row]
+    if output_moves != "keep":
+        wanted = {"lines": Kind.LINE, "arcs": Kind.ARC, "nurbs": Kind.CUBIC}[output_moves]
+        kind = np.full(len(pick), int(wanted))
+    # On a closed piece the arc length runs on past the seam, the way the move does.
+    whole = np.hypot(*(end[pick] - start[pick]).T) < 1e-9
+    step = sigma1[pick] - sigma0[pick]
+    safe = np.maximum(piece, 0)
+    closed = (piece >= 0) & contour.closed[safe]
+    length = contour.length[safe]
+    way = np.sign(_middle_way(toolpath, contour, row, piece, sigma0[pick]))
+    turned = np.where(way > 0, np.mod(step, length), -np.mod(-step, length))
+    turned = np.where(whole & closed, way * length, turned)
+    step = np.where(closed, turned, step)
+    corner = np.full((len(pick), 2), np.nan)
+    for i in np.flatnonzero(piece < 0):
+        before = contour.joints.before[-1 - piece[i]][None]
+        corner[i] = contour.evaluate(before, contour.high[before])[0][0]
+    return Intervals(
+        owner=np.arange(len(pick)),
+        piece=piece,
+        sigma0=sigma0[pick],
+        sigma1=sigma0[pick] + step,
+        start=start[pick],
+        end=end[pick],
+        z0=z0 + (z1 - z0) * parts.begin[pick],
+        z1=z0 + (z1 - z0) * parts.end[pick],
+        kind=kind,
+        corner=corner,
+        whole=whole,
+        sweep_sign=np.sign(toolpath.sweep[row]),
+    )
+
+
+def _middle_way(
+    toolpath: Toolpath, contour: CompensatedContour, row: Ints, piece: Ints, sigma: Floats
+) -> Floats:
+    """Positive where a move runs along the profile's direction, judged at its start."""
+    t = np.array([0.0, 1e-3])
+    p = toolpath.take(row).position(t)[:, :, :2]
+    normal = contour.nominal_normal(np.maximum(piece, 0), np.nan_to_num(sigma))
+    step = p[:, 1] - p[:, 0]
+    return step[:, 1] * normal[:, 0] - step[:, 0] * normal[:, 1]
+
+
+def _dressed(fitted: Toolpath, toolpath: Toolpath, row: Ints) -> Toolpath:
+    """Fitted moves with feed, plane, source and modes of the moves they replace."""
+    return fitted.with_moves(
+        plane=toolpath.plane[row].copy(),
+        feed=toolpath.feed[row].copy(),
+        source=toolpath.source[row].copy(),
+        compensation=toolpath.compensation[row].copy(),
+        tool=toolpath.tool[row].copy(),
+    )
+
+
+def _moved_rigidly(toolpath: Toolpath, shift0: Floats, shift1: Floats, rows: Bools) -> Toolpath:
+    """Moves with displaced ends; an arc whose ends move alike moves as a whole, else it is turned and scaled."""
+    start, end = toolpath.start.copy(), toolpath.end.copy()
+    centre, control = toolpath.centre.copy(), toolpath.control.copy()
+    start[rows, :2] += shift0[rows]
+    end[rows, :2] += shift1[rows]
+    bent = np.flatnonzero(rows & ((toolpath.kind == Kind.ARC) | (toolpath.kind == Kind.CUBIC)))
+    for i in bent:
+        if not (shift0[i].any() or shift1[i].any()):
+            continue
+        old0, old1 = complex(*toolpath.start[i, :2]), complex(*toolpath.end[i, :2])
+        new0, new1 = complex(*start[i, :2]), complex(*end[i, :2])
+        same = abs((new1 - new0) - (old1 - old0)) < 1e-12 or abs(old1 - old0) < 1e-9
+        factor = 1.0 if same else (new1 - new0) / (old1 - old0)
+
+        def carry(x: float, y: float, factor: complex = factor, old: complex = old0, new: complex = new0) -> list[float]:
+            z = new + factor * (complex(x, y) - old)
+            return [z.real, z.imag]
+
+        if toolpath.kind[i] == Kind.ARC:
+            centre[i, :2] = carry(*toolpath.centre[i, :2])
+        else:
+            control[i] = carry(*toolpath.control[i, :2]) + carry(*toolpath.control[i, 2:])
+    return toolpath.with_moves(start=start, end=end, centre=centre, control=control)
+
+
+def _lost(toolpath: Toolpath, row: int) -> str:
+    x, y, _ = toolpath.end[row]
+    return (
+        f"the path near X{x:.3f} Y{y:.3f} passes between parts of the profile that do not meet: "
+        "check --nominal and --tool-diameter"
+    )
