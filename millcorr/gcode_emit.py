@@ -376,7 +376,8 @@ class Emitter:
             elif line.value(i) != value:
                 line.set_number(i, number)
         i = line.motion()
-        if i < 0 and state.motion != code * 10:
+        # LinuxCNC refuses P on a line that does not repeat its motion code.
+        if i < 0 and (state.motion != code * 10 or "P" in arc):
             self._insert(line, "G", form.code(code))
         elif i >= 0 and line.value(i) != code:
             padded = len(line.words[i][1:].strip()) > 1

@@ -20,6 +20,8 @@ from .toolpath import Floats, Ints
 
 Bytes = NDArray[np.uint8]
 
+LARGEST = 1e9
+"""Numbers beyond this are no coordinates, codes or line numbers."""
 COMMENT = re.compile(rb"\([^()\r\n]*\)|;[^\r\n]*")
 _COMMENT_OR_TEXT = re.compile(rb'\([^()\r\n]*\)|;[^\r\n]*|"[^"\r\n]*"')
 _PERCENT = re.compile(rb"(?m)^[ \t]*(?:[nN][ \t]*\d+[ \t]*)?%[^\r\n]*")
@@ -162,6 +164,9 @@ def take_apart(data: bytes, starts: Ints, name: str) -> tuple[Words, tuple[OddLi
     points = np.append(points, len(buffer))
     inside = points[following] <= at + width
     decimals = np.where(inside, at + width - points[following], -1)
+    large = np.flatnonzero(~(abs(value) <= LARGEST))
+    if len(large):
+        raise FormatError("number too large: correct it", name, int(line[word[large[0]]]) + 1)
     letter = np.bitwise_and(buffer[at], np.uint8(0xDF))
     words = Words(letter, value, line[word], decimals)
     return (_merge(words, found) if found else words), tuple(found)
@@ -254,7 +259,7 @@ _SHORT_KEYWORDS = ("IF", "DO", "OR", "AC", "IC", "DC", "GE", "GT", "LE", "LT", "
 def _read_odd_line(raw: bytes, line: int, name: str) -> OddLine:
     """Take one line apart that holds more than plain words."""
     bare = _COMMENT_OR_TEXT.sub(b"", raw.removeprefix(BYTE_ORDER_MARK))
-    text = _BLOCK_DELETE.sub(rb"\1", bare).decode("latin-1").rstrip("* \t\r\n\x0b\x0c\x1a").upper()
+    text = _BLOCK_DELETE.sub(rb"\1", bare).upper().decode("latin-1").rstrip("* \t\r\n\x0b\x0c\x1a")
     words: list[tuple[str, float]] = []
     reasons: list[str] = []
     effect = ""
@@ -269,7 +274,10 @@ def _read_odd_line(raw: bytes, line: int, name: str) -> OddLine:
         kind, token = str(found.lastgroup), found.group()
         place = found.end()
         if kind == "number":
-            words.append((token[0], float(re.sub(r"\s", "", token[1:]))))
+            number = float(re.sub(r"\s", "", token[1:]))
+            if abs(number) > LARGEST:
+                raise FormatError("number too large: correct it", name, line + 1)
+            words.append((token[0], number))
             if token[0] == "O":
                 reasons.append("an O word steers the program")
                 effect = "flow"
@@ -295,7 +303,7 @@ def _read_odd_line(raw: bytes, line: int, name: str) -> OddLine:
             place = _behind_value(text, place)
         elif kind == "corner":
             reasons.append("a corner rounding or chamfer changes the end of this move")
-            words += [(axis, float("nan")) for axis in "XYZ"]
+            words = [w for w in words if w[0] not in "XYZ"] + [(axis, float("nan")) for axis in "XYZ"]
             place = _behind_value(text, place)
         else:
             if len(token.rstrip(":0123456789")) < 3 and token not in _SHORT_KEYWORDS:
@@ -317,7 +325,7 @@ def _malformed(rest: str) -> str:
         return f"decimal comma in '{shown}': write numbers with a decimal point"
     if rest.startswith("("):
         return "comment without ')': close it on the same line"
-    if rest[0].isalpha():
+    if rest[0].isascii() and rest[0].isalpha():
         return f"'{shown}' is not a word: a letter needs one number behind it"
     return f"cannot read '{shown}': is this an NC program?"
 
