@@ -22,6 +22,11 @@ _SAME_PLACE = 1e-9
 _UNEVEN = 2.0
 _GAP = 5.0
 
+# ISO 16610-31: c = 4.4478 times the median residual is three standard deviations of a normal law.
+_BIWEIGHT = 4.447807
+_ROBUST_ROUNDS = 50
+_LEAST_TRUST = 1e-6
+
 
 @dataclass(frozen=True, slots=True)
 class Filter:
@@ -224,6 +229,8 @@ def separate(s: ArrayLike, d: ArrayLike, *, length: float, closed: bool, filter:
         parts = _moving_average(row, filter.mask)
     elif filter.kind == "gauss":
         parts = _gaussian(row, filter.cutoff)
+    elif filter.kind == "robust":
+        parts = _robust_gaussian(row, filter.cutoff)
     elif filter.kind == "auto":
         parts = _regression(row, 1e-12 * float(np.max(np.abs(deviations))))
     else:
@@ -261,7 +268,8 @@ def _row(s: Floats, d: Floats, length: float, closed: bool) -> Row:
     elif np.ptp(s) > length * (1.0 + 1e-6):
         raise InputError(f"the points spread over {np.ptp(s):g} mm of a stretch of {length:g} mm")
     # Sorting ties by value too makes the sums, to the last bit, independent of the order of the input.
-    order = np.lexsort((d, s))
+    ascending = bool(np.all(np.diff(s) > 0.0))
+    order = np.arange(s.size) if ascending else np.lexsort((d, s))
     s, d = s[order], d[order]
     place = np.cumsum(np.diff(s, prepend=s[0]) > _SAME_PLACE * length, dtype=np.int64)
     if closed and place[-1] > 0 and s[0] + length - s[-1] <= _SAME_PLACE * length:
@@ -379,11 +387,14 @@ def _sampling_warnings(row: Row, cutoff: float) -> tuple[str, ...]:
             f"the cutoff of {cutoff:g} mm is below twice the point spacing ({row.typical_spacing:.3g} mm):"
             " next to nothing is filtered"
         )
-    return (*warnings, *_gap_warnings(row))
+    return (*warnings, *_gap_warnings(row, cutoff))
 
 
-def _gap_warnings(row: Row) -> tuple[str, ...]:
-    gaps = np.flatnonzero(row.spacing > _GAP * row.typical_spacing)
+def _gap_warnings(row: Row, wavelength: float) -> tuple[str, ...]:
+    """Name the stretches that the points on their sides do not reach across."""
+    if row.place_s.size < 2:
+        return ()
+    gaps = np.flatnonzero(row.spacing > max(_GAP * row.typical_spacing, 0.5 * wavelength))
     if gaps.size == 0:
         return ()
     i = gaps[np.argmax(row.spacing[gaps])]
@@ -409,6 +420,73 @@ def _gaussian(row: Row, cutoff: float) -> Parts:
     )
 
 
+def _robust_gaussian(row: Row, cutoff: float) -> Parts:
+    """Robust Gaussian regression of order 1, ISO 16610-31: Tukey's biweight, c from the median residual."""
+    lengths = _represented_length(row, cutoff / 8.0)
+    trust = np.ones_like(row.d)
+    warnings = list(_sampling_warnings(row, cutoff))
+    values = np.full_like(row.d, math.inf)
+    for _ in range(_ROBUST_ROUNDS):
+        before = values
+        # Where a whole window is distrusted the floor brings the plain regression back.
+        values = local_line(
+            row.s,
+            row.d,
+            lengths * np.maximum(trust, _LEAST_TRUST),
+            cutoff=cutoff,
+            length=row.length,
+            closed=row.closed,
+            figures=False,
+        ).values
+        size = np.abs(row.d - values)
+        median = float(np.median(size))
+        if float(np.sqrt(np.mean((values - before) ** 2))) <= 1e-3 * median:
+            break
+        if median <= 1e-12 * float(np.max(np.abs(row.d))):
+            # More than half of the points lie on the line: whatever does not is an outlier.
+            median = 1e-12 * float(np.max(np.abs(row.d)))
+            if median == 0.0:
+                break
+        trust = np.clip(1.0 - (size / (_BIWEIGHT * median)) ** 2, 0.0, 1.0) ** 2
+    else:
+        warnings.append(f"the robust regression did not settle within {_ROBUST_ROUNDS} rounds")
+    fit = local_line(
+        row.s,
+        row.d,
+        lengths * np.maximum(trust, _LEAST_TRUST),
+        cutoff=cutoff,
+        length=row.length,
+        closed=row.closed,
+    )
+    squared = float(fit.squared_weights.sum())
+    freedom = row.d.size - 2.0 * float(fit.own_weight.sum()) + squared
+    share = freedom / row.d.size
+    std = _biweight_std(row.d - fit.values) / math.sqrt(share) if share > 1e-6 else math.nan
+    outliers = int(np.count_nonzero(trust < 1e-3))
+    if outliers:
+        warnings.append(f"{outliers} point(s) far off the line were taken as outliers and ignored")
+    return Parts(
+        fit.values,
+        std,
+        squared / row.d.size,
+        f"robust Gaussian regression in arc length (ISO 16610-31, order 1, {_ends(row)}), 50 % transmission"
+        f" at a wavelength of {cutoff:g} mm{_shortest(row)}",
+        tuple(warnings),
+        trust,
+    )
+
+
+def _biweight_std(residual: Floats) -> float:
+    """Standard deviation that outliers do not move: biweight midvariance (Mosteller & Tukey 1977)."""
+    median = float(np.median(np.abs(residual)))
+    if median == 0.0:
+        return 0.0
+    u = np.minimum((residual / (9.0 * median)) ** 2, 1.0)
+    spread = float(np.sum(residual**2 * (1.0 - u) ** 4))
+    slope = float(np.sum((1.0 - u) * (1.0 - 5.0 * u)))
+    return math.sqrt(residual.size * spread) / abs(slope)
+
+
 def _ends(row: Row) -> str:
     return "closed profile" if row.closed else "linear regression at the open ends per ISO 16610-28"
 
@@ -422,14 +500,14 @@ def _regression(row: Row, noise_floor: float) -> Parts:
         period=row.length if row.closed else None,
         noise_floor=noise_floor,
     )
-    warnings = list(_gap_warnings(row))
+    warnings = list(_gap_warnings(row, 2.0 * fit.knot_spacing))
     outliers = int(np.count_nonzero(fit.weights < 0.5))
     if outliers:
         warnings.append(f"{outliers} point(s) far off their neighbours were taken as outliers and ignored")
     if not fit.settled:
         warnings.append(
-            "the residuals are still correlated with the finest knots that the points allow"
-            f" ({fit.knot_spacing:.3g} mm): the random part holds something determined; measure more densely"
+            f"the residuals are still correlated with knots every {fit.knot_spacing:.3g} mm"
+            f" (z = {fit.moran.z:.1f}): the random part may hold something determined; measure more densely"
         )
     if fit.parameters == 1:
         shape = "a constant"

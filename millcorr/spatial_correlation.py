@@ -35,19 +35,17 @@ class Moran:
         return (self.index - self.expectation) / math.sqrt(self.variance) if self.variance > 0.0 else 0.0
 
 
-def neighbour_links(s: Floats, *, reach: int, gap: float, period: float | None = None) -> Any:
+def neighbour_links(n: int, joined: NDArray[np.bool_], reach: int) -> Any:
     """Link every point with its nearest neighbours along the line.
 
     Parameters
     ----------
-    s : ndarray, shape (n,)
-        Arc length in mm, ascending.
+    n : int
+        Number of points, numbered along the line.
+    joined : ndarray of bool, shape (n - 1,) or (n,)
+        Whether a link may cross the step from every point to the next; n of them on a closed contour.
     reach : int
         Neighbours on either side.
-    gap : float
-        Longest step in mm between consecutive points that a link may cross.
-    period : float, optional
-        Length in mm of a closed contour.
 
     Returns
     -------
@@ -56,15 +54,13 @@ def neighbour_links(s: Floats, *, reach: int, gap: float, period: float | None =
     """
     from scipy.sparse import csr_array
 
-    n = s.size
-    step = np.diff(s) if period is None else np.append(np.diff(s), s[0] + period - s[-1])
-    joined = step <= gap
+    closed = joined.size == n
     first: list[NDArray[np.int64]] = []
     second: list[NDArray[np.int64]] = []
     whole = joined.copy()
-    for lag in range(1, min(reach, (n - 1) // 2 if period is not None else n - 1) + 1):
+    for lag in range(1, min(reach, (n - 1) // 2 if closed else n - 1) + 1):
         if lag > 1:
-            whole = whole & np.roll(joined, 1 - lag) if period is not None else whole[:-1] & joined[lag - 1 :]
+            whole = whole & np.roll(joined, 1 - lag) if closed else whole[:-1] & joined[lag - 1 :]
         here = np.flatnonzero(whole)
         first.append(here)
         second.append((here + lag) % n)
