@@ -25,7 +25,7 @@ from millcorr import gcode as nc
 from millcorr import pipeline, report, verification
 from millcorr.errors import FormatError, InputError, MillcorrError, RefusedError, UsageError
 
-from . import base_geometry, compat, correction, dressup, measurement_object
+from . import base_geometry, compat, correction, dressup, measurement_object, views
 
 # FreeCAD brings a document's objects to life only if their modules are there before it is opened.
 from . import profile_object as profile_object
@@ -105,8 +105,9 @@ def correct_document(
     if unknown:
         raise UsageError(f"unknown setting {unknown[0]}; known are {', '.join(_PROPERTIES)}")
     compat.prepare_modules()
+    source = Path(document) if isinstance(document, str | Path) else None
     with ExitStack() as stack:
-        here = stack.enter_context(_opened(document))
+        here = stack.enter_context(opened(document))
         stack.enter_context(_all_or_nothing(here))
         base = find_operation(here, operation)
         measurement = None
@@ -121,13 +122,13 @@ def correct_document(
         _require_valid(obj)
         text = None if gcode is None else _posted(obj)
         proof = None if text is None else prove(obj, text, corrected)
-        _write(here, corrected, text, proof, output, gcode, report)
+        _write(here, source, corrected, text, proof, output, gcode, report)
         return corrected.result
 
 
 @contextmanager
-def _opened(document: Any) -> Iterator[Any]:
-    """The document, opened and closed here where it is a file."""
+def opened(document: Any) -> Iterator[Any]:
+    """The document, opened and closed here where it is a file; FormatError if it is none."""
     if not isinstance(document, str | Path):
         yield document
         return
@@ -148,6 +149,26 @@ def _opened(document: Any) -> Iterator[Any]:
         FreeCAD.closeDocument(here.Name)
         if before is not None:
             FreeCAD.setActiveDocument(before.Name)
+
+
+def export_report(obj: Any, directory: str | Path) -> None:
+    """Write the report of a dressup.
+
+    Parameters
+    ----------
+    obj : document object
+        The dressup.
+    directory : str or Path
+        Made if it is not there.
+
+    Raises
+    ------
+    MillcorrError
+        If the correction cannot be made; nothing is written then.
+    """
+    corrected = correction.correct(obj)
+    text = _posted(obj)
+    _write(obj.Document, None, corrected, text, prove(obj, text, corrected), None, None, directory)
 
 
 @contextmanager
@@ -290,6 +311,7 @@ def _stretch(posted: nc.Program, label: str) -> Any:
 
 def _write(
     document: Any,
+    source: Path | None,
     corrected: correction.Correction,
     text: str | None,
     proof: Any,
@@ -303,6 +325,8 @@ def _write(
         if output is not None:
             beside = stack.enter_context(_beside(Path(output)))
             document.saveCopy(str(beside))
+            if source is not None:
+                views.carry_over(source, beside)
             ready.append((beside, Path(output)))
         if gcode is not None and text is not None:
             beside = stack.enter_context(_beside(Path(gcode)))

@@ -10,7 +10,7 @@ import Path
 
 from millcorr.errors import InputError
 
-from . import compat, correction
+from . import compat, correction, views
 from .properties import QT_TRANSLATE_NOOP, READ_ONLY, Property, complete, store
 
 _text = QT_TRANSLATE_NOOP
@@ -164,6 +164,7 @@ class DressupMillcorr:
     def onDocumentRestored(self, obj: Any) -> None:
         """Add the properties that an earlier version did not have; the path stays as it was saved."""
         complete(obj, PROPERTIES)
+        views.attach(obj, "dressup")
 
     def execute(self, obj: Any) -> None:
         """Correct the path; on any failure the path is empty and the object is invalid."""
@@ -267,9 +268,7 @@ def create(base: Any, measurement: Any = None, **settings: Any) -> Any:
         setattr(obj, name, value)
     compat.replace_operation(job, base, obj)
     obj.Label = f"{base.Label} corrected"
+    views.attach(obj, "dressup")
     if compat.has_window():
-        from millcorr.gui.viewproviders import DressupView
-
-        DressupView(obj.ViewObject)
         base.ViewObject.Visibility = False
     return obj

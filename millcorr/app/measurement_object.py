@@ -17,7 +17,7 @@ from millcorr import readers
 from millcorr.errors import FormatError, InputError
 from millcorr.measurement import Measurement
 
-from . import compat
+from . import views
 from .properties import HIDDEN, QT_TRANSLATE_NOOP, READ_ONLY, Property, complete, store
 
 AS_FILE = "as the file says"
@@ -74,6 +74,7 @@ class MeasurementObject:
     def onDocumentRestored(self, obj: Any) -> None:
         """Add the properties that an earlier version did not have."""
         complete(obj, PROPERTIES)
+        views.attach(obj, "measurement")
 
     def execute(self, obj: Any) -> None:
         """Read the file and fill the read-only properties; raises FormatError or InputError."""
@@ -133,10 +134,7 @@ def create(
     obj = document.addObject("App::FeaturePython", "Measurement")
     try:
         MeasurementObject(obj)
-        if compat.has_window():
-            from millcorr.gui.viewproviders import MeasurementView
-
-            MeasurementView(obj.ViewObject)
+        views.attach(obj, "measurement")
         load(obj, source, name)
         obj.Points = points or AS_FILE
         obj.BallRadius = ball_radius or 0.0

@@ -9,7 +9,7 @@ import Part
 
 from millcorr.errors import UsageError
 
-from . import compat, convert, correction
+from . import convert, correction, views
 from .properties import QT_TRANSLATE_NOOP, READ_ONLY, Property, complete, store
 
 _text = QT_TRANSLATE_NOOP
@@ -44,6 +44,7 @@ class ProfileObject:
     def onDocumentRestored(self, obj: Any) -> None:
         """Add the properties that an earlier version did not have."""
         complete(obj, PROPERTIES)
+        views.attach(obj, "profile")
 
     def execute(self, obj: Any) -> None:
         """Make the shape; on any failure it is empty and the object is invalid."""
@@ -88,8 +89,5 @@ def create(dressup: Any) -> Any:
     ProfileObject(obj)
     obj.Correction = dressup
     obj.Label = f"{dressup.Label} profile"
-    if compat.has_window():
-        from millcorr.gui.viewproviders import ProfileView
-
-        ProfileView(obj.ViewObject)
+    views.attach(obj, "profile")
     return obj

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What `millcorr.freecad_process` can ask of FreeCAD: requests and answers in what JSON can hold."""
+
+from __future__ import annotations
+
+import json
+import os
+import traceback
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from millcorr.errors import MillcorrError, UsageError
+
+from . import batch, demonstration, sources
+
+
+def correct(**arguments: Any) -> dict[str, Any]:
+    """Correct a document; arguments as `batch.correct_document`. Gives the numbers of the report."""
+    summary: dict[str, Any] = batch.correct_document(**arguments).summary()
+    return summary
+
+
+def demonstrate(document: str, program: str) -> dict[str, Any]:
+    """Make the demonstration document and its program."""
+    written = demonstration.make(document, program)
+    return {"document": str(written[0]), "program": str(written[1])}
+
+
+def profile(document: str, label: str) -> dict[str, Any]:
+    """Profile of an object in a document, as `Profile.as_dict`."""
+    return sources.profile_of_object(document, label).as_dict()
+
+
+def file_profile(path: str) -> dict[str, Any]:
+    """Profile of a STEP, IGES or BREP file, as `Profile.as_dict`."""
+    return sources.profile_of_file(path).as_dict()
+
+
+FUNCTIONS: dict[str, Callable[..., dict[str, Any]]] = {
+    "correct": correct,
+    "demonstrate": demonstrate,
+    "profile": profile,
+    "file_profile": file_profile,
+}
+
+
+def answer(request: dict[str, Any], answer_file: str) -> None:
+    """Run a request and write the answer.
+
+    Parameters
+    ----------
+    request : dict
+        "function": a name in `FUNCTIONS`; "arguments": its arguments.
+    answer_file : str
+        File to write: "value", or "error", "message" and "traceback".
+    """
+    try:
+        function = FUNCTIONS.get(request["function"])
+        if function is None:
+            raise UsageError(f"FreeCAD is asked for {request['function']}, which it cannot do")
+        out: dict[str, Any] = {"value": function(**request["arguments"])}
+    except MillcorrError as error:
+        out = {
+            "error": type(error).__name__,
+            "message": str(error),
+            "traceback": traceback.format_exc(),
+            "file": getattr(error, "file", None),
+            "line": getattr(error, "line", None),
+        }
+    # The process ends here: whatever went wrong must reach the one who asked.
+    except Exception as error:  # noqa: BLE001
+        out = {
+            "error": "MillcorrError",
+            "message": f"unexpected in FreeCAD: {type(error).__name__}: {error}",
+            "traceback": traceback.format_exc(),
+        }
+    ready = Path(answer_file + ".part")
+    ready.write_text(json.dumps(out), encoding="utf-8")
+    os.replace(ready, answer_file)
