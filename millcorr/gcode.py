@@ -157,4 +157,5 @@ def parse(data: bytes | str, name: str = "program") -> Program:
     starts = line_starts(data)
     words, odd = take_apart(data, starts, name)
     toolpath, modal, stretches = follow(words, odd, len(starts) - 1, name)
-    return Program(name, data, starts, toolpath, modal, style_of(data, starts, words), stretches)
+    style = style_of(data, starts, words, modal.motion, toolpath.source)
+    return Program(name, data, starts, toolpath, modal, style, stretches)

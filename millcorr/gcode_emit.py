@@ -367,7 +367,11 @@ class Emitter:
         leftover = "IJKRPQ" if self._code(line) in (2, 3, 5) else "IJKR"
         for letter in [*redundant, *(c for c in leftover if c not in arc)]:
             line.remove(letter)
+        # G2 X1 I5: a program that leaves out a zero offset goes on doing so.
+        centred = not form.absolute_arcs and any(line.find(c) >= 0 and arc.get(c) for c in "IJK")
         for letter, value in {**values, **arc}.items():
+            if centred and code in (2, 3) and letter in "IJK" and value == 0 and line.find(letter) < 0:
+                continue
             turns = letter == "P" and code in (2, 3)
             number = str(int(value)) if turns else form.number(value)
             i = line.find(letter)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .gcode_words import COMMENT, Words
-from .toolpath import Ints
+from .toolpath import Bools, Ints
 
 _SAMPLE = 5000
 _AXES = np.frombuffer(b"XYZIJKR", np.uint8)
@@ -61,7 +61,7 @@ class Style:
     ending: bytes
 
 
-def style_of(data: bytes, starts: Ints, words: Words) -> Style:
+def style_of(data: bytes, starts: Ints, words: Words, motion: Ints, moving: Ints) -> Style:
     """Find the habits of a program.
 
     Parameters
@@ -72,6 +72,10 @@ def style_of(data: bytes, starts: Ints, words: Words) -> Style:
         Offsets of its lines.
     words : Words
         Its words.
+    motion : (lines,) int64
+        Motion code in force behind each line, times ten.
+    moving : (n,) int64
+        Lines that move.
 
     Returns
     -------
@@ -90,8 +94,9 @@ def style_of(data: bytes, starts: Ints, words: Words) -> Style:
     steps = np.diff(numbers)
     step = int(np.median(steps)) if len(steps) and 2 * len(numbers) > text.count("\n") else 0
     fixed = decimals > 0 and _share(words, axis, decimals) > 0.9
-    g1 = count(r"[Gg]0?1(?![0-9.])")
-    cutting = count(r"(?m)^[^\n]*[XYxy][^\n]*$")
+    codes = words.of("G")
+    stated = np.isin(moving, codes.line[np.isin(codes.value, (0, 1, 2, 3))])
+    repeated = stated & (moving > 0) & (motion[np.maximum(moving - 1, 0)] == motion[moving])
     return Style(
         decimals=decimals,
         blanks=count(r"[0-9.][ \t]+[A-Za-z]") >= count(r"[0-9.][A-Za-z]"),
@@ -103,13 +108,13 @@ def style_of(data: bytes, starts: Ints, words: Words) -> Style:
         > count(r"[XYZIJKRxyzijkr][-+]?[0-9]+(?![0-9.])"),
         number_step=step,
         parentheses=not (b";" in sample and sample.count(b";") > sample.count(b"(")),
-        modal=2 * g1 < cutting,
+        modal=bool((~stated).sum() > repeated.sum()),
         plus=count(r"[XYZxyz][ \t]*\+") > count(r"[XYZxyz][ \t]*[0-9.]"),
         ending=b"\r\n" if b"\r\n" in sample else (b"\n" if b"\n" in data or b"\r" not in data else b"\r"),
     )
 
 
-def _share(words: Words, axis: np.ndarray[tuple[int], np.dtype[np.bool_]], decimals: int) -> float:
+def _share(words: Words, axis: Bools, decimals: int) -> float:
     """Share of the axis words that carry the full number of decimals."""
     own = words.decimals[axis]
     return float((own == decimals).mean())

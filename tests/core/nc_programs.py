@@ -12,7 +12,20 @@ from hypothesis import strategies as st
 from millcorr.toolpath import Kind, Plane, Toolpath
 
 # Points of a circle of radius 5 on the grid: arcs between them end on it exactly.
-CIRCLE = [(5, 0), (4, 3), (3, 4), (0, 5), (-3, 4), (-4, 3), (-5, 0), (-4, -3), (-3, -4), (0, -5), (3, -4), (4, -3)]
+CIRCLE = [
+    (5, 0),
+    (4, 3),
+    (3, 4),
+    (0, 5),
+    (-3, 4),
+    (-4, 3),
+    (-5, 0),
+    (-4, -3),
+    (-3, -4),
+    (0, -5),
+    (3, -4),
+    (4, -3),
+]
 
 
 @dataclass
@@ -71,7 +84,12 @@ _steps = st.one_of(
     st.tuples(st.just("line"), _coordinate, _coordinate, _coordinate, st.integers(1, 7)),
     st.tuples(st.just("rapid"), _coordinate, _coordinate, _coordinate, st.integers(1, 7)),
     st.tuples(
-        st.just("arc"), st.integers(0, 11), st.integers(0, 11), st.integers(20, 20000), st.booleans(), _coordinate
+        st.just("arc"),
+        st.integers(0, 11),
+        st.integers(0, 11),
+        st.integers(20, 20000),
+        st.booleans(),
+        _coordinate,
     ),
 )
 
@@ -106,7 +124,9 @@ def programs(draw: st.DrawFn, max_moves: int = 12) -> Made:
         lines.append("(A PROGRAM G1 X99)")
     put(["G20" if d.inch else "G21", "G90", f"G{d.plane}", "G90.1" if d.arcs == "absolute" else "G91.1"])
     put([g.format(0), *(f"{c}{_number(d, v)}" for c, v in zip("XYZ", at, strict=True))])
-    moves.append({"kind": Kind.RAPID, "start": [math.nan] * 3, "end": [v * scale for v in at], "line": len(lines) - 1})
+    moves.append(
+        {"kind": Kind.RAPID, "start": [math.nan] * 3, "end": [v * scale for v in at], "line": len(lines) - 1}
+    )
     if d.incremental:
         put(["G91"])
     motion = 0
@@ -176,7 +196,7 @@ def displaced(toolpath: Toolpath, shift: np.ndarray) -> Toolpath:
         if toolpath.kind[i] == Kind.ARC:
             a, b, c = Plane(int(toolpath.plane[i])).axes
             sweep = toolpath.sweep[i]
-            if abs(abs(sweep) - 2 * math.pi) < 1e-9:
+            if abs(math.remainder(sweep, 2 * math.pi)) < 1e-9:
                 moved[i] = start[i] - toolpath.start[i]
                 end[i] = toolpath.end[i] + moved[i]
                 centre[i] = toolpath.centre[i] + moved[i]

@@ -180,7 +180,9 @@ def test_high_speed_switch_is_no_spline() -> None:
 
 
 def test_compensation_tool_and_feed() -> None:
-    path = moves("T5 M6|G0 X0 Y0 Z0|G41 D5 G1 X1 F60|T7|X2|G42 X3|G40 X4|M6|X5|G95 X6 F.1|G94 X7|X8 F6").toolpath
+    path = moves(
+        "T5 M6|G0 X0 Y0 Z0|G41 D5 G1 X1 F60|T7|X2|G42 X3|G40 X4|M6|X5|G95 X6 F.1|G94 X7|X8 F6"
+    ).toolpath
     left, right, off = Compensation.LEFT, Compensation.RIGHT, Compensation.OFF
     assert path.compensation.tolist() == [off, left, left, right, off, off, off, off, off]
     assert path.tool.tolist() == [5, 5, 5, 5, 5, 7, 7, 7, 7]
