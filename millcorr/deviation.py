@@ -89,7 +89,9 @@ def statistics(value: Floats) -> dict[str, float]:
     }
 
 
-def deviations(measurement: Measurement, profile: Profile, *, reach: float = REACH) -> Deviation:
+def deviations(
+    measurement: Measurement, profile: Profile, *, reach: float = REACH, cutter_radius: float = 0.0
+) -> Deviation:
     """Normal deviations of a measurement from a profile.
 
     Parameters
@@ -99,6 +101,9 @@ def deviations(measurement: Measurement, profile: Profile, *, reach: float = REA
     profile : Profile
     reach : float
         Points with a larger deviation, in mm, are rejected as not belonging to the profile.
+    cutter_radius : float
+        Points where a cutter of this radius, in mm, cannot reach the profile are rejected: in inner corners
+        and where the profile is more hollow than the cutter.
 
     Returns
     -------
@@ -131,12 +136,15 @@ def deviations(measurement: Measurement, profile: Profile, *, reach: float = REA
         length = np.hypot(*normals.T)
         unsure &= (normals * feet.normal).sum(axis=1) < 0.9 * np.maximum(length, 1e-12)
     reasons[unsure & (reasons < 0)] = 3
+    if cutter_radius > 0:
+        reasons[(reasons < 0) & _out_of_reach(profile, feet, cutter_radius)] = 4
     reasons[(np.abs(value) > reach) & (reasons < 1)] = 0
     texts = (
         f"farther than {reach:g} mm from the profile",
         "beyond the end of the open profile",
         "at a corner, where the profile has no single normal and the file gives none",
         "two branches of the profile are equally near and the file gives no normal",
+        "in an inner corner or hollow that the cutter cannot reach",
     )
     used = np.flatnonzero(reasons < 0)
     rejected = tuple(Rejected(int(i), texts[reasons[i]]) for i in np.flatnonzero(reasons >= 0))
@@ -165,6 +173,23 @@ def deviations(measurement: Measurement, profile: Profile, *, reach: float = REA
 def _is_corner(profile: Profile, feet: FootPoints) -> NDArray[np.bool_]:
     before = np.where(feet.t == 1.0, feet.span, profile.neighbour(feet.span, -1))
     return np.abs(np.nan_to_num(profile.turn[before])) > CORNER_ANGLE
+
+
+def _out_of_reach(profile: Profile, feet: FootPoints, radius: float) -> NDArray[np.bool_]:
+    """Feet where the profile is more hollow than the cutter, or near an inner corner that keeps it away."""
+    out: NDArray[np.bool_] = 1.0 + radius * profile.curvature(feet.span, feet.t) < 1e-6
+    s = profile.arc_length(feet.span, feet.t)
+    contour = profile.contour[feet.span]
+    total = profile.total[contour]
+    closed = np.array([c.closed for c in profile.contours])[contour]
+    # A turn of 0.02 rad keeps a cutter of 5 mm 0.25 um away: less is no corner.
+    for joint in np.flatnonzero(np.nan_to_num(profile.turn) < -0.02):
+        at = profile.begin[joint] + profile.length[joint]
+        away = np.abs(s - at)
+        away = np.where(closed, np.minimum(away, np.abs(total - away)), away)
+        kept_off = radius * np.tan(min(-float(profile.turn[joint]), 2.8) / 2)
+        out |= (contour == profile.contour[joint]) & (away < kept_off)
+    return out
 
 
 def _take_the_measured_side(

@@ -13,7 +13,7 @@ import Part
 
 from millcorr.errors import InputError
 from millcorr.profile import Contour, Profile
-from millcorr.toolpath import Kind, Toolpath
+from millcorr.toolpath import Compensation, Kind, Toolpath
 
 from . import compat, convert
 
@@ -24,7 +24,7 @@ def is_profile_operation(obj: Any) -> bool:
 
 
 def path_radius(operation: Any, tool_radius: float) -> float:
-    """Distance in mm from the contour to the centre of the tool on an operation's path.
+    """Distance in mm from the contour to the centre of the tool while it cuts.
 
     Parameters
     ----------
@@ -36,23 +36,64 @@ def path_radius(operation: Any, tool_radius: float) -> float:
     Returns
     -------
     float
-        The tool's radius, changed by the operation's OffsetExtra; 0 where it leaves the radius to the control
-        (UseComp off).
+        The tool's radius and the operation's OffsetExtra.
 
     Raises
     ------
     InputError
-        If OffsetExtra turns the path to the other side of the contour.
+        If OffsetExtra turns the path to the other side of the contour, or is there while the control holds
+        the radius.
     """
     if not is_profile_operation(operation):
         return tool_radius
-    radius = (tool_radius if operation.UseComp else 0.0) + float(operation.OffsetExtra.Value)
-    if radius < 0:
+    if leaves_radius_to_control(operation):
+        if operation.OffsetExtra.Value:
+            raise InputError(
+                f"{operation.Label}: set OffsetExtra to 0, the control holds the radius (UseComp off)"
+            )
+        return tool_radius
+    radius = tool_radius + float(operation.OffsetExtra.Value)
+    if radius <= 0:
         raise InputError(
             f"{operation.Label}: OffsetExtra {operation.OffsetExtra.Value:g} mm puts the path on "
             "the other side of the contour"
         )
     return radius
+
+
+def leaves_radius_to_control(operation: Any) -> bool:
+    """Whether an operation's path is the contour itself (UseComp off)."""
+    return is_profile_operation(operation) and not operation.UseComp
+
+
+def side_of_path(profile: Profile, toolpath: Toolpath) -> Compensation:
+    """Side of a path on which the cutter must be, where the path runs on the profile itself.
+
+    Parameters
+    ----------
+    profile : Profile
+        Material on the left.
+    toolpath : Toolpath
+
+    Returns
+    -------
+    Compensation
+        LEFT or RIGHT of the path's own direction.
+    """
+    cutting = toolpath.take((toolpath.kind != Kind.RAPID) & np.isfinite(toolpath.start[:, :2]).all(axis=1))
+    along = 0.0
+    for k in range(len(profile.contours)):
+        on, outward = profile.at(k, np.linspace(0.0, profile.total[k], 401))
+        tangent = np.stack([-outward[:, 1], outward[:, 0]], axis=1)
+        points = cutting.position(np.linspace(0.0, 1.0, 9))[:, :, :2]
+        step = np.diff(points, axis=1).reshape(-1, 2)
+        middle = ((points[:, 1:] + points[:, :-1]) / 2).reshape(-1, 2)
+        for p, d in zip(middle, step, strict=True):
+            distance = np.hypot(*(on - p).T)
+            nearest = int(distance.argmin())
+            if distance[nearest] < 0.5:
+                along += float(tangent[nearest] @ d)
+    return Compensation.RIGHT if along >= 0 else Compensation.LEFT
 
 
 def profile_of_operation(operation: Any, toolpath: Toolpath) -> Profile:

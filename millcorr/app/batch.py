@@ -287,11 +287,19 @@ def prove(obj: Any, text: str, corrected: correction.Correction) -> Any:
     ------
     InputError
         If the post processor left the stretch out.
+    LimitError
+        If it rounds more than the tolerance allows.
     """
     posted = nc.parse(text, "posted program")
-    rows = _stretch(posted, obj.Label)
+    emitted = posted.toolpath.take(_stretch(posted, obj.Label))
+    result = corrected.result
+    planned = result.regeneration
     return verification.verify(
-        posted.toolpath.take(rows), corrected.result.compensated, corrected.request.radius
+        emitted,
+        result.compensated,
+        result.path_radius,
+        following=verification.following_by_place(emitted, planned.toolpath, planned.following),
+        tolerance=corrected.request.settings.tolerance,
     )
 
 

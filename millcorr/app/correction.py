@@ -32,11 +32,12 @@ class Correction:
 
     def path(self) -> Any:
         """The corrected FreeCAD path."""
+        regeneration = self.result.regeneration
         return motion.path_of_toolpath(
             self.commands,
             self.request.program.toolpath,
-            self.result.toolpath,
-            pipeline.mark(self.request, self.result),
+            regeneration.toolpath,
+            self.result.header() if regeneration.changed else (),
         )
 
 
@@ -74,6 +75,9 @@ def request_of(obj: Any) -> tuple[pipeline.Request, list[Any]]:
     program = motion.program_of_path(path, obj.Base.Label)
     operation = compat.bottom_operation(obj.Base)
     tool_radius = (obj.ToolDiameter.Value or compat.tool_diameter(obj.Base)) / 2
+    if base_geometry.leaves_radius_to_control(operation):
+        side = base_geometry.side_of_path(_nominal(obj, operation, program), program.toolpath)
+        program = motion.program_of_path(path, obj.Base.Label, side)
     request = pipeline.Request(
         program=program,
         radius=base_geometry.path_radius(operation, tool_radius),

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from datetime import datetime
+from math import isfinite
 from typing import Any
 
 import Path
@@ -49,7 +50,7 @@ PROPERTIES = (
         "Align",
         "Correction",
         _text("App::Property", "How the measured points are laid on the profile before they are compared"),
-        ("none", "shift", "rigid"),
+        ("none",),
     ),
     Property(
         "String",
@@ -212,20 +213,24 @@ def _clear(obj: Any) -> None:
 def _state(obj: Any, corrected: correction.Correction) -> None:
     """Write the result to the read-only properties."""
     summary = corrected.result.summary()
-    deviation = summary.get("deviation") or {}
+    deviation = summary["deviation"]
     for name, key in (("Mean", "mean"), ("Min", "min"), ("Max", "max"), ("Height", "height"), ("Std", "std")):
-        store(obj, f"Deviation{name}", float(deviation.get(key) or 0.0))
-    store(obj, "RandomStd", float((summary.get("filter") or {}).get("random_std") or 0.0))
-    store(obj, "LargestCorrection", float((summary.get("correction") or {}).get("max") or 0.0))
-    store(obj, "PathError", float((summary.get("verification") or {}).get("path_error_max") or 0.0))
-    points = summary.get("points") or {}
-    store(obj, "PointsUsed", int(points.get("used") or 0))
-    store(obj, "PointsRejected", len(points.get("rejected") or ()))
-    store(obj, "Warnings", [str(w) for w in corrected.result.warnings])
+        store(obj, f"Deviation{name}", _known(deviation.get(key)))
+    store(obj, "RandomStd", _known(summary["random_std"]))
+    store(obj, "LargestCorrection", _known(summary["correction"]["max"]))
+    store(obj, "PathError", _known(summary["verification"]["path_error_max"]))
+    store(obj, "PointsUsed", int(summary["points"]["used"]))
+    store(obj, "PointsRejected", len(summary["points"]["rejected"]))
+    store(obj, "Warnings", list(summary["warnings"]))
     measurement = corrected.request.measurement
     if measurement is not None:
         store(obj, "Source", measurement.source)
         store(obj, "Digest", measurement.digest)
+
+
+def _known(value: float | None) -> float:
+    """A number for a property, which cannot be empty: 0 where there is none."""
+    return float(value) if value is not None and isfinite(value) else 0.0
 
 
 def is_correction(obj: Any) -> bool:

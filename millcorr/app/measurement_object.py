@@ -168,6 +168,8 @@ def load(obj: Any, source: str | Path | bytes, name: str | None = None) -> None:
     else:
         name = name or Path(source).name
         try:
+            if not Path(source).is_file():
+                raise FormatError("no such file", source)
             data = Path(source).read_bytes()
         except OSError as error:
             raise FormatError(f"cannot be read: {error.strerror or error}", source) from error

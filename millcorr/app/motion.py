@@ -15,13 +15,14 @@ import Path
 
 from millcorr import gcode
 from millcorr.errors import InputError
-from millcorr.toolpath import Kind, Plane, Toolpath
+from millcorr.toolpath import Compensation, Kind, Plane, Toolpath
 
 _PREAMBLE = "G17 G21 G40 G49 G80 G90 G91.1 G94"
 """What FreeCAD's commands mean when they do not say otherwise, as the first line of the text."""
 
 _LETTERS = "XYZABCUVWIJKRQPLSTHD"
 _RAPIDS = ("G0", "G00")
+_COMPENSATION = {Compensation.OFF: "G40", Compensation.LEFT: "G41", Compensation.RIGHT: "G42"}
 
 
 def _number(value: float) -> str:
@@ -55,7 +56,7 @@ def line_of_command(command: Any) -> str:
     return " ".join(words)
 
 
-def program_of_path(path: Any, name: str) -> gcode.Program:
+def program_of_path(path: Any, name: str, compensation: Compensation = Compensation.OFF) -> gcode.Program:
     """Program of a FreeCAD path.
 
     Parameters
@@ -63,6 +64,8 @@ def program_of_path(path: Any, name: str) -> gcode.Program:
     path : Path.Path
     name : str
         What messages call it: the operation's label.
+    compensation : Compensation
+        Side of the line on which the control holds the cutter, for a path that is the contour itself.
 
     Returns
     -------
@@ -74,10 +77,13 @@ def program_of_path(path: Any, name: str) -> gcode.Program:
     FormatError
         If a command cannot be followed.
     """
-    return gcode.parse("\n".join([_PREAMBLE, *map(line_of_command, path.Commands)]) + "\n", name)
+    preamble = _PREAMBLE.replace("G40", _COMPENSATION[compensation])
+    return gcode.parse("\n".join([preamble, *map(line_of_command, path.Commands)]) + "\n", name)
 
 
-def path_of_toolpath(commands: Sequence[Any], before: Toolpath, after: Toolpath, mark: str = "") -> Any:
+def path_of_toolpath(
+    commands: Sequence[Any], before: Toolpath, after: Toolpath, marks: Sequence[str] = ()
+) -> Any:
     """FreeCAD path after its moves have changed.
 
     Parameters
@@ -88,8 +94,8 @@ def path_of_toolpath(commands: Sequence[Any], before: Toolpath, after: Toolpath,
         Their moves.
     after : Toolpath
         The corrected moves; `source` tells which line of the program they replace.
-    mark : str
-        Comment that goes first, without parentheses.
+    marks : sequence of str
+        Comments that go first, without parentheses.
 
     Returns
     -------
@@ -101,7 +107,7 @@ def path_of_toolpath(commands: Sequence[Any], before: Toolpath, after: Toolpath,
     InputError
         If a changed move cannot be a Path command.
     """
-    out = [Path.Command(f"({mark})")] if mark else []
+    out = [Path.Command(f"({mark.replace('(', '[').replace(')', ']')})") for mark in marks]
     count = len(commands) + 1
     old = np.searchsorted(before.source, np.arange(count + 1))
     new = np.searchsorted(after.source, np.arange(count + 1))

@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the program itself commands: its side, the contour it cuts, and how far that is off the nominal.
+
+A measured deviation is the sum of the program's own offset from the nominal, known exactly, and of what the
+machine added. Only the second is filtered; the first may be a correction in force or a CAM system's error.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .deviation import REACH, Deviation
+from .errors import InputError, LimitError
+from .footpoint import FootPointSearch
+from .measurement import Measurement
+from .path_following import follow
+from .profile import Contour, Profile
+from .reconstruction import CompensatedContour
+from .regeneration import BAND
+from .theoretical_contour import SAME_POINT, CutContour, cut_contours, cutting_runs, path_profile
+from .toolpath import Compensation, Toolpath
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Bools = NDArray[np.bool_]
+
+EXACT = 1e-6
+"""A program off by less than this everywhere, in mm, commands the nominal."""
+
+
+def choose_side(
+    toolpath: Toolpath,
+    usable: Bools,
+    side: str,
+    measurement: Measurement | None,
+    radius: float,
+    path_radius: float,
+) -> bool:
+    """Whether the material lies to the right of the direction of travel.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    usable : (n,) bool
+        Moves that may be corrected.
+    side : {'auto', 'left', 'right'}
+        Side of the contour the cutter runs on, seen in its direction; auto: from G41 or G42, else from the
+        measured points.
+    measurement : Measurement or None
+    radius, path_radius : float
+        Cutter radius, and distance from path to contour, mm.
+
+    Raises
+    ------
+    InputError
+        If the side cannot be told.
+    """
+    if side != "auto":
+        return side == "left"
+    modes = np.unique(toolpath.compensation[usable])
+    modes = modes[modes != Compensation.OFF]
+    if len(modes) == 1:
+        return bool(modes[0] == Compensation.LEFT)
+    if len(modes) > 1:
+        raise InputError("the program uses both G41 and G42: say --side left or --side right")
+    if measurement is None:
+        return False
+    profiles = _paths(toolpath, usable)
+    if not profiles:
+        raise InputError("the program has no feed move in the XY plane that could follow a contour")
+    feet = FootPointSearch(Profile.from_contours(profiles)).find(measurement.points[:, :2])
+    expected = path_radius - measurement.ball_radius
+    near = np.abs(np.abs(feet.distance) - abs(expected)) < REACH
+    if near.sum() < 0.5 * len(near) or abs(expected) < 2 * REACH:
+        near = np.abs(feet.distance) < radius + 2 * REACH
+    right = int((feet.distance[near] > 0).sum())
+    count = int(near.sum())
+    if count == 0 or max(right, count - right) < 0.9 * count:
+        raise InputError(
+            f"{measurement.source}: the points lie on both sides of the path or far from it ({right} right and "
+            f"{count - right} left of {len(feet.distance)}): say --side left or --side right, and check "
+            "--tool-diameter, the unit and the work frame"
+        )
+    return 2 * right > count
+
+
+def _paths(toolpath: Toolpath, usable: Bools) -> list[Contour]:
+    out: list[Contour] = []
+    for run in cutting_runs(toolpath):
+        for part in np.split(run, np.flatnonzero(np.diff(usable[run].astype(int))) + 1):
+            if usable[part[0]]:
+                out += path_profile(toolpath, part, False).contours
+    return out
+
+
+def nominal_of(
+    given: Profile | None,
+    toolpath: Toolpath,
+    usable: Bools,
+    path_radius: float,
+    material_right: bool,
+    measurement: Measurement | None,
+    name: str,
+) -> Profile:
+    """The nominal profile: the given one, turned the way the path says, or the contour that the program cuts.
+
+    Raises
+    ------
+    InputError
+        If no contour of the program is near the measured points.
+    """
+    if given is not None:
+        return given
+    found: list[CutContour] = []
+    trouble: list[str] = []
+    for run in cutting_runs(toolpath):
+        only = np.zeros(len(toolpath), dtype=bool)
+        only[run] = usable[run]
+        try:
+            found += list(cut_contours(toolpath, path_radius, material_right, only))
+        except InputError as error:
+            trouble.append(str(error))
+    contours = _different([c.contour for c in found])
+    if contours and measurement is not None:
+        contours = _measured(contours, measurement)
+    if not contours:
+        why = trouble[0] if trouble else "no contour that the program cuts lies near the measured points"
+        raise InputError(f"{name}: {why}")
+    return Profile.from_contours(contours)
+
+
+def _different(contours: list[Contour]) -> list[Contour]:
+    """Contours without repetitions: passes at several depths cut the same one."""
+    kept: list[tuple[Profile, FootPointSearch]] = []
+    for contour in contours:
+        profile = Profile.from_contours([contour])
+        probe, _ = profile.at(0, np.linspace(0.0, float(profile.total[0]), 17))
+        for other, search in kept:
+            if abs(float(other.total[0] - profile.total[0])) < 0.01:
+                feet = search.find(probe)
+                if np.abs(feet.distance).max() < 1e-3:
+                    break
+        else:
+            kept.append((profile, FootPointSearch(profile)))
+    return [p.contours[0] for p, _ in kept]
+
+
+def _measured(contours: list[Contour], measurement: Measurement) -> list[Contour]:
+    """Contours that points belong to: nearest within reach."""
+    profile = Profile.from_contours(contours)
+    feet = FootPointSearch(profile).find(measurement.points[:, :2])
+    near = np.abs(feet.distance - measurement.ball_radius) < REACH
+    owner = profile.contour[feet.span[near]]
+    if not len(owner):
+        return []
+    count = np.bincount(owner, minlength=len(contours))
+    return [c for c, n in zip(contours, count, strict=True) if n > 0.02 * len(owner)]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Commanded:
+    """The program's own following path.
+
+    Parameters
+    ----------
+    path : Profile
+        The cutter's path, run with the material on the left.
+    radius : float
+        Distance from path to contour, mm.
+    following : (n,) bool
+        Moves that follow the nominal.
+    error : float
+        Largest distance in mm of a following move from the nominal's exact parallel.
+    """
+
+    path: Profile
+    radius: float
+    following: Bools
+    error: float
+
+    @staticmethod
+    def find(toolpath: Toolpath, nominal: CompensatedContour, radius: float, usable: Bools) -> Commanded:
+        """Following moves of a program; LimitError where none follows the nominal."""
+        parts = follow(toolpath, nominal, radius, band=BAND, rows=usable)
+        if not len(parts.row):
+            raise LimitError(
+                f"no move of the program follows the profile at {radius:g} mm: the nearest runs "
+                f"{parts.distance:.3f} mm off; check --tool-diameter, --side, stock to leave and the work frame"
+            )
+        contours: list[Contour] = []
+        step = np.nan_to_num(parts.last - parts.first)
+        safe = np.maximum(parts.piece, 0)
+        length = nominal.length[safe]
+        step = np.where(nominal.closed[safe], (step + length / 2) % length - length / 2, step)
+        for number in np.unique(parts.chain):
+            mine = np.flatnonzero(parts.chain == number)
+            rows = np.unique(parts.row[mine])
+            backward = bool(step[mine].sum() < 0)
+            contours += path_profile(toolpath, rows, backward).contours
+        following = np.zeros(len(toolpath), dtype=bool)
+        following[parts.row] = True
+        return Commanded(
+            Profile.from_contours(_different(contours)), radius, following, float(np.nanmax(parts.error))
+        )
+
+
+def commanded_offset(commanded: Commanded, deviation: Deviation) -> Floats:
+    """Offset in mm, along the normal, of the contour the program commands from the nominal at measured points.
+
+    Parameters
+    ----------
+    commanded : Commanded
+    deviation : Deviation
+
+    Returns
+    -------
+    (n,) float64
+        Positive where the program leaves material.
+    """
+    if commanded.error < EXACT or not len(deviation):
+        return np.zeros(len(deviation))
+    centre = deviation.foot + commanded.radius * deviation.normal
+    feet = FootPointSearch(commanded.path, margin=1.0).find(centre)
+    out: Floats = -feet.distance
+    if np.abs(out).max() > 2 * BAND + SAME_POINT:
+        worst = int(np.argmax(np.abs(out)))
+        x, y = deviation.foot[worst]
+        raise InputError(
+            f"the program does not cut the profile near X{x:.3f} Y{y:.3f}, where points were measured: give the "
+            "--operation that cuts it, or only the points that belong to it"
+        )
+    return out

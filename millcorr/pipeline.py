@@ -1,0 +1,432 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The one use case: a program and a measurement in, a corrected toolpath with its proof out."""
+
+from __future__ import annotations
+
+import logging
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import __version__, gcode, gcode_write, provenance
+from .commanded import Commanded, choose_side, commanded_offset, nominal_of
+from .compensation import Correction, along, correction_from, dead_band
+from .deviation import Deviation, deviations, statistics
+from .errors import LimitError, UsageError
+from .filtering import Filter, Separation, separate
+from .measurement import Measurement
+from .profile import Profile
+from .reconstruction import CompensatedContour
+from .regeneration import OUTPUT_MOVES, Regeneration, regenerate
+from .toolpath import Compensation
+from .verification import Verification, verify
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """How to correct. Lengths in mm; see the command line for the meaning of each."""
+
+    side: str = "auto"
+    align: str = "none"
+    filter: str = "auto"
+    method: str = "mirror"
+    gain: float = 1.0
+    limit: float = 0.5
+    dead_band: float = 0.0
+    tolerance: float = 0.001
+    output_moves: str = "keep"
+    cutter_compensation: str = "contour"
+
+    def __post_init__(self) -> None:
+        choices = {
+            "side": ("auto", "left", "right"),
+            "align": ("none",),
+            "method": ("mirror",),
+            "output_moves": OUTPUT_MOVES,
+            "cutter_compensation": ("contour", "wear"),
+        }
+        for name, legal in choices.items():
+            if getattr(self, name) not in legal:
+                option = "--" + name.replace("_", "-")
+                raise UsageError(f"{option} {getattr(self, name)}: choose one of {', '.join(legal)}")
+        Filter.parse(self.filter)
+        if not 0 < self.gain <= 2:
+            raise UsageError(f"--gain {self.gain:g}: must be above 0 and at most 2")
+        for name in ("limit", "tolerance"):
+            if not getattr(self, name) > 0:
+                raise UsageError(f"--{name} {getattr(self, name):g}: must be above 0")
+        if not self.dead_band >= 0:
+            raise UsageError(f"--dead-band {self.dead_band:g}: must not be negative")
+
+    def in_words(self) -> str:
+        """The settings that shape a correction, in one line."""
+        return (
+            f"method {self.method} filter {self.filter} gain {self.gain:g} dead band {self.dead_band:g} "
+            f"limit {self.limit:g} tolerance {self.tolerance:g} moves {self.output_moves}"
+        )
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Request:
+    """What to correct.
+
+    Parameters
+    ----------
+    program : Program
+        The NC program, or the text of a CAM operation's path.
+    radius : float
+        Cutter radius in mm.
+    measurement : Measurement or None
+        None lays the path on the exact nominal and corrects nothing.
+    nominal : Profile, optional
+        The profile the part should have; by default what the program cuts.
+    settings : Settings
+    """
+
+    program: gcode.Program
+    radius: float
+    measurement: Measurement | None
+    nominal: Profile | None = None
+    settings: Settings = field(default_factory=Settings)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Result:
+    """A correction and its proof.
+
+    Parameters
+    ----------
+    request : Request
+    nominal, compensated : Profile
+    correction : Correction
+    deviation : Deviation
+        Against the nominal; empty without a measurement.
+    filtered : (n,) float64
+        Determined part of each deviation, mm.
+    predicted : (n,) float64
+        What the same machine is expected to leave at each point after the correction, mm.
+    commanded : (n,) float64
+        Offset of the program's own contour from the nominal at each point, mm.
+    separations : tuple of Separation
+        One a smooth stretch and level with points.
+    random_std : float
+        Standard deviation of the random part, mm; NaN where it is not known.
+    regeneration : Regeneration
+    path_radius : float
+        Distance in mm between path and contour: the cutter radius, or 0 where the program gives the contour.
+    fit_residual : float
+        Largest distance between the exact compensated contour and its NURBS, mm.
+    verification : Verification
+    text : bytes
+        The corrected program; the very bytes of the original where nothing changed.
+    warnings : tuple of str
+    """
+
+    request: Request
+    nominal: Profile
+    compensated: Profile
+    correction: Correction
+    deviation: Deviation
+    filtered: Floats
+    predicted: Floats
+    commanded: Floats
+    separations: tuple[Separation, ...]
+    random_std: float
+    regeneration: Regeneration
+    path_radius: float
+    fit_residual: float
+    verification: Verification
+    text: bytes
+    warnings: tuple[str, ...]
+
+    def summary(self) -> dict[str, Any]:
+        """The contents of report.json."""
+        curves = [c.as_dict() for contour in self.compensated.contours for c in contour.curves]
+        first = curves[0]
+        keys = ("degree", "poles", "weights", "knots", "multiplicities", "periodic")
+        d = self.deviation
+        return {
+            "millcorr": __version__,
+            "unit": "mm",
+            "points": {
+                "read": len(d) + len(d.rejected),
+                "used": len(d),
+                "rejected": [{"index": r.index, "reason": r.reason} for r in d.rejected],
+            },
+            "deviation": statistics(d.value),
+            "filtered": statistics(self.filtered),
+            "random_std": self.random_std,
+            "path_error_of_program": self.regeneration.original_error,
+            "predicted": statistics(self.predicted),
+            "correction": {"max": self.correction.largest, "limited": 0},
+            "alignment": {"shift": [0.0, 0.0], "rotation_deg": 0.0},
+            "profile": {k: first[k] for k in keys} | {"curves": curves, "fit_residual": self.fit_residual},
+            "verification": {
+                "path_error_max": self.verification.path_error_max,
+                "gouge_max": self.verification.gouge_max,
+                "length": self.verification.length,
+            },
+            "moves": {"changed": self.regeneration.changed, "written": len(self.regeneration.toolpath)},
+            "inputs": self.inputs(),
+            "settings": {name: getattr(self.request.settings, name) for name in Settings.__slots__},
+            "warnings": list(self.warnings),
+        }
+
+    def inputs(self) -> dict[str, Any]:
+        """Names and SHA-256 of what went in."""
+        program, measurement = self.request.program, self.request.measurement
+        out: dict[str, Any] = {"program": {"name": program.name, "sha256": program.digest}}
+        if measurement is not None:
+            out["measurement"] = {"name": measurement.source, "sha256": measurement.digest}
+        return out
+
+    def header(self) -> tuple[str, ...]:
+        """Comment lines that mark the corrected program."""
+        return _header(self.request)
+
+
+def correct(request: Request) -> Result:
+    """Correct a toolpath from a measured part.
+
+    Parameters
+    ----------
+    request : Request
+
+    Returns
+    -------
+    Result
+
+    Raises
+    ------
+    UsageError, InputError, FormatError
+        If the request or a file cannot be used.
+    RefusedError, LimitError, FitError
+        If the correction would be unsafe: nothing is changed.
+    """
+    settings, program, measurement = request.settings, request.program, request.measurement
+    if not request.radius > 0:
+        raise UsageError(f"the tool diameter {2 * request.radius:g} mm must be above 0")
+    warnings: list[str] = []
+    carried = provenance.marks(program.comments())
+    digests = [] if measurement is None else [measurement.digest]
+    provenance.refuse_second_use(carried, digests, program.name, request.nominal is not None)
+
+    toolpath = program.toolpath
+    usable = ~program.opaque_moves()
+    compensated_rows = toolpath.compensation != Compensation.OFF
+    path_radius = request.radius
+    if compensated_rows.any():
+        usable &= compensated_rows
+        if settings.cutter_compensation == "contour":
+            path_radius = 0.0
+    material_right = choose_side(toolpath, usable, settings.side, measurement, request.radius, path_radius)
+    nominal = nominal_of(request.nominal, toolpath, usable, path_radius, material_right, measurement, program.name)
+    plain = CompensatedContour(nominal, Correction.none(nominal))
+    commanded = Commanded.find(toolpath, plain, path_radius, usable)
+    program.require_plain(commanded.following)
+
+    if measurement is None:
+        correction, work = Correction.none(nominal), _Work.empty()
+    else:
+        deviation = deviations(measurement, nominal, cutter_radius=request.radius)
+        work = _separated(deviation, nominal, commanded, settings, bool(carried), warnings)
+        correction = _correction(work, nominal, settings, warnings)
+    contour = CompensatedContour(nominal, correction)
+    _refuse_crossing(nominal, contour)
+    compensated, residual = contour.to_profile()
+    regeneration = regenerate(
+        toolpath,
+        contour,
+        path_radius,
+        tolerance=settings.tolerance,
+        output_moves=settings.output_moves,
+        rows=usable,
+    )
+    text = _written(request, regeneration)
+    emitted = gcode.parse(text, program.name).toolpath
+    if len(emitted) != len(regeneration.toolpath):
+        raise LimitError(
+            f"the written program reads back with {len(emitted)} moves in place of {len(regeneration.toolpath)}"
+        )
+    proof = verify(
+        emitted, compensated, path_radius, following=regeneration.following, tolerance=settings.tolerance
+    )
+    applied = np.zeros(len(work.deviation))
+    if len(work.deviation):
+        applied = correction.at(work.deviation.stretch, work.deviation.s, nominal)
+    _advise(work, carried, settings, warnings)
+    return Result(
+        request=request,
+        nominal=nominal,
+        compensated=compensated,
+        correction=correction,
+        deviation=work.deviation,
+        filtered=work.filtered,
+        predicted=work.deviation.value - work.commanded + applied,
+        commanded=work.commanded,
+        separations=work.separations,
+        random_std=work.random_std,
+        regeneration=regeneration,
+        path_radius=path_radius,
+        fit_residual=residual,
+        verification=proof,
+        text=text,
+        warnings=tuple(warnings),
+    )
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Work:
+    """Deviations with what became of them; arrays over the used points."""
+
+    deviation: Deviation
+    commanded: Floats
+    filtered: Floats
+    wanted: Floats
+    separations: tuple[Separation, ...]
+    random_std: float
+
+    @staticmethod
+    def empty() -> _Work:
+        none, zero = np.zeros(0, dtype=np.int64), np.zeros(0)
+        flat = np.zeros((0, 2))
+        deviation = Deviation(none, none, none, none, zero, zero, flat, flat, zero, ())
+        return _Work(deviation, zero, zero, zero, (), float("nan"))
+
+
+def _separated(
+    deviation: Deviation,
+    nominal: Profile,
+    commanded: Commanded,
+    settings: Settings,
+    corrected_before: bool,
+    warnings: list[str],
+) -> _Work:
+    """Take the program's own contour out, filter what the machine added, and say where to move the profile."""
+    offset = commanded_offset(commanded, deviation)
+    machine = deviation.value - offset
+    filter_ = Filter.parse(settings.filter)
+    determined = np.empty(len(deviation))
+    separations: list[Separation] = []
+    variance, freedom = 0.0, 0
+    for k, stretch in enumerate(nominal.stretches()):
+        for level in np.unique(deviation.level[deviation.stretch == k]):
+            rows = np.flatnonzero((deviation.stretch == k) & (deviation.level == level))
+            s = along(stretch, deviation.s[rows], nominal)
+            part = separate(s, machine[rows], length=stretch.length, closed=stretch.closed, filter=filter_)
+            determined[rows] = part.determined
+            separations.append(part)
+            warnings += [w for w in part.warnings if w not in warnings]
+            if np.isfinite(part.random_std):
+                variance += part.random_std**2 * len(rows)
+                freedom += len(rows)
+    residual = offset + determined if corrected_before else determined
+    moved = -settings.gain * dead_band(residual, settings.dead_band)
+    wanted = offset + moved if corrected_before else moved
+    random_std = float(np.sqrt(variance / freedom)) if freedom else float("nan")
+    return _Work(deviation, offset, offset + determined, wanted, tuple(separations), random_std)
+
+
+def _correction(work: _Work, nominal: Profile, settings: Settings, warnings: list[str]) -> Correction:
+    deviation = work.deviation
+    levels = np.unique(deviation.level)
+    if len(levels) == 1:
+        correction, notes = correction_from(
+            nominal, deviation.stretch, deviation.s, work.wanted, limit=settings.limit
+        )
+        warnings += notes
+        return correction
+    # Each level by itself, then their mean along the contour: points of different heights are never mixed.
+    single = []
+    for level in levels:
+        rows = deviation.level == level
+        one, notes = correction_from(
+            nominal, deviation.stretch[rows], deviation.s[rows], work.wanted[rows], limit=settings.limit
+        )
+        single.append((one, int(rows.sum())))
+        warnings += [n for n in notes if n not in warnings]
+    densest = max(single, key=lambda pair: pair[1])[0]
+    rows = deviation.level == levels[[pair[0] is densest for pair in single].index(True)]
+    values = np.stack([one.at(deviation.stretch[rows], deviation.s[rows], nominal) for one, _ in single])
+    spread = float(np.ptp(values, axis=0).max())
+    heights = [float(deviation.z[deviation.level == level].mean()) for level in levels]
+    listed = ", ".join(f"{z:g}" for z in heights)
+    warnings.append(
+        f"{len(levels)} levels were measured (Z {listed}); the correction is their mean, they differ by up to "
+        f"{spread * 1000:.1f} um"
+    )
+    mean, notes = correction_from(
+        nominal, deviation.stretch[rows], deviation.s[rows], values.mean(axis=0), limit=settings.limit
+    )
+    warnings += [n for n in notes if n not in warnings]
+    return mean
+
+
+def _refuse_crossing(nominal: Profile, contour: CompensatedContour) -> None:
+    """LimitError where the compensated contour crosses itself although the nominal does not."""
+    import shapely
+
+    for k, c in enumerate(nominal.contours):
+        pieces = np.flatnonzero(contour.contour == k)
+        before, after = [], []
+        for piece in pieces:
+            count = int(max(9, contour.length[piece] / 0.1))
+            for corrected, low, high, out in (
+                (False, 0.0, contour.length[piece], before),
+                (True, contour.low[piece], contour.high[piece], after),
+            ):
+                sigma = np.linspace(low, high, count)[:-1]
+                out.append(contour.evaluate(np.full(len(sigma), piece), sigma, corrected=corrected)[0])
+        shape = shapely.LinearRing if c.closed else shapely.LineString
+        moved = shape(np.concatenate(after))
+        if not moved.is_simple and shape(np.concatenate(before)).is_simple:
+            raise LimitError("the corrected profile crosses itself: the correction is larger than a detail of the contour")
+
+
+def _written(request: Request, regeneration: Regeneration) -> bytes:
+    """The corrected program; decimals as the program has them where the tolerance allows."""
+    program, tolerance = request.program, request.settings.tolerance
+    plain = gcode_write.write(program, regeneration.toolpath, tolerance=tolerance)
+    if plain == program.data:
+        return plain
+    room = tolerance - regeneration.fit_error
+    # Rounding moves a point by at most half a unit in each of two directions.
+    own = program.style.decimals
+    unit = 25.4 if (program.modal.unit == 20).any() else 1.0
+    decimals = own if np.sqrt(0.5) * unit * 10.0**-own <= 0.9 * room else None
+    return gcode_write.write(
+        program, regeneration.toolpath, decimals=decimals, tolerance=tolerance, header=_header(request)
+    )
+
+
+def _header(request: Request) -> tuple[str, ...]:
+    measurement, program = request.measurement, request.program
+    if measurement is None:
+        return (f"millcorr {__version__} path laid on the exact nominal, no correction",)
+    return provenance.header(
+        [(measurement.source, measurement.digest)], (program.name, program.digest), request.settings.in_words()
+    )
+
+
+def _advise(
+    work: _Work, carried: tuple[provenance.Mark, ...], settings: Settings, warnings: list[str]
+) -> None:
+    if not len(work.deviation):
+        return
+    if work.deviation.rejected:
+        warnings.append(f"{len(work.deviation.rejected)} points were rejected; the report lists them with reasons")
+    loops = len(carried) + 1
+    warnings.append(
+        "an elastic machine gives back MS/(1+MS) of every shift: after this correction expect that share "
+        f"to the power {loops} of the first deviation to be left (MS 0.05: {100 * (0.05 / 1.05) ** loops:.2g} %)"
+        if settings.gain == 1.0
+        else f"gain {settings.gain:g} leaves {100 * (1 - settings.gain):.0f} % of the determined deviation on purpose"
+    )
+

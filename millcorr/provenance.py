@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The mark a corrected program carries: from what, with what, when. It makes applying twice detectable."""
+
+from __future__ import annotations
+
+import datetime
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import PurePath
+
+from . import __version__
+from .errors import InputError, RefusedError
+
+_SHORT = 16
+_MARK = re.compile(
+    r"MILLCORR\s+\S+\s+CORRECTED\s+(?P<date>\S+)\s+MEASUREMENT\s+(?P<measured>[0-9A-F]{16}(?:\+[0-9A-F]{16})*)"
+    r"\s+SOURCE\s+(?P<source>[0-9A-F]{16})",
+    re.IGNORECASE,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """A correction that a program carries.
+
+    Parameters
+    ----------
+    line : int
+        Line of the comment, from 1.
+    date : str
+    measured : tuple of str
+        First 16 digits of the SHA-256 of each measured file that was applied.
+    source : str
+        First 16 digits of the SHA-256 of the program before that correction.
+    """
+
+    line: int
+    date: str
+    measured: tuple[str, ...]
+    source: str
+
+
+def header(measured: Sequence[tuple[str, str]], source: tuple[str, str], settings: str) -> tuple[str, ...]:
+    """Comment lines for a corrected program.
+
+    Parameters
+    ----------
+    measured : sequence of (name, digest)
+        The measured files.
+    source : (name, digest)
+        The program before the correction.
+    settings : str
+        Settings in words.
+    """
+    today = datetime.date.today().isoformat()
+    digests = "+".join(digest[:_SHORT] for _, digest in measured)
+    names = " ".join(PurePath(name).name for name, _ in measured)
+    return (
+        f"millcorr {__version__} corrected {today} measurement {digests} source {source[1][:_SHORT]}",
+        f"from {PurePath(source[0]).name} measured {names}",
+        settings,
+    )
+
+
+def marks(comments: Iterable[tuple[int, str]]) -> tuple[Mark, ...]:
+    """Corrections that a program carries, from its comments (line index from 0, text)."""
+    found = []
+    for line, text in comments:
+        match = _MARK.search(text)
+        if match:
+            digests = tuple(d.lower() for d in match["measured"].split("+"))
+            found.append(Mark(line + 1, match["date"], digests, match["source"].lower()))
+    return tuple(found)
+
+
+def refuse_second_use(carried: Sequence[Mark], digests: Sequence[str], program: str, has_nominal: bool) -> None:
+    """Refuse to apply a measurement twice, or to take a corrected program for the nominal.
+
+    Raises
+    ------
+    RefusedError
+        If one of the measurements is in the program already.
+    InputError
+        If the program was corrected before and no nominal is given.
+    """
+    for mark in carried:
+        twice = {d[:_SHORT].lower() for d in digests} & set(mark.measured)
+        if twice:
+            raise RefusedError(
+                f"{program}:{mark.line}: this measurement was applied on {mark.date} already; cut and measure a "
+                "new part with the corrected program first"
+            )
+    if carried and not has_nominal:
+        raise InputError(
+            f"{program}:{carried[-1].line}: the program was corrected on {carried[-1].date}, so it does not show the "
+            "nominal any more; give the first, uncorrected program or the drawing with --nominal"
+        )
