@@ -92,8 +92,8 @@ class ErrorField:
     harmonics : tuple of (k, A, phi)
         ``A cos(2 pi k s / L + phi)`` along a contour of length L; A in mm, phi in rad.
     directional : tuple of (m, A, phi)
-        ``A cos(m theta + phi)`` over the direction theta of the nominal normal: m = 1 is a displacement of the
-        part (heat, zero point), m = 2 a scale or squareness error of the axes.
+        ``A cos(m theta + phi)`` over the direction theta of the nominal normal: m = 1 is a displacement of
+        the part (heat, zero point), m = 2 a scale or squareness error of the axes.
     backlash : (bx, by)
         Lost motion in mm of each axis: half of it is left where the normal points along +axis and taken
         where it points along -axis.
@@ -194,23 +194,23 @@ class SimulatedMachine:
     def reference() -> SimulatedMachine:
         """The machine of the demonstration, after the "before correction" column of werner-2018.
 
-        Measured with 200 points, a part cut along the exact path shows mean 10.4, height about 14 and standard
-        deviation about 2.7 um:
+        Measured with 200 points, a part cut along the exact path shows mean 10.4, height about 14 and
+        standard deviation about 2.7 um:
 
         - mean ``0.3 * 0.03 / 1.03 + 0.00166 = 0.0104`` mm, elastic response to the paper's allowance of
           0.3 mm and a constant;
         - determined waves of 2.3 um standard deviation, the root of half the sum of squared amplitudes;
-        - standard deviation ``sqrt(2.3^2 + 0.6^2 + 1.2^2) = 2.66`` um with sigma_r = 0.6 and sigma_m = 1.2 um.
+        - standard deviation ``sqrt(2.3^2 + 0.6^2 + 1.2^2) = 2.66`` um with sigma_r = 0.6, sigma_m = 1.2 um.
 
-        One correction at full gain leaves a mean of ``0.0104 * 0.03 / 1.03 + 0.0015 = 0.0018`` mm, the wear of
-        one part included, and on the true surface a standard deviation of ``sqrt(2 sr^2 + sm^2) = 1.47`` um
-        from raw data, ``sqrt(sr^2 + 0.2 (sr^2 + sm^2)) = 0.85`` um through a mean of 5, and never less than
-        sr = 0.6 um.
+        One correction at full gain leaves a mean of ``0.0104 * 0.03 / 1.03 + 0.0015 = 0.0018`` mm, the wear
+        of one part included, and on the true surface a standard deviation of ``sqrt(2 sr^2 + sm^2)`` = 1.47
+        um from raw data, ``sqrt(sr^2 + 0.2 (sr^2 + sm^2)) = 0.85`` um through a mean of 5, and never less
+        than sr = 0.6 um.
         """
         return SimulatedMachine(
             errors=ErrorField(
                 constant=0.0016621,
-                harmonics=((1, 0.0022, 0.6), (2, 0.0018, 2.1), (3, 0.0013, 4.0), (5, 0.0008, 1.0)),
+                harmonics=((1, 0.0022, 3.3), (2, 0.0018, 3.0), (3, 0.0013, 1.3), (5, 0.0008, 2.4)),
             ),
             allowance=0.3,
             transfer=0.03,
@@ -689,8 +689,8 @@ def _offset_by_control(toolpath: Toolpath, rows: Ints, offset: float) -> list[Nu
         piece = _Side(a, b, centre, float(toolpath.sweep[i]))
         if centre is not None and np.hypot(*(a - centre)) <= offset * np.sign(piece.sweep):
             raise InputError(
-                f"simulated machine: the control would stop at the arc about X{centre[0]:.3f} Y{centre[1]:.3f}: "
-                f"its radius is not larger than the tool's {abs(offset):g} mm"
+                f"simulated machine: the control would stop at the arc about X{centre[0]:.3f} "
+                f"Y{centre[1]:.3f}: its radius is not larger than the tool's {abs(offset):g} mm"
             )
         moved = []
         for u in (0.0, 1.0):
