@@ -9,8 +9,9 @@ import numpy as np
 
 from .toolpath import Bools, Floats, Ints, Plane
 
-RADIUS_TOLERANCE = 0.005
-"""Difference in mm between the radii at start and end of an arc that controls still accept."""
+RADIUS_TOLERANCE = 0.0127
+"""Accepted difference in mm between the radii at start and end of an arc: half a thousandth of an inch, as
+LinuxCNC does; programs in inches with three decimals come close to it."""
 RADIUS_TOLERANCE_RELATIVE = 0.001
 SAME_POINT = 1e-9
 """Two positions in mm closer than this are the same programmed point."""

@@ -85,8 +85,9 @@ def _check(program: Program, toolpath: Toolpath) -> None:
 
 
 def _same(a: Floats, b: Floats) -> Bools:
-    same: Bools = np.asarray((abs(a - b) <= SAME) | (np.isnan(a) & np.isnan(b)))
-    return same.reshape(len(a), -1).all(axis=1)
+    same = np.logical_or(np.abs(a - b) <= SAME, np.logical_and(np.isnan(a), np.isnan(b)))
+    out: Bools = same.reshape(len(a), -1).all(axis=1)
+    return out
 
 
 def _changed_lines(old: Toolpath, new: Toolpath) -> Ints:

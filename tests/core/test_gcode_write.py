@@ -73,7 +73,7 @@ def check_arrived(wanted: Toolpath, back: Toolpath, tolerance: float) -> None:
         assert abs(back.sweep[i] - wanted.sweep[i]) * first <= 4 * tolerance
 
 
-# -- random programs ------------------------------------------------------------------------------------------
+# -- random programs ---
 
 
 @settings(max_examples=100, deadline=None)
@@ -176,7 +176,7 @@ def test_samples_unchanged(path: Path) -> None:
     assert write(p, p.toolpath.take(slice(None))) == path.read_bytes()
 
 
-# -- words ----------------------------------------------------------------------------------------------------
+# -- words ---
 
 
 @pytest.mark.parametrize(
@@ -291,7 +291,7 @@ def test_tiny_arcs_never_become_circles() -> None:
     assert back.length()[1:-1].sum() < 0.01
 
 
-# -- what stays or is refused -----------------------------------------------------------------------------------
+# -- what stays or is refused ---
 
 
 def test_opaque_lines_stay_and_refuse_changes() -> None:
@@ -321,7 +321,7 @@ def test_lines_out_of_order_are_refused() -> None:
         write(p, p.toolpath.with_moves(source=np.array([1, 0])))
 
 
-# -- header -----------------------------------------------------------------------------------------------------
+# -- header ---
 
 
 @pytest.mark.parametrize(
