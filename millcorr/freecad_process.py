@@ -35,7 +35,7 @@ def _run():
         sys.path[1:1] = request["packages"]
     try:
         from millcorr.app import process
-    except ImportError as error:
+    except ModuleNotFoundError as error:
         missing = error.name or str(error)
         answer = {{"error": "UsageError", "message":
             "FreeCAD's Python " + sys.version.split()[0] + " lacks the package " + missing

@@ -22,7 +22,7 @@ from uuid import uuid4
 import FreeCAD
 
 from millcorr import gcode as nc
-from millcorr import pipeline, report, verification
+from millcorr import pipeline, verification
 from millcorr.errors import FormatError, InputError, MillcorrError, RefusedError, UsageError
 
 from . import base_geometry, compat, correction, dressup, measurement_object, views
@@ -342,6 +342,9 @@ def _write(
             ready.append((beside, Path(gcode)))
         if directory is not None:
             beside = stack.enter_context(_beside(Path(directory)))
+            # Imported when it is wanted: the plots take their time to load.
+            from millcorr import report
+
             report.write(beside, corrected.request, corrected.result, proof)
             Path(directory).mkdir(parents=True, exist_ok=True)
             ready += [(file, Path(directory) / file.name) for file in beside.iterdir()]

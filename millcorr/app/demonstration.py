@@ -31,7 +31,7 @@ TOOL_DIAMETER = 10.0
 
 
 def contour_curve() -> Any:
-    """The part's contour as a FreeCAD curve: closed periodic cubic B-spline in the XY plane, anticlockwise."""
+    """The part's contour as a FreeCAD curve: closed periodic cubic B-spline, anticlockwise."""
     curve = Part.BSplineCurve()
     poles = [FreeCAD.Vector(x, y, 0.0) for x, y in CONTROL_VERTICES]
     count = len(poles)

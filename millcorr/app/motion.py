@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """FreeCAD's Path commands to a program and back.
 
-Path commands are written as NC text with full precision and read by `millcorr.gcode`, so that one interpreter
-decides what a program means, wherever it comes from.
+Path commands are written as NC text, as precise as FreeCAD saves them, and read by `millcorr.gcode`, so that
+one interpreter decides what a program means, wherever it comes from.
 """
 
 from __future__ import annotations
@@ -26,7 +26,8 @@ _COMPENSATION = {Compensation.OFF: "G40", Compensation.LEFT: "G41", Compensation
 
 
 def _number(value: float) -> str:
-    text = f"{value:.12f}".rstrip("0").rstrip(".")
+    # FreeCAD saves paths with six decimals: with the same here, saving changes nothing.
+    text = f"{value:.6f}".rstrip("0").rstrip(".")
     return "0" if text in ("", "-", "-0") else text
 
 
@@ -41,7 +42,7 @@ def line_of_command(command: Any) -> str:
     Returns
     -------
     str
-        Without line ending; feed in mm/min. Rapids lose their feed: FreeCAD states it but no control keeps it.
+        Without line ending; feed in mm/min. Rapids lose their feed: FreeCAD states it, no control keeps it.
     """
     name = command.Name
     if name.startswith("("):
