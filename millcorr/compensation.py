@@ -22,7 +22,7 @@ Ints = NDArray[np.int64]
 CONSTANT = 1e-7
 """A correction that varies by less than this along a stretch, in mm, is one number there."""
 
-GAP_SPACINGS = 5.0
+GAP_SPACINGS = 10.0
 """A gap between points longer than this many typical spacings is bridged by a straight line and reported."""
 
 
@@ -201,11 +201,13 @@ def correction_from(
         x, y = _merged(local, value[rows], stretch)
         x, y, gaps = _bridged(x, y, stretch)
         courses.append(Course.through(x, y, stretch.length, stretch.closed))
-        for a, b in gaps:
+        if gaps:
+            a, b = max(gaps, key=lambda gap: gap[1] - gap[0])
             p, _ = profile.at(stretch.contour, np.array([stretch.begin + a, stretch.begin + b]))
+            more = f" and {len(gaps) - 1} shorter gaps" if len(gaps) > 1 else ""
             warnings.append(
                 f"no usable point on {b - a:.2f} mm between X{p[0, 0]:.3f} Y{p[0, 1]:.3f} and "
-                f"X{p[1, 0]:.3f} Y{p[1, 1]:.3f}: the correction runs straight across or holds its last value"
+                f"X{p[1, 0]:.3f} Y{p[1, 1]:.3f}{more}: the correction runs straight across or holds its last value"
             )
     _fill_unmeasured(profile, stretches, courses, warnings)
     return Correction(stretches, tuple(c for c in courses if c is not None)), tuple(warnings)

@@ -172,7 +172,8 @@ def deviations(
 
 def _is_corner(profile: Profile, feet: FootPoints) -> NDArray[np.bool_]:
     before = np.where(feet.t == 1.0, feet.span, profile.neighbour(feet.span, -1))
-    return np.abs(np.nan_to_num(profile.turn[before])) > CORNER_ANGLE
+    out: NDArray[np.bool_] = np.abs(np.nan_to_num(profile.turn[before])) > CORNER_ANGLE
+    return out
 
 
 def _out_of_reach(profile: Profile, feet: FootPoints, radius: float) -> NDArray[np.bool_]:

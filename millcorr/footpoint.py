@@ -66,6 +66,16 @@ class FootPoints:
     rival: Floats
 
 
+    def replaced(self, rows: Ints, other: FootPoints, chosen: NDArray[np.bool_]) -> FootPoints:
+        """Copy in which `rows` are the chosen rows of other foot points."""
+        arrays = []
+        for name in self.__slots__:
+            array = getattr(self, name).copy()
+            array[rows] = getattr(other, name)[chosen]
+            arrays.append(array)
+        return FootPoints(*arrays)
+
+
 class FootPointSearch:
     """Finds foot points on one profile.
 
@@ -166,15 +176,11 @@ class FootPointSearch:
                 cx, cy, nx, ny, distance = values
                 keep = settled & (np.abs(distance) <= 2.0)
                 back = rows[keep]
-                arrays = [np.array(a) for a in (feet.span, feet.t, feet.foot, feet.normal, feet.distance)]
-                arrays.append(np.array(feet.place))
-                arrays.append(np.array(feet.rival))
-                new = (span, t, np.stack([cx, cy], 1), np.stack([nx, ny], 1), distance)
-                for target, value in zip(arrays, new, strict=False):
-                    target[back] = value[keep]
-                arrays[5][back] = Place.SMOOTH
-                arrays[6][back] = np.inf
-                feet = FootPoints(*arrays)
+                foot = np.stack([cx, cy], axis=1)
+                normal = np.stack([nx, ny], axis=1)
+                smooth = np.full(len(rows), int(Place.SMOOTH))
+                alone = np.full(len(rows), np.inf)
+                feet = feet.replaced(back, FootPoints(span, t, foot, normal, distance, smooth, alone), keep)
             wrong = wrong[~facing]
         return feet
 

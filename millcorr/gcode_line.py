@@ -22,50 +22,58 @@ class Line:
     """
 
     def __init__(self, text: str) -> None:
-        blanked = COMMENT.sub(lambda m: b" " * len(m.group()), text.encode("latin-1")).decode("latin-1")
         self.gaps: list[str] = []
         self.words: list[str] = []
+        self.values: list[float] = []
+        self.letters = ""
+        blanked = text
+        if "(" in text or ";" in text:
+            marked = COMMENT.sub(lambda m: b" " * len(m.group()), text.encode("latin-1"))
+            blanked = marked.decode("latin-1")
         place = 0
         for found in _WORD.finditer(blanked):
             self.gaps.append(text[place : found.start()])
             self.words.append(found.group())
+            self.letters += found.group(1).upper()
+            self.values.append(_value(found.group(2)))
             place = found.end()
         self.gaps.append(text[place:])
 
     def text(self) -> str:
         """Return the line as it now reads."""
-        return "".join(g + w for g, w in zip(self.gaps, [*self.words, ""], strict=True))
+        return (
+            "".join([piece for pair in zip(self.gaps, self.words, strict=False) for piece in pair])
+            + self.gaps[-1]
+        )
 
     def letter(self, index: int) -> str:
         """Letter of a word, upper case."""
-        return self.words[index][0].upper()
+        return self.letters[index]
 
     def value(self, index: int) -> float:
         """Return the number of a word."""
-        return float(re.sub(r"[ \t]", "", self.words[index][1:]))
+        return self.values[index]
 
     def find(self, letter: str) -> int:
         """Index of the first word with this letter; -1 without one."""
-        for i, word in enumerate(self.words):
-            if word[0].upper() == letter:
-                return i
-        return -1
+        return self.letters.find(letter)
 
     def number(self, letter: str) -> float | None:
         """Return the number of the first word with this letter; None without one."""
-        i = self.find(letter)
-        return None if i < 0 else self.value(i)
+        i = self.letters.find(letter)
+        return None if i < 0 else self.values[i]
 
     def motion(self) -> int:
         """Index of the word G0 to G3 or G5; -1 without one."""
-        for i in range(len(self.words)):
-            if self.letter(i) == "G" and self.value(i) in (0, 1, 2, 3, 5):
-                return i
-        return -1
+        i = self.letters.find("G")
+        while i >= 0 and self.values[i] not in (0, 1, 2, 3, 5):
+            i = self.letters.find("G", i + 1)
+        return i
 
     def set_number(self, index: int, number: str) -> None:
         """Give a word another number."""
         self.words[index] = self.words[index][0] + number
+        self.values[index] = _value(number)
 
     def remove(self, letter: str) -> None:
         """Take the first word with this letter away, if there is one, with a blank beside it."""
@@ -75,7 +83,8 @@ class Line:
 
     def remove_at(self, index: int) -> None:
         """Take a word away with a blank beside it."""
-        del self.words[index]
+        del self.words[index], self.values[index]
+        self.letters = self.letters[:index] + self.letters[index + 1 :]
         before, behind = self.gaps[index], self.gaps.pop(index + 1)
         if index and not before.strip(" \t"):
             before = ""
@@ -85,8 +94,9 @@ class Line:
 
     def insert(self, word: str, blanks: bool) -> None:
         """Put a word where its letter belongs among the others."""
-        rank = _RANK.get(word[0].upper(), len(_RANK))
-        ranks = [_RANK.get(self.letter(i), -1) for i in range(len(self.words))]
+        letter = word[0].upper()
+        rank = _RANK.get(letter, len(_RANK))
+        ranks = [_RANK.get(c, -1) for c in self.letters]
         before = [(r, i) for i, r in enumerate(ranks) if 0 <= r <= rank]
         behind = [i for i, r in enumerate(ranks) if r > rank]
         if before:
@@ -94,14 +104,22 @@ class Line:
         elif behind:
             at = behind[0]
         else:
-            at = 1 if self.words and self.letter(0) == "N" else 0
+            at = 1 if self.letters.startswith("N") else 0
         inner = self.gaps[1:-1]
         if inner:
             blanks = any(g[:1] in (" ", "\t") for g in inner)
         blank = " " if blanks else ""
         if at == 0:
-            self.words.insert(0, word)
-            self.gaps.insert(1, blank if len(self.words) > 1 else "")
+            self.gaps.insert(1, blank if self.words else "")
         else:
-            self.words.insert(at, word)
             self.gaps.insert(at, blank)
+        self.words.insert(at, word)
+        self.values.insert(at, _value(word[1:]))
+        self.letters = self.letters[:at] + letter + self.letters[at:]
+
+
+def _value(number: str) -> float:
+    try:
+        return float(number)
+    except ValueError:
+        return float(re.sub(r"[ \t]", "", number))

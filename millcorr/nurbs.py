@@ -88,18 +88,18 @@ class NurbsCurve:
         sweep : float
             Signed angle in rad, positive anticlockwise, at most one turn.
         """
-        start, end, centre = (np.asarray(p, dtype=float) for p in (start, end, centre))
+        begin, last, middle_point = (np.asarray(p, dtype=float) for p in (start, end, centre))
         pieces = max(1, int(np.ceil(abs(sweep) / (np.pi / 2) - 1e-9)))
         step = sweep / pieces
-        angle = np.arctan2(start[1] - centre[1], start[0] - centre[0]) + step * np.arange(pieces + 1)
-        radius = float(np.hypot(*(start - centre)))
-        on = centre + radius * np.stack([np.cos(angle), np.sin(angle)], axis=1)
-        on[0] = start
-        if np.hypot(*(on[-1] - end)) < 1e-9 * max(1.0, radius):
-            on[-1] = end
+        angle = np.arctan2(begin[1] - middle_point[1], begin[0] - middle_point[0]) + step * np.arange(pieces + 1)
+        radius = float(np.hypot(*(begin - middle_point)))
+        on = middle_point + radius * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+        on[0] = begin
+        if np.hypot(*(on[-1] - last)) < 1e-9 * max(1.0, radius):
+            on[-1] = last
         middle = angle[:-1] + step / 2
         weight = float(np.cos(step / 2))
-        off = centre + radius / weight * np.stack([np.cos(middle), np.sin(middle)], axis=1)
+        off = middle_point + radius / weight * np.stack([np.cos(middle), np.sin(middle)], axis=1)
         poles = np.empty((2 * pieces + 1, 2))
         poles[0::2], poles[1::2] = on, off
         weights = np.ones(2 * pieces + 1)
@@ -170,9 +170,9 @@ class NurbsCurve:
             Points in mm.
         """
         bounds, points = self.bezier()
-        u = np.clip(np.asarray(u, dtype=float), bounds[0], bounds[-1])
-        span = np.clip(np.searchsorted(bounds, u, side="right") - 1, 0, len(points) - 1)
-        t = ((u - bounds[span]) / (bounds[span + 1] - bounds[span]))[:, None, None]
+        at = np.clip(np.asarray(u, dtype=float), bounds[0], bounds[-1])
+        span = np.clip(np.searchsorted(bounds, at, side="right") - 1, 0, len(points) - 1)
+        t = ((at - bounds[span]) / (bounds[span + 1] - bounds[span]))[:, None, None]
         d = points[span]
         while d.shape[1] > 1:
             d = d[:, :-1] * (1 - t) + d[:, 1:] * t

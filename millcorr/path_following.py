@@ -156,7 +156,7 @@ def _label(
         off[ends] = (arm * normal).sum(axis=1) - radius
         sigma[ends] += along
         label[ends] = np.where(np.abs(off[ends]) <= band, piece[ends], NOWHERE)
-    at_joint = np.flatnonzero((feet.place == Place.JOINT))
+    at_joint = np.flatnonzero(feet.place == Place.JOINT)
     joints = contour.joints
     if len(at_joint) and len(joints.before):
         gap = np.hypot(

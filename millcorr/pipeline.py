@@ -14,13 +14,13 @@ from . import __version__, gcode, gcode_write, provenance
 from .commanded import Commanded, choose_side, commanded_offset, nominal_of
 from .compensation import Correction, along, correction_from, dead_band
 from .deviation import Deviation, deviations, statistics
-from .errors import LimitError, UsageError
+from .errors import InputError, LimitError, UsageError
 from .filtering import Filter, Separation, separate
 from .measurement import Measurement
 from .profile import Profile
 from .reconstruction import CompensatedContour
 from .regeneration import OUTPUT_MOVES, Regeneration, regenerate
-from .toolpath import Compensation
+from .toolpath import Compensation, Toolpath
 from .verification import Verification, verify
 
 Floats = NDArray[np.float64]
@@ -211,6 +211,7 @@ def correct(request: Request) -> Result:
         If the correction would be unsafe: nothing is changed.
     """
     settings, program, measurement = request.settings, request.program, request.measurement
+    toolpath = program.toolpath
     if not request.radius > 0:
         raise UsageError(f"the tool diameter {2 * request.radius:g} mm must be above 0")
     warnings: list[str] = []
@@ -218,18 +219,10 @@ def correct(request: Request) -> Result:
     digests = [] if measurement is None else [measurement.digest]
     provenance.refuse_second_use(carried, digests, program.name, request.nominal is not None)
 
-    toolpath = program.toolpath
-    usable = ~program.opaque_moves()
-    compensated_rows = toolpath.compensation != Compensation.OFF
-    path_radius = request.radius
-    if compensated_rows.any():
-        usable &= compensated_rows
-        if settings.cutter_compensation == "contour":
-            path_radius = 0.0
+    usable, path_radius = _usable(program, request.radius, settings)
     material_right = choose_side(toolpath, usable, settings.side, measurement, request.radius, path_radius)
     nominal = nominal_of(request.nominal, toolpath, usable, path_radius, material_right, measurement, program.name)
-    plain = CompensatedContour(nominal, Correction.none(nominal))
-    commanded = Commanded.find(toolpath, plain, path_radius, usable)
+    nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, request.nominal is not None)
     program.require_plain(commanded.following)
 
     if measurement is None:
@@ -280,6 +273,64 @@ def correct(request: Request) -> Result:
         text=text,
         warnings=tuple(warnings),
     )
+
+
+def nominal_from_program(
+    program: gcode.Program, radius: float, settings: Settings, measurement: Measurement | None
+) -> Profile:
+    """The profile that an uncorrected program cuts.
+
+    Parameters
+    ----------
+    program : Program
+    radius : float
+        Cutter radius, mm.
+    settings : Settings
+        Its side and cutter compensation.
+    measurement : Measurement or None
+        Chooses the contours near its points, and the side where the program does not say.
+
+    Raises
+    ------
+    InputError
+        If the program was corrected before, or cuts no contour near the points.
+    """
+    carried = provenance.marks(program.comments())
+    if carried:
+        raise InputError(
+            f"{program.name}:{carried[-1].line}: --nominal names a corrected program; give the first, uncorrected one"
+        )
+    usable, path_radius = _usable(program, radius, settings)
+    right = choose_side(program.toolpath, usable, settings.side, measurement, radius, path_radius)
+    return nominal_of(None, program.toolpath, usable, path_radius, right, measurement, program.name)
+
+
+def _usable(program: gcode.Program, radius: float, settings: Settings) -> tuple[NDArray[np.bool_], float]:
+    """Moves that may be corrected, and the distance from path to contour, mm."""
+    usable = ~program.opaque_moves()
+    compensated = program.toolpath.compensation != Compensation.OFF
+    if not compensated.any():
+        return usable, radius
+    return usable & compensated, 0.0 if settings.cutter_compensation == "contour" else radius
+
+
+def _turned_to_the_path(
+    nominal: Profile, toolpath: Toolpath, radius: float, usable: NDArray[np.bool_], given: bool
+) -> tuple[Profile, Commanded]:
+    """Nominal with its material on the side that the path leaves, and the path's following moves."""
+    try:
+        plain = CompensatedContour(nominal, Correction.none(nominal))
+        return nominal, Commanded.find(toolpath, plain, radius, usable)
+    except LimitError:
+        if not given:
+            raise
+        other = nominal.reversed()
+        plain = CompensatedContour(other, Correction.none(other))
+        try:
+            return other, Commanded.find(toolpath, plain, radius, usable)
+        except LimitError:
+            pass
+        raise
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -375,7 +426,8 @@ def _refuse_crossing(nominal: Profile, contour: CompensatedContour) -> None:
 
     for k, c in enumerate(nominal.contours):
         pieces = np.flatnonzero(contour.contour == k)
-        before, after = [], []
+        before: list[Floats] = []
+        after: list[Floats] = []
         for piece in pieces:
             count = int(max(9, contour.length[piece] / 0.1))
             for corrected, low, high, out in (
@@ -387,7 +439,9 @@ def _refuse_crossing(nominal: Profile, contour: CompensatedContour) -> None:
         shape = shapely.LinearRing if c.closed else shapely.LineString
         moved = shape(np.concatenate(after))
         if not moved.is_simple and shape(np.concatenate(before)).is_simple:
-            raise LimitError("the corrected profile crosses itself: the correction is larger than a detail of the contour")
+            raise LimitError(
+                "the corrected profile crosses itself: the correction is larger than a detail of the contour"
+            )
 
 
 def _written(request: Request, regeneration: Regeneration) -> bytes:

@@ -158,7 +158,9 @@ class Profile:
         if (np.diff(first) == 0).any():
             raise InputError(f"contour {int(np.flatnonzero(np.diff(first) == 0)[0])} of the profile has no length")
         length = _chebyshev_sum(arc, np.ones(len(arc)))
-        begin = np.concatenate([np.cumsum(length[a:b]) - length[a:b] for a, b in zip(first[:-1], first[1:], strict=True)])
+        begin = np.concatenate(
+            [np.cumsum(length[a:b]) - length[a:b] for a, b in zip(first[:-1], first[1:], strict=True)]
+        )
         turn = _turns(power, contours, first)
         stretch = np.zeros(len(power), dtype=np.int64)
         count = 0
@@ -345,14 +347,15 @@ class Profile:
         c, _, _ = self.evaluate(span, t)
         return c, self.normals(span, t)
 
-    def neighbour(self, span: Ints, step: int) -> Ints:
-        """Span after (`step` 1) or before (-1) each span along its contour; the span itself at an open end."""
+    def neighbour(self, span: Ints, step: int | Ints) -> Ints:
+        """Span after (`step` 1) or before (-1) each span of its contour; the span itself at an open end."""
         k = self.contour[span]
         low, high = self.first[k], self.first[k + 1]
         moved = span + step
         closed = np.array([c.closed for c in self.contours])[k]
         wrapped = low + np.mod(moved - low, high - low)
-        return np.where(closed, wrapped, np.clip(moved, low, high - 1))
+        out: Ints = np.where(closed, wrapped, np.clip(moved, low, high - 1))
+        return out
 
     def samples(self, spacing: float) -> tuple[Ints, Floats]:
         """Spans and local parameters of points along the whole profile, ends of spans included.
@@ -459,7 +462,8 @@ def _speed(power: Floats, t: Floats) -> Floats:
     w = values[:, :, 2]
     dx = (derivative[:, :, 0] - derivative[:, :, 2] * values[:, :, 0] / w) / w
     dy = (derivative[:, :, 1] - derivative[:, :, 2] * values[:, :, 1] / w) / w
-    return np.hypot(dx, dy)
+    speed: Floats = np.hypot(dx, dy)
+    return speed
 
 
 def _arc_coefficients(power: Floats) -> Floats:

@@ -111,7 +111,15 @@ def regenerate(
     _hold_kept_vertices(toolpath, parts, keep, start, end)
     shift0, shift1 = _shifts(toolpath, parts, keep, start, end)
     return _assemble(
-        toolpath, contour, radius, parts, keep, (start, end, sigma0, sigma1), (shift0, shift1), tolerance, output_moves
+        toolpath,
+        contour,
+        radius,
+        parts,
+        keep,
+        (start, end, sigma0, sigma1),
+        (shift0, shift1),
+        tolerance,
+        output_moves,
     )
 
 
@@ -140,15 +148,19 @@ def _vertices(
     start[f[near]] = end[t[near]]
 
     joints = contour.joints
-    by_pair = {}
-    for j, (p, q) in enumerate(zip(joints.before.tolist(), joints.after.tolist(), strict=True)):
-        by_pair[p, q] = (j, False)
-        by_pair.setdefault((q, p), (j, True))
-    pair = [by_pair.get((int(p), int(q))) if p >= 0 and q >= 0 and p != q else None for p, q in zip(a, b, strict=True)]
-    rows = np.array([i for i, x in enumerate(pair) if x is not None], dtype=np.int64)
-    if len(rows):
-        j = np.array([pair[i][0] for i in rows], dtype=np.int64)  # type: ignore[index]
-        back = np.array([pair[i][1] for i in rows])  # type: ignore[index]
+    by_pair: dict[tuple[int, int], tuple[int, bool]] = {}
+    for number, (p, q) in enumerate(zip(joints.before.tolist(), joints.after.tolist(), strict=True)):
+        by_pair[p, q] = (number, False)
+        by_pair.setdefault((q, p), (number, True))
+    found = [
+        (i, *by_pair[p, q])
+        for i, (p, q) in enumerate(zip(a.tolist(), b.tolist(), strict=True))
+        if p != q and (p, q) in by_pair
+    ]
+    if found:
+        rows = np.array([f[0] for f in found], dtype=np.int64)
+        j = np.array([f[1] for f in found], dtype=np.int64)
+        back = np.array([f[2] for f in found])
         on_before, on_after = contour.meet(j, radius)
         t, f = this[rows], after[rows]
         sigma1[t] = np.where(back, on_after, on_before)
@@ -249,7 +261,8 @@ def _kept(
             first, last = parts.first[group][side], parts.last[group][side]
             step = _wrapped(contour, piece[side], last - first)
             # A full turn ends at the foot point where it starts.
-            full = contour.closed[piece[side]] & plain[side] & (np.hypot(*(points[side, 0] - points[side, -1]).T) < 1e-9)
+            meets = np.hypot(*(points[side, 0] - points[side, -1]).T) < 1e-9
+            full = contour.closed[piece[side]] & plain[side] & meets
             way = np.sign(_middle_way(toolpath, contour, rows[side], piece[side], first))
             step = np.where(full, way * contour.length[piece[side]], step)
             guess = first[:, None] + step[:, None] * samples
@@ -307,9 +320,10 @@ def _shifts(
     reached = np.full((n, 2), np.inf)
     reached[following] = 0.0
     travel = np.hypot(*(toolpath.end[:, :2] - toolpath.start[:, :2]).T)
-    travel = np.maximum(np.nan_to_num(travel), np.where(toolpath.sweep != 0, np.nan_to_num(toolpath.length()), 0.0))
-    jump = (toolpath.kind == Kind.RAPID) & (travel > 1e-9)
-    broken = ~np.isfinite(toolpath.end[:, :2]).all(axis=1) | ~np.isfinite(toolpath.start[:, :2]).all(axis=1)
+    round_travel = np.where(toolpath.sweep != 0, np.nan_to_num(toolpath.length()), 0.0)
+    travel = np.maximum(np.nan_to_num(travel), round_travel)
+    jump: Bools = (toolpath.kind == Kind.RAPID) & (travel > 1e-9)
+    broken = ~np.isfinite(np.hstack([toolpath.start[:, :2], toolpath.end[:, :2]])).all(axis=1)
 
     chains = np.flatnonzero(following)
     heads = chains[np.concatenate([[True], np.diff(chains) > 1])]
@@ -470,15 +484,16 @@ def _moved_rigidly(toolpath: Toolpath, shift0: Floats, shift1: Floats, rows: Boo
         same = abs((new1 - new0) - (old1 - old0)) < 1e-12 or abs(old1 - old0) < 1e-9
         factor = 1.0 if same else (new1 - new0) / (old1 - old0)
 
-        def carry(x: float, y: float, factor: complex = factor, old: complex = old0, new: complex = new0) -> list[float]:
-            z = new + factor * (complex(x, y) - old)
-            return [z.real, z.imag]
-
-        if toolpath.kind[i] == Kind.ARC:
-            centre[i, :2] = carry(*toolpath.centre[i, :2])
-        else:
-            control[i] = carry(*toolpath.control[i, :2]) + carry(*toolpath.control[i, 2:])
+        centre[i, :2] = _carried(toolpath.centre[i, :2], old0, new0, factor)
+        control[i, :2] = _carried(toolpath.control[i, :2], old0, new0, factor)
+        control[i, 2:] = _carried(toolpath.control[i, 2:], old0, new0, factor)
     return toolpath.with_moves(start=start, end=end, centre=centre, control=control)
+
+
+def _carried(point: Floats, old: complex, new: complex, factor: complex) -> tuple[float, float]:
+    """A point carried along by the similarity that takes `old` to `new`."""
+    z = new + factor * (complex(point[0], point[1]) - old)
+    return z.real, z.imag
 
 
 def _lost(toolpath: Toolpath, row: int) -> str:

@@ -68,7 +68,8 @@ class _Piece:
 
     def tangent(self, u: float) -> Floats:
         d = self.at(u)[1]
-        return d / np.hypot(d[0], d[1])
+        out: Floats = d / np.hypot(d[0], d[1])
+        return out
 
     def offset_left(self, distance: float) -> _Piece | None:
         """Parallel piece to the left; None where it shrinks to a point. InputError where it turns inside out."""

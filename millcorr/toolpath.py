@@ -145,12 +145,9 @@ class Toolpath:
             radius = np.hypot(*radial.T)[:, None] * (1 - t) + np.hypot(*last.T)[:, None] * t
             angle = np.arctan2(radial[:, 1], radial[:, 0])[:, None] + self.sweep[rows][:, None] * t
             inner = (t > 0) & (t < 1)
-            points[np.ix_(rows, np.flatnonzero(inner), [a])] = (
-                self.centre[rows, a][:, None] + radius * np.cos(angle)
-            )[:, inner, None]
-            points[np.ix_(rows, np.flatnonzero(inner), [b])] = (
-                self.centre[rows, b][:, None] + radius * np.sin(angle)
-            )[:, inner, None]
+            row, column = rows[:, None], np.flatnonzero(inner)[None, :]
+            points[row, column, a] = (self.centre[rows, a][:, None] + radius * np.cos(angle))[:, inner]
+            points[row, column, b] = (self.centre[rows, b][:, None] + radius * np.sin(angle))[:, inner]
         rows = np.flatnonzero(self.kind == Kind.CUBIC)
         if len(rows):
             p0, p3 = self.start[rows][:, None, :2], self.end[rows][:, None, :2]
@@ -164,8 +161,7 @@ class Toolpath:
     def length(self) -> Floats:
         """Length of every move in mm, shape (n,); arcs with their helix."""
         delta = self.end - self.start
-        chord = np.sqrt((delta**2).sum(axis=1))
-        out = chord
+        out: Floats = np.sqrt((delta**2).sum(axis=1))
         for plane in Plane:
             rows = np.flatnonzero((self.kind == Kind.ARC) & (self.plane == plane))
             if len(rows):

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .errors import LimitError
-from .footpoint import FootPointSearch, Place
+from .footpoint import FootPoints, FootPointSearch, Place
 from .profile import Profile
 from .theoretical_contour import cutting_runs
 from .toolpath import Toolpath
@@ -96,11 +96,10 @@ def verify(
     return result
 
 
-def _across(points: Floats, profile: Profile, feet: object) -> Floats:
+def _across(points: Floats, profile: Profile, feet: FootPoints) -> Floats:
     """Distance of points beyond an open end from its tangent."""
-    span, t, foot = feet.span, feet.t, feet.foot  # type: ignore[attr-defined]
-    normal = profile.normals(span, t)
-    out: Floats = ((points - foot) * normal).sum(axis=1)
+    normal = profile.normals(feet.span, feet.t)
+    out: Floats = ((points - feet.foot) * normal).sum(axis=1)
     return out
 
 
@@ -147,7 +146,7 @@ def following_by_place(emitted: Toolpath, planned: Toolpath, following: Bools, n
     want = planned.take(wanted).position(t).reshape(len(wanted), -1)
     at = 0
     for row, target in zip(wanted, want, strict=True):
-        close = np.flatnonzero(np.nanmax(np.abs(have[at:] - target), axis=1) < near) if len(index) else []
+        close = np.flatnonzero((np.abs(have[at:] - target) < near).all(axis=1))
         if not len(close):
             x, y = target[-3], target[-2]
             raise LimitError(f"the posted program lacks the move to X{x:.3f} Y{y:.3f} (command {row + 1} of the path)")

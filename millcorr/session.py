@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From file names to files: read, correct, prove, and only then write everything as a whole."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from . import freecad_process, pipeline, readers
+from . import gcode as nc
+from .errors import InputError, UsageError
+from .measurement import Measurement
+from .profile import Profile
+
+CAD_SUFFIXES = (".fcstd", ".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".dxf")
+
+
+def correct_program(
+    program: Path,
+    *,
+    measured: Path,
+    points: str | None = None,
+    probe_radius: float | None = None,
+    units: str | None = None,
+    format: str | None = None,
+    nominal: str | None = None,
+    tool_diameter: float | None = None,
+    output: Path | None = None,
+    report: Path | None = None,
+    settings: Mapping[str, Any] | None = None,
+) -> str:
+    """Correct an NC program from a measured file; without `output`, only check.
+
+    Parameters
+    ----------
+    program, measured : Path
+        NC program, and measured points.
+    points : {'contact', 'centre'}, optional
+        What the points are, where the file does not say.
+    probe_radius, tool_diameter : float, optional
+        mm.
+    units : {'mm', 'inch'}, optional
+        Unit of the measured file.
+    format : str, optional
+        Format of the measured file; by its content by default.
+    nominal : str, optional
+        Drawing or first program; by default the contour that the program cuts.
+    output : Path, optional
+        Corrected program.
+    report : Path, optional
+        Directory for the report.
+    settings : mapping, optional
+        Fields of `pipeline.Settings`.
+
+    Returns
+    -------
+    str
+        What was found and done, in a few lines.
+
+    Raises
+    ------
+    MillcorrError
+        See `pipeline.correct`; nothing is written then.
+    """
+    if tool_diameter is None:
+        raise UsageError("--program needs --tool-diameter: the program does not say how large the cutter is")
+    if output is not None and output.resolve() == program.resolve():
+        raise UsageError(f"--output {output} is the program itself; the original must stay untouched")
+    chosen = pipeline.Settings(**(settings or {}))
+    measurement = readers.read(measured, points=points, probe_radius=probe_radius, units=units, format=format)
+    text = nc.read(program)
+    radius = tool_diameter / 2
+    profile = None if nominal is None else read_nominal(nominal, radius, chosen, measurement)
+    result = pipeline.correct(pipeline.Request(text, radius, measurement, profile, chosen))
+    outputs: dict[str, str] = {}
+    if output is not None:
+        replace_whole(output, result.text)
+        outputs["program"] = str(output)
+    if report is not None:
+        from . import report as reports
+
+        notes = () if output is not None else ("Check only: no program was written.",)
+        reports.write(result, report, outputs=outputs, notes=notes)
+        outputs["report"] = str(report / "report.html")
+    return in_words(result.summary(), outputs, checked_only=output is None)
+
+
+def correct_document(
+    document: Path,
+    *,
+    measured: Path,
+    operation: str | None = None,
+    nominal: str | None = None,
+    output: Path | None = None,
+    gcode: Path | None = None,
+    report: Path | None = None,
+    settings: Mapping[str, Any] | None = None,
+    **measurement: Any,
+) -> str:
+    """Correct an operation of a FreeCAD document, in a process of FreeCAD's command line.
+
+    Parameters
+    ----------
+    document : Path
+        FreeCAD document with a job.
+    operation : str, optional
+        Label of the operation; may be left out where the document has one Profile.
+    gcode : Path, optional
+        Posted program.
+    measured, nominal, output, report, settings, measurement
+        As in `correct_program`; `nominal` is the label of an object of the document, as ``#LABEL``, or a file.
+
+    Returns
+    -------
+    str
+        What was found and done, in a few lines.
+
+    Raises
+    ------
+    MillcorrError
+        See `pipeline.correct`; nothing is written then.
+    """
+    if output is not None and output.resolve() == document.resolve():
+        raise UsageError(f"--output {output} is the document itself; the original must stay untouched")
+    places = {"output": output, "gcode": gcode, "report": report}
+    summary = freecad_process.call(
+        "correct",
+        {
+            "document": str(document.resolve()),
+            "operation": operation,
+            "measured": str(measured.resolve()),
+            "nominal": nominal,
+            **{name: None if place is None else str(place.resolve()) for name, place in places.items()},
+            **measurement,
+            **(settings or {}),
+        },
+    )
+    outputs = {
+        name: str(place / "report.html" if name == "report" else place)
+        for name, place in (("document", output), ("program", gcode), ("report", report))
+        if place is not None
+    }
+    return in_words(summary, outputs, checked_only=output is None)
+
+
+def read_nominal(
+    source: str, radius: float, settings: pipeline.Settings, measurement: Measurement | None
+) -> Profile:
+    """Nominal profile from a file: a profile.json, a CAD file (through FreeCAD), or the first program.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read or holds no profile.
+    """
+    name, _, label = source.partition("#")
+    path = Path(name)
+    if not path.exists():
+        raise InputError(f"{name}: --nominal names a file that does not exist")
+    suffix = path.suffix.lower()
+    if suffix == ".json":
+        return Profile.read_json(path)
+    if suffix in CAD_SUFFIXES:
+        place = str(path.resolve())
+        if suffix == ".fcstd":
+            return Profile.from_dict(freecad_process.call("profile", {"document": place, "label": label}))
+        return Profile.from_dict(freecad_process.call("file_profile", {"path": place}))
+    return pipeline.nominal_from_program(nc.read(path), radius, settings, measurement)
+
+
+def replace_whole(path: Path, data: bytes) -> None:
+    """Write a file so that it appears, or replaces the old one, only when it is complete."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(data)
+        os.chmod(temporary, path.stat().st_mode & 0o777 if path.exists() else 0o666 & ~_umask())
+        os.replace(temporary, path)
+    except BaseException:
+        os.unlink(temporary)
+        raise
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
+
+
+def in_words(summary: Mapping[str, Any], outputs: Mapping[str, str], *, checked_only: bool) -> str:
+    """What was found and done, in a few lines; micrometres."""
+    points, proof = summary["points"], summary["verification"]
+    rejected = len(points["rejected"])
+    lines = [f"points      {points['used']} used of {points['read']}" + (f", {rejected} rejected" if rejected else "")]
+    lines.append("um                  mean      min      max   height      std")
+    for title, key in (("deviation", "deviation"), ("determined part", "filtered"), ("predicted after", "predicted")):
+        row = summary[key]
+        values = "".join(f"{_um(row[name]):>9}" for name in ("mean", "min", "max", "height", "std"))
+        lines.append(f"{title:<15}{values}")
+    lines.append(f"random part std {_um(summary['random_std'])} um; largest correction {_um(summary['correction']['max'])} um")
+    lines.append(
+        f"proof       emitted path within {_um(proof['path_error_max'])} um of the compensated profile's exact parallel"
+    )
+    lines += [f"note        {w}" for w in summary["warnings"]]
+    lines += [f"{name:<11} {path}" for name, path in outputs.items()]
+    if checked_only:
+        lines.append("check only: no program was written")
+    return "\n".join(lines)
+
+
+def _um(value: float | None) -> str:
+    return "-" if value is None or value != value else f"{value * 1000:.2f}"
