@@ -1,0 +1,393 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+import os
+import time
+from hashlib import sha256
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from millcorr.errors import FormatError, MillcorrError, UsageError
+from millcorr.measurement import Measurement
+from millcorr.readers import read, text
+
+
+@pytest.fixture
+def points_file(tmp_path):
+    """Function that writes content to a file and returns its path."""
+
+    def make(content, name="points.csv"):
+        path = tmp_path / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode("utf-8"))
+        return path
+
+    return make
+
+
+def contact(path, **options):
+    return read(path, points="contact", **options)
+
+
+# --- what is accepted -------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "x,y,z\n1.5,2,3\n4,5,6.25\n",
+        "X;Y;Z\n1.5;2;3\n4;5;6.25\n",
+        "x\ty\tz\n1.5\t2\t3\n4\t5\t6.25\n",
+        "x y z\n1.5 2 3\n4 5 6.25\n",
+        "  x   y  z \n  1.5  2   3\n 4   5   6.25 \n",
+        "x, y, z\n1.5, 2, 3\n4, 5, 6.25\n",
+        "x,y,z\n1.5 2 3\n4 5 6.25\n",
+        "x;y;z\n1,5;2;3\n4;5;6,25\n",
+        "x\ty\tz\n1,5\t2\t3\n4\t5\t6,25\n",
+        "x y z\n1,5 2 3\n4 5 6,25\n",
+        "1.5,2,3\n4,5,6.25\n",
+        "1,5 2 3\n4 5 6,25\n",
+        "1.5 2 3\r\n4 5 6.25\r\n",
+        "x,y,z\r1.5,2,3\r4,5,6.25\r",
+        "x,y,z\n1.5,2,3\n4,5,6.25",
+        "\ufeffx,y,z\n1.5,2,3\n4,5,6.25\n",
+        '"x","y","z"\n"1.5","2","3"\n"4","5","6.25"\n',
+        "x,y,z,\n1.5,2,3,\n4,5,6.25,\n",
+        "x,y,z\n1.5,2,3,\n4,5,6.25,\n",
+        "# made by a machine\n\nx,y,z\n\n1.5,2,3\n// between\n4,5,6.25 # behind\n",
+        "# x y z\n1.5 2 3\n4 5 6.25\n",
+        "Report of part 12\nMachine: CMM\nx,y,z\n1.5,2,3\n4,5,6.25\n",
+        "x,y,z\n+1.5e0,2.,3\n4,.5E1,6.25\n",
+        "name,z,y,x,dev\nP1,3,2,1.5,\nP2,6.25,5,4,0.1\n",
+        "name;z;y;x\nP 1;3;2;1,5\nP 2;6,25;5;4\n",
+        "x,y,z\n1.5,2,3\n4,5,6.25\n,,\n ,,\n",
+        "x,y,z\n1.5,2,3\n4,5,6.25\n\x1a",
+        "x\u00a0y\u00a0z\n1.5\u00a02\u00a03\n4\u00a05\u00a06.25\n",
+    ],
+)
+def test_one_table_in_many_dresses(points_file, content):
+    m = contact(points_file(content))
+    np.testing.assert_array_equal(m.points, [[1.5, 2, 3], [4, 5, 6.25]])
+    assert m.normals is None and m.ball_radius == 0 and m.has_z
+
+
+@pytest.mark.parametrize(
+    "encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "utf-32", "cp1252"]
+)
+def test_encodings(points_file, encoding):
+    m = contact(points_file("# Prüfling Ø10 µm\nx;y;z\n1,5;−2;3\n".replace("−", "-").encode(encoding)))
+    np.testing.assert_array_equal(m.points, [[1.5, -2, 3]])
+
+
+def test_typographic_minus(points_file):
+    assert contact(points_file("x,y\n\u22121.5,2\n")).points[0, 0] == -1.5
+
+
+def test_two_columns_have_no_z(points_file):
+    for content in ("x,y\n1.5,2\n", "1.5 2\n"):
+        m = contact(points_file(content))
+        assert not m.has_z
+        np.testing.assert_array_equal(m.points, [[1.5, 2, 0]])
+
+
+def test_normals_by_either_name_and_brought_to_length_one(points_file):
+    for header in ("x,y,z,i,j,k", "X,Y,Z,NX,NY,NZ"):
+        m = contact(points_file(f"{header}\n1,2,3,0.603,0.804,0\n"))
+        np.testing.assert_allclose(m.normals, [[0.6, 0.8, 0]], atol=1e-15)
+    m = contact(points_file("x,y,i,j\n1,2,0.6,-0.8\n"))
+    np.testing.assert_allclose(m.normals, [[0.6, -0.8, 0]], atol=1e-15)
+    m = contact(points_file("1 2 3 0 0 1.0\n"))
+    np.testing.assert_array_equal(m.normals, [[0, 0, 1]])
+
+
+def test_line_numbers_count_everything(points_file):
+    m = contact(points_file("# one\r\nx,y,z\r\n\r\n1,2,3\r\n// five\r\n4,5,6\r\n7,8,9"))
+    np.testing.assert_array_equal(m.lines, [4, 6, 7])
+    m = contact(points_file("x,y,note\n\n1,2,a\n\n3,4,b\n"))
+    np.testing.assert_array_equal(m.lines, [3, 5])
+    m = contact(points_file("x,y\n1,2\n3,4\n"))
+    np.testing.assert_array_equal(m.lines, [2, 3])
+
+
+def test_source_and_digest(points_file):
+    content = b"\xef\xbb\xbfx,y\r\n1,2\r\n"
+    path = points_file(content)
+    m = contact(path)
+    assert m.source == str(path)
+    assert m.digest == sha256(content).hexdigest()
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "x [inch],y [inch],z [inch]\n1,2,3\n",
+        "x[in] y[in] z[in]\n1 2 3\n",
+        "X (Inch);Y (Inch);Z (Inch)\n1;2;3\n",
+        "x_in,y_in,z_in\n1,2,3\n",
+        "# units: inch\nx,y,z\n1,2,3\n",
+        "Unit = INCH\nx,y,z\n1,2,3\n",
+    ],
+)
+def test_the_header_says_inch(points_file, content):
+    path = points_file(content)
+    np.testing.assert_allclose(contact(path).points, [[25.4, 50.8, 76.2]], rtol=1e-15)
+    with pytest.raises(UsageError, match="contradicts"):
+        contact(path, units="mm")
+
+
+def test_inch_on_request_leaves_normals_and_the_ball_alone(points_file):
+    path = points_file("x,y,z,i,j,k\n1,2,3,0,1,0\n")
+    m = read(path, points="centre", probe_radius=1.5, units="inch")
+    np.testing.assert_allclose(m.points, [[25.4, 50.8, 76.2]], rtol=1e-15)
+    np.testing.assert_array_equal(m.normals, [[0, 1, 0]])
+    assert m.ball_radius == 1.5
+    assert contact(points_file("x [mm],y [mm]\n1,2\n")).points[0, 0] == 1.0
+
+
+# --- what is asked of the caller --------------------------------------------------------------------------
+
+
+def test_contact_or_centre_has_no_default(points_file):
+    path = points_file("x,y\n1,2\n")
+    with pytest.raises(UsageError, match="say --points contact or --points centre"):
+        read(path)
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        {"points": "centre"},
+        {"points": "centre", "probe_radius": 0.0},
+        {"points": "centre", "probe_radius": -1.0},
+        {"points": "centre", "probe_radius": float("nan")},
+        {"points": "ball"},
+        {"points": "contact", "units": "cm"},
+        {"points": "contact", "format": "punch card"},
+    ],
+)
+def test_requests_that_make_no_sense(points_file, options):
+    with pytest.raises(UsageError):
+        read(points_file("x,y\n1,2\n"), **options)
+
+
+# --- what is refused --------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("content", "line", "says"),
+    [
+        ("", None, "empty"),
+        (" \n\n \n", None, "blanks"),
+        ("\x00\x00\x00\x00", None, "blanks"),
+        ("# only a comment\n", None, "comments"),
+        ("x,y,z\n", 1, "no points"),
+        ("x,y,z", 1, "no points"),
+        ("\n# c\nx,y,z\n\n# c\n", 3, "no points"),
+        ("x,y,z\n,,\n", 1, "no points"),
+        ("x,y,z\n1,2,3\n4,5\n", 3, "cut off"),
+        ("x,y,z\n1,2,3\n4,5,6,7\n", 3, "4 columns"),
+        ("x y z\n1 2 3\n4 5\n", 3, "2 columns"),
+        ("1.5 2 3\n4 5\n", 2, "2 columns"),
+        ("x,y,z\n1,2,3\n4,,6\n", 3, "missing"),
+        ("x,y,z\n1,2,3\nend\n", 3, "1 columns"),
+        ("x,y,z\n1,2,3\nx,y,z\n4,5,6\n", 3, "'x' is no number"),
+        ("x,y,z\n1,2,NaN\n", 2, "no measured value"),
+        ("x,y,z\n1,2,3\n1,inf,3\n", 3, "no measured value"),
+        ("x,y,z\n1,2,****\n", 2, "no measured value"),
+        ("x,y,z\n1,2,1.#QNAN\n", 2, "no measured value"),
+        ("x,y,z\n1,2,-1.#IND\n", 2, "no number|no measured"),
+        ("x,y,z\n1,2,1e999\n", 2, "too large"),
+        ("x,y,z\n1,2,1_000\n", 2, "no number"),
+        ("x,y,z\n1,2,0x10\n", 2, "no number"),
+        ("x,y,z\n1,2,\u0663\n", 2, "no number"),
+        ("x,y,z\n1,2,3mm\n", 2, "no number"),
+        # Excel
+        ("x;y;z\n262.018;2.5;3\n262,018;2.5;3\n", 3, "spreadsheet"),
+        ("x;y;z\n1,262.018;2.5;3\n", 2, "thousands"),
+        ("x;y;z\n1,262,018;2,5;3\n", 2, "thousands"),
+        ("x,y,z\n1.5,2.5,12.05.2023\n", 2, "date"),
+        ("x;y;z\n1,5;2,5;05. Mai\n", 2, "date"),
+        ("x,y,z\n1.5,2.5,2023-05-12\n", 2, "date"),
+        ("x,y,z\n1.5,2.5,12-May\n", 2, "date"),
+        ('x,y,z\n"1,234","5,6",3\n', 2, "decimal comma"),
+        ("x,y,z\n1,234,5,678,9,012\n", 2, "decimal comma"),
+        ("x,y\n1,234,5,678\n", 2, "decimal comma"),
+        ("1,234\n5,678\n", 1, "decimal comma"),
+        ("1,234,5,678,9,012\n", 1, "decimal comma"),
+        # columns
+        ("x,z\n1,2\n", 1, "expected a header"),
+        ("a,b,c\n1,2,3\n", 1, "expected a header"),
+        ("x,y,x\n1,2,3\n", 1, "twice"),
+        ("x,y,z,i,nx,j\n1,2,3,0,0,1\n", 1, "twice"),
+        ("x,y,z,i,k\n1,2,3,0,1\n", 1, "missing"),
+        ("x,y,z,k\n1,2,3,1\n", 1, "missing"),
+        ("1 2 3 4\n", 1, "4 columns"),
+        ("1 2 3 4 5 6 7\n", 1, "7 columns"),
+        ("1\n2\n", 1, "header"),
+        ("Some words\n1 2 3\n", 1, "header"),
+        ("1 2 3\nx y z\n4 5 6\n", 2, "no number"),
+        ("1.5,abc,3\n", 1, "'abc' is no number"),
+        # units
+        ("x [um],y [um]\n1,2\n", 1, "only mm and inch"),
+        ("x [mm],y [inch]\n1,2\n", 1, "different units"),
+        # normals
+        ("x,y,z,i,j,k\n1,2,3,0,0,1\n1,2,3,0,0,0\n", 3, "length zero"),
+        ("x,y,z,i,j,k\n1,2,3,0,0,1.02\n", 2, "length 1.02"),
+        ("x,y,z,i,j,k\n1,2,3,0,0,nan\n", 2, "no measured value"),
+        # other things
+        ("<?xml version='1.0'?>\n<a/>", None, "XML"),
+        ("<!DOCTYPE html><html>", None, "XML"),
+        ("\n<QIFDocument versionQIF='3.0.0'>\n", None, "XML"),
+        ("%PDF-1.7\n", None, "PDF"),
+        (b"PK\x03\x04\x14\x00\x06\x00", None, "ZIP"),
+        (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1" + bytes(50), None, "Excel"),
+        (b"\x1f\x8b\x08\x00", None, "gzip"),
+        (b"\x89PNG\r\n\x1a\n", None, "PNG"),
+        ("ISO-10303-21;\nHEADER;\n", None, "STEP"),
+        ("%\nG21 G90\nG1 X1 Y2 F100\nM2\n%\n", 1, "header"),
+        ('{"points": [[1, 2, 3]]}', 1, "header"),
+        (b"x,y,z\n1,2,3\n\x00\x01\x02\n", 3, "binary"),
+        (b"x,y,z\n1,2,\x81\n", 2, "binary"),
+        ("x,y,z\n1.5,2,3\n".encode("utf-16")[:-1], None, "truncated"),
+        (bytes(range(256)) * 40, None, ""),
+        (b"\xff" * 100, None, ""),
+        ("x" * 100_000, 1, "characters"),
+    ],
+)
+def test_refused_with_place_and_reason(points_file, content, line, says):
+    path = points_file(content)
+    with pytest.raises(FormatError, match=says) as caught:
+        contact(path)
+    assert caught.value.file == str(path)
+    if line is not None:
+        assert caught.value.line == line
+        assert str(caught.value).startswith(f"{path}:{line}: ")
+    assert "\n" not in str(caught.value)
+
+
+def test_a_file_that_ends_in_mid_number(points_file):
+    rows = [f"{k}.125,{k}.250,{k}.500" for k in range(40)]
+    whole = "x,y,z\n" + "\n".join(rows)
+    assert len(contact(points_file(whole))) == 40
+    for cut in (1, 2):
+        with pytest.raises(FormatError, match="cut off") as caught:
+            contact(points_file(whole[:-cut]))
+        assert caught.value.line == 41
+    # Numbers of different length are no sign of anything.
+    free = "x,y,z\n" + "\n".join(f"1,2,{k / 8!r}" for k in range(41))
+    assert len(contact(points_file(free))) == 41
+
+
+def test_what_is_no_file(tmp_path):
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    for path in (tmp_path / "missing.csv", tmp_path, pipe, "a\0b"):
+        with pytest.raises(FormatError):
+            contact(path)
+
+
+# --- properties -------------------------------------------------------------------------------------------
+
+finite = st.floats(-1e5, 1e5, allow_nan=False)
+
+
+@settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(
+    rows=st.lists(st.tuples(finite, finite, finite, st.floats(0, 6.28)), min_size=1, max_size=30),
+    has_z=st.booleans(),
+    normals=st.booleans(),
+    ball=st.sampled_from([0.0, 1.5]),
+)
+def test_written_and_read_back(tmp_path, rows, has_z, normals, ball):
+    table = np.array(rows)
+    points = table[:, :3].copy()
+    if not has_z:
+        points[:, 2] = 0.0
+    n = np.stack([np.cos(table[:, 3]), np.sin(table[:, 3]), np.zeros(len(table))], axis=1)
+    lines = np.arange(1, len(table) + 1)
+    m = Measurement(points, n if normals else None, ball, lines, "here", "0" * 64, has_z)
+    path = text.write(tmp_path / "out.csv", m, comments=["simulated part"])
+    back = read(path, points="centre" if ball else "contact", probe_radius=ball or None)
+    np.testing.assert_allclose(back.points, points, atol=0.6e-9)
+    assert back.has_z == has_z and back.ball_radius == ball
+    if normals:
+        np.testing.assert_allclose(back.normals, n, atol=1e-11)
+    else:
+        assert back.normals is None
+    assert path.read_text().startswith("# simulated part\n")
+    assert list(tmp_path.iterdir()) == [path]
+
+
+@settings(max_examples=300, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(content=st.binary(max_size=200))
+def test_any_bytes_end_in_points_or_a_format_error(tmp_path, content):
+    path = tmp_path / "any"
+    path.write_bytes(content)
+    try:
+        m = contact(path)
+    except FormatError as error:
+        assert error.file == str(path)
+    else:
+        assert len(m) and np.isfinite(m.points).all()
+
+
+@settings(max_examples=500, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(
+    content=st.text(alphabet="xyzij,;\t .\n\r#/-+0123456789eE\"[]*%nainf'", max_size=80), header=st.booleans()
+)
+def test_any_text_ends_in_points_or_a_format_error(tmp_path, content, header):
+    path = tmp_path / "any"
+    path.write_text(("x,y,z\n" if header else "") + content, newline="")
+    try:
+        m = contact(path)
+    except MillcorrError as error:
+        assert isinstance(error, FormatError)
+    else:
+        assert len(m) and np.isfinite(m.points).all()
+        assert (np.diff(m.lines) > 0).all()
+
+
+@settings(max_examples=200, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(
+    rows=st.lists(st.tuples(finite, finite, finite), min_size=1, max_size=8),
+    blank=st.lists(st.integers(0, 8), max_size=3),
+    separator=st.sampled_from([",", ";", "\t", " "]),
+    comma=st.booleans(),
+    ending=st.sampled_from(["\n", "\r\n", "\r"]),
+    header=st.booleans(),
+    encoding=st.sampled_from(["utf-8", "utf-16", "cp1252"]),
+)
+def test_whole_and_line_by_line_agree(tmp_path, rows, blank, separator, comma, ending, header, encoding):
+    comma = comma and separator != ","
+    lines = [separator.join(f"{v:.5f}" for v in row) for row in rows]
+    if comma:
+        lines = [line.replace(".", ",") for line in lines]
+    for b in blank:
+        lines.insert(min(b, len(lines)), "")
+    if header:
+        lines.insert(0, separator.join("xyz"))
+    path = tmp_path / "any"
+    path.write_bytes((ending.join(lines) + ending).encode(encoding))
+    m = contact(path)
+    np.testing.assert_allclose(m.points, np.array(rows), atol=0.51e-5)
+    layout = text._find_layout("\n".join(lines) + "\n", "any")
+    slow, numbers = text._read_lines("\n".join(lines) + "\n", layout, "any")
+    np.testing.assert_array_equal(slow, m.points)
+    np.testing.assert_array_equal(numbers, m.lines)
+    np.testing.assert_array_equal(numbers, [i for i, v in enumerate(lines, 1) if v][header:])
+
+
+def test_a_million_lines(tmp_path):
+    rng = np.random.default_rng(1)
+    values = np.round(rng.uniform(-300, 300, (1_000_000, 3)), 4)
+    body = "\n".join(map("%.4f,%.4f,%.4f".__mod__, map(tuple, values.tolist())))
+    path = tmp_path / "big.csv"
+    path.write_text(f"x,y,z\n{body}\n")
+    start = time.perf_counter()
+    m = contact(path)
+    took = time.perf_counter() - start
+    np.testing.assert_array_equal(m.points, values)
+    assert m.lines[-1] == 1_000_001
+    start = time.perf_counter()
+    np.loadtxt(path, delimiter=",", skiprows=1)
+    assert took < 8 * (time.perf_counter() - start) + 0.5
