@@ -101,7 +101,8 @@ def _add_inputs(verb: argparse.ArgumentParser) -> None:
         help="what a program with G41/G42 gives: the contour, or the centre path",
     )
     verb.add_argument("--align", choices=("none",), default="none", help="best fit before comparing")
-    verb.add_argument("--filter", default="auto", metavar="F", help="none, mean:5, mean:1,2,3,2,1, gauss:MM, robust:MM, auto")
+    filters = "none, mean:5, mean:1,2,3,2,1, gauss:MM, robust:MM, auto"
+    verb.add_argument("--filter", default="auto", metavar="F", help=filters)
     verb.add_argument("--method", choices=("mirror",), default="mirror", help="how to correct")
     verb.add_argument("--gain", type=float, default=1.0, help="share of the deviation to correct")
     verb.add_argument("--limit", type=float, default=0.5, metavar="MM", help="largest correction")

@@ -163,7 +163,8 @@ def _about_corners(rows: Intervals) -> list[tuple[Ints, Floats, Toolpath]]:
         arm0[:, 0] * arm1[:, 1] - arm0[:, 1] * arm1[:, 0], (arm0 * arm1).sum(axis=1)
     )
     # The corner's arc keeps its direction; a correction never turns it round.
-    sweep = np.where((rows.sweep_sign != 0) & (np.sign(turn) != rows.sweep_sign), turn + rows.sweep_sign * 2 * np.pi, turn)
+    against = (rows.sweep_sign != 0) & (np.sign(turn) != rows.sweep_sign)
+    sweep = np.where(against, turn + rows.sweep_sign * 2 * np.pi, turn)
     out = []
     line = rows.kind == Kind.LINE
     if (~line).any():

@@ -322,8 +322,8 @@ def _shifts(
     travel = np.hypot(*(toolpath.end[:, :2] - toolpath.start[:, :2]).T)
     round_travel = np.where(toolpath.sweep != 0, np.nan_to_num(toolpath.length()), 0.0)
     travel = np.maximum(np.nan_to_num(travel), round_travel)
-    jump: Bools = (toolpath.kind == Kind.RAPID) & (travel > 1e-9)
-    broken = ~np.isfinite(np.hstack([toolpath.start[:, :2], toolpath.end[:, :2]])).all(axis=1)
+    jump = np.asarray((toolpath.kind == int(Kind.RAPID)) & (travel > 1e-9))
+    broken = np.asarray(~np.isfinite(np.hstack([toolpath.start[:, :2], toolpath.end[:, :2]])).all(axis=1))
 
     chains = np.flatnonzero(following)
     heads = chains[np.concatenate([[True], np.diff(chains) > 1])]

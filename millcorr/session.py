@@ -201,7 +201,8 @@ def in_words(summary: Mapping[str, Any], outputs: Mapping[str, str], *, checked_
         row = summary[key]
         values = "".join(f"{_um(row[name]):>9}" for name in ("mean", "min", "max", "height", "std"))
         lines.append(f"{title:<15}{values}")
-    lines.append(f"random part std {_um(summary['random_std'])} um; largest correction {_um(summary['correction']['max'])} um")
+    random, largest = _um(summary["random_std"]), _um(summary["correction"]["max"])
+    lines.append(f"random part std {random} um; largest correction {largest} um")
     lines.append(
         f"proof       emitted path within {_um(proof['path_error_max'])} um of the compensated profile's exact parallel"
     )

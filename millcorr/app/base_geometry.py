@@ -48,9 +48,7 @@ def path_radius(operation: Any, tool_radius: float) -> float:
         return tool_radius
     if leaves_radius_to_control(operation):
         if operation.OffsetExtra.Value:
-            raise InputError(
-                f"{operation.Label}: set OffsetExtra to 0, the control holds the radius (UseComp off)"
-            )
+            raise InputError(f"{operation.Label}: set OffsetExtra to 0, the control holds the radius (UseComp off)")
         return tool_radius
     radius = tool_radius + float(operation.OffsetExtra.Value)
     if radius <= 0:
@@ -179,9 +177,7 @@ def _edges(operation: Any) -> tuple[list[Any], list[Any]]:
             for face in faces:
                 if not convert.is_horizontal(face):
                     if not convert.is_vertical(face):
-                        raise InputError(
-                            f"{operation.Label}: a face of {base.Label} is neither level nor vertical"
-                        )
+                        raise InputError(f"{operation.Label}: a face of {base.Label} is neither level nor vertical")
                     outer += convert.foot_edges(face)
         for face in flat:
             holes += _holes(face, bool(operation.processHoles), bool(operation.processCircles))

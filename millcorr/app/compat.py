@@ -86,12 +86,7 @@ def operations(job: DocumentObject) -> list[DocumentObject]:
 
 def is_operation(obj: DocumentObject) -> bool:
     """Whether an object is an operation or a dressup: it has a path and is no job or tool controller."""
-    return (
-        obj.isDerivedFrom("Path::Feature")
-        and hasattr(obj, "Path")
-        and not is_job(obj)
-        and not is_controller(obj)
-    )
+    return obj.isDerivedFrom("Path::Feature") and hasattr(obj, "Path") and not is_job(obj) and not is_controller(obj)
 
 
 def is_controller(obj: DocumentObject) -> bool:
@@ -307,7 +302,5 @@ def post(job: DocumentObject, arguments: str | None = None) -> str:
     if not texts:
         raise InputError(f"{job.Label}: FreeCAD's post processor {name} made no program")
     if len(texts) > 1:
-        raise InputError(
-            f"{job.Label}: FreeCAD's post processor made {len(texts)} programs; clear SplitOutput"
-        )
+        raise InputError(f"{job.Label}: FreeCAD's post processor made {len(texts)} programs; clear SplitOutput")
     return str(texts[0])

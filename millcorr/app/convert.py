@@ -65,9 +65,24 @@ def curve_of_edge(edge: Any) -> NurbsCurve:
         start, end = edge.valueAt(first), edge.valueAt(last)
         sweep = (last - first) * (1.0 if curve.Axis.z > 0 else -1.0)
         nurbs = NurbsCurve.arc((start.x, start.y), (end.x, end.y), (curve.Center.x, curve.Center.y), sweep)
+    elif isinstance(curve, Part.Ellipse):
+        nurbs = _arc_of_ellipse(curve, first, last)
     else:
         nurbs = _curve_of_spline(_as_spline(curve, first, last), box)
     return nurbs.reversed() if edge.Orientation == "Reversed" else nurbs
+
+
+def _arc_of_ellipse(ellipse: Any, first: float, last: float) -> NurbsCurve:
+    """Exact arc of an ellipse, as the affine image of a circle's; OCCT's own conversion is off by 1e-8 mm."""
+    unit = NurbsCurve.arc((np.cos(first), np.sin(first)), (np.cos(last), np.sin(last)), (0.0, 0.0), last - first)
+    major, axis = ellipse.XAxis, ellipse.Axis
+    minor = axis.cross(major)
+    frame = np.array([[major.x, major.y], [minor.x, minor.y]]) * [
+        [ellipse.MajorRadius],
+        [ellipse.MinorRadius],
+    ]
+    poles = unit.poles @ frame + (ellipse.Center.x, ellipse.Center.y)
+    return NurbsCurve(unit.degree, poles, unit.weights, unit.knots, unit.multiplicities)
 
 
 def _as_spline(curve: Any, first: float, last: float) -> Any:
@@ -118,9 +133,7 @@ def chain(curves: Sequence[NurbsCurve]) -> list[Contour]:
     InputError
         If more than two curves meet in one point.
     """
-    ends = np.array([[c.evaluate([c.knots[0]])[0], c.evaluate([c.knots[-1]])[0]] for c in curves]).reshape(
-        -1, 2, 2
-    )
+    ends = np.array([[c.evaluate([c.knots[0]])[0], c.evaluate([c.knots[-1]])[0]] for c in curves]).reshape(-1, 2, 2)
     node = _nodes(ends.reshape(-1, 2)).reshape(-1, 2)
     meeting: dict[int, list[int]] = {}
     contours = []
@@ -133,9 +146,7 @@ def chain(curves: Sequence[NurbsCurve]) -> list[Contour]:
     for point, members in meeting.items():
         if len(members) > 2:
             x, y = ends.reshape(-1, 2)[np.flatnonzero(node.ravel() == point)[0]]
-            raise InputError(
-                f"{len(members)} edges of the profile meet at X{x:.3f} Y{y:.3f}; leave one way through"
-            )
+            raise InputError(f"{len(members)} edges of the profile meet at X{x:.3f} Y{y:.3f}; leave one way through")
     left = {k for members in meeting.values() for k in members}
     while left:
         loose = [k for k in sorted(left) if any(len(meeting[int(p)]) == 1 for p in node[k])]
@@ -268,9 +279,7 @@ def profile_of_shape(shape: Any, material: Material = "inside") -> Profile:
         for face in shape.Faces:
             if not is_horizontal(face):
                 raise InputError("a face of the profile is not parallel to the XY plane")
-        return profile_of_edges(
-            [e for face in shape.Faces for wire in face.Wires for e in wire.Edges], material
-        )
+        return profile_of_edges([e for face in shape.Faces for wire in face.Wires for e in wire.Edges], material)
     return profile_of_edges(shape.Edges, material)
 
 
@@ -297,9 +306,7 @@ def foot_edges(face: Any) -> list[Any]:
     box = face.BoundBox
     for height in (box.ZMin, box.ZMax):
         edges = [
-            e
-            for e in face.Edges
-            if e.Length > 1e-9 and all(abs(_on(e, k / 4).z - height) <= 1e-5 for k in range(5))
+            e for e in face.Edges if e.Length > 1e-9 and all(abs(_on(e, k / 4).z - height) <= 1e-5 for k in range(5))
         ]
         # A face that is cut into by a slot from below has a shorter bottom than its surface is wide.
         if edges and sum(e.Length for e in edges) * (box.ZMax - box.ZMin) >= face.Area * (1 - 1e-6):
@@ -357,7 +364,14 @@ def outline_edges(shape: Any) -> list[Any]:
                 "select the faces or edges of the profile in the operation"
             )
         edges.extend(foot_edges(face))
-    return _without_doubles(edges)
+    edges = _without_doubles(edges)
+    around = sum(e.Length for e in _outer_edges(outline))
+    if abs(sum(e.Length for e in edges) - around) > 1e-4 * around:
+        raise InputError(
+            "the model is not prismatic: vertical faces do not go all the way round its outline; "
+            "select the faces or edges of the profile in the operation"
+        )
+    return edges
 
 
 def _section(shape: Any, z: float) -> Any:

@@ -21,9 +21,7 @@ PROPERTIES = (
         "Link",
         "Measurement",
         "Correction",
-        _text(
-            "App::Property", "The measured part; without one the path is made exact and nothing is corrected"
-        ),
+        _text("App::Property", "The measured part; without one the path is made exact and nothing is corrected"),
     ),
     Property(
         "Link",
@@ -100,15 +98,9 @@ PROPERTIES = (
     ),
     Property("Distance", "DeviationMean", "Result", _text("App::Property", "Mean deviation"), 0.0, READ_ONLY),
     Property("Distance", "DeviationMin", "Result", _text("App::Property", "Least deviation"), 0.0, READ_ONLY),
-    Property(
-        "Distance", "DeviationMax", "Result", _text("App::Property", "Greatest deviation"), 0.0, READ_ONLY
-    ),
-    Property(
-        "Distance", "DeviationHeight", "Result", _text("App::Property", "Greatest less least"), 0.0, READ_ONLY
-    ),
-    Property(
-        "Distance", "DeviationStd", "Result", _text("App::Property", "Standard deviation"), 0.0, READ_ONLY
-    ),
+    Property("Distance", "DeviationMax", "Result", _text("App::Property", "Greatest deviation"), 0.0, READ_ONLY),
+    Property("Distance", "DeviationHeight", "Result", _text("App::Property", "Greatest less least"), 0.0, READ_ONLY),
+    Property("Distance", "DeviationStd", "Result", _text("App::Property", "Standard deviation"), 0.0, READ_ONLY),
     Property(
         "Distance",
         "RandomStd",
@@ -129,9 +121,7 @@ PROPERTIES = (
         "Distance",
         "PathError",
         "Result",
-        _text(
-            "App::Property", "Largest distance of the path from the exact offset of the compensated profile"
-        ),
+        _text("App::Property", "Largest distance of the path from the exact offset of the compensated profile"),
         0.0,
         READ_ONLY,
     ),
@@ -147,9 +137,7 @@ PROPERTIES = (
         READ_ONLY,
     ),
     Property("String", "Digest", "Origin", _text("App::Property", "SHA-256 of that file"), "", READ_ONLY),
-    Property(
-        "String", "Corrected", "Origin", _text("App::Property", "When the correction was made"), "", READ_ONLY
-    ),
+    Property("String", "Corrected", "Origin", _text("App::Property", "When the correction was made"), "", READ_ONLY),
 )
 
 _RESULTS = tuple(row for row in PROPERTIES if row.group in ("Result", "Origin") and row.name != "Corrected")

@@ -35,18 +35,14 @@ PROPERTIES = (
         "Enumeration",
         "Points",
         "Measurement",
-        _text(
-            "App::Property", "What the coordinates are: points on the surface or centres of the probe's ball"
-        ),
+        _text("App::Property", "What the coordinates are: points on the surface or centres of the probe's ball"),
         (AS_FILE, "contact", "centre"),
     ),
     Property(
         "Length",
         "BallRadius",
         "Measurement",
-        _text(
-            "App::Property", "Radius of the probe's ball where the points are centres; 0: as the file says"
-        ),
+        _text("App::Property", "Radius of the probe's ball where the points are centres; 0: as the file says"),
         0.0,
     ),
     Property(

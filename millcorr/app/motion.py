@@ -82,9 +82,7 @@ def program_of_path(path: Any, name: str, compensation: Compensation = Compensat
     return gcode.parse("\n".join([preamble, *map(line_of_command, path.Commands)]) + "\n", name)
 
 
-def path_of_toolpath(
-    commands: Sequence[Any], before: Toolpath, after: Toolpath, marks: Sequence[str] = ()
-) -> Any:
+def path_of_toolpath(commands: Sequence[Any], before: Toolpath, after: Toolpath, marks: Sequence[str] = ()) -> Any:
     """FreeCAD path after its moves have changed.
 
     Parameters
