@@ -41,10 +41,7 @@ class Line:
 
     def text(self) -> str:
         """Return the line as it now reads."""
-        return (
-            "".join([piece for pair in zip(self.gaps, self.words, strict=False) for piece in pair])
-            + self.gaps[-1]
-        )
+        return "".join([piece for pair in zip(self.gaps, self.words, strict=False) for piece in pair]) + self.gaps[-1]
 
     def letter(self, index: int) -> str:
         """Letter of a word, upper case."""

@@ -180,6 +180,10 @@ def _plain_text(data: bytes) -> bytes:
     if b"(" in text or b";" in text or b'"' in text:
         text = (_COMMENT_OR_TEXT if b'"' in text else COMMENT).sub(b"", text)
     if b"%" in text:
+        percents = [found.start() for found in _PERCENT.finditer(text)]
+        if len(percents) > 1 and not text[: percents[0]].strip():
+            # What stands behind the second mark is not part of the program.
+            text = text[: percents[1]] + b"\n" * text.count(b"\n", percents[1])
         text = _PERCENT.sub(b"", text)
     if b"/" in text:
         text = _BLOCK_DELETE.sub(rb"\1", text)
@@ -252,7 +256,10 @@ _TOKEN = re.compile(
     re.VERBOSE,
 )
 _CALLS = ("CALL", "CYCLE", "POCKET", "SLOT", "HOLES", "LONGHOLE")
-_QUIET = ("MSG", "SETAL", "STOPRE", "WORKPIECE", "FFWON", "FFWOF", "SOFT", "BRISK", "DIAMOF", "CUT2D", "SUPA")
+_QUIET = frozenset(
+    "MSG SETAL STOPRE WORKPIECE FFWON FFWOF SOFT BRISK DRIVE DIAMOF CUT2D CFC CFTCP CFIN COMPOF COMPON COMPCAD "
+    "COMPCURV CYCLE832 TRAFOOF UPATH SPATH".split()
+)
 _SHORT_KEYWORDS = ("IF", "DO", "OR", "AC", "IC", "DC", "GE", "GT", "LE", "LT", "EQ", "NE")
 
 
@@ -312,6 +319,10 @@ def _read_odd_line(raw: bytes, line: int, name: str) -> OddLine:
                 remedy = "write the program as ISO code (DIN 66025)"
                 raise FormatError(f"plain-language programs are not read; {remedy}", name, line + 1)
             if token in _QUIET:
+                continue
+            if token == "SUPA":
+                # Siemens' way to say G53.
+                words.append(("G", 53.0))
                 continue
             effect = "call" if token.startswith(_CALLS) and effect != "flow" else "flow"
             reasons.append(f"{token} is not plain ISO code")

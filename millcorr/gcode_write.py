@@ -85,8 +85,8 @@ def _check(program: Program, toolpath: Toolpath) -> None:
 
 
 def _same(a: Floats, b: Floats) -> Bools:
-    same = np.logical_or(np.abs(a - b) <= SAME, np.logical_and(np.isnan(a), np.isnan(b)))
-    out: Bools = same.reshape(len(a), -1).all(axis=1)
+    same = (np.abs(a - b) <= SAME) | (np.isnan(a) & np.isnan(b))
+    out: Bools = np.logical_and.reduce(np.reshape(same, (len(a), -1)), axis=1)
     return out
 
 
@@ -181,9 +181,7 @@ class _Writer:
             was.motion == state.motion
             and same_feed
             and state.motion != 50
-            and all(
-                abs(a - b) <= SAME or math.isnan(a) for a, b in zip(was.position, state.position, strict=True)
-            )
+            and all(abs(a - b) <= SAME or math.isnan(a) for a, b in zip(was.position, state.position, strict=True))
         )
 
     def _scale(self, line: int) -> float:
@@ -278,9 +276,7 @@ def _moves(toolpath: Toolpath, rows: slice) -> list[Move]:
     ]
 
 
-_TOP = re.compile(
-    rb"[ \t]*(?:%[^\r\n]*|(?:[oO]|:)[ \t]*\d+[ \t]*(?:\([^()\r\n]*\))?[ \t]*|;\$[^\r\n]*)?(\r?\n|\r)"
-)
+_TOP = re.compile(rb"[ \t]*(?:%[^\r\n]*|(?:[oO]|:)[ \t]*\d+[ \t]*(?:\([^()\r\n]*\))?[ \t]*|;\$[^\r\n]*)?(\r?\n|\r)")
 
 
 def _with_header(data: bytes, style: Style, header: Sequence[str]) -> bytes:

@@ -180,9 +180,7 @@ def test_high_speed_switch_is_no_spline() -> None:
 
 
 def test_compensation_tool_and_feed() -> None:
-    path = moves(
-        "T5 M6|G0 X0 Y0 Z0|G41 D5 G1 X1 F60|T7|X2|G42 X3|G40 X4|M6|X5|G95 X6 F.1|G94 X7|X8 F6"
-    ).toolpath
+    path = moves("T5 M6|G0 X0 Y0 Z0|G41 D5 G1 X1 F60|T7|X2|G42 X3|G40 X4|M6|X5|G95 X6 F.1|G94 X7|X8 F6").toolpath
     left, right, off = Compensation.LEFT, Compensation.RIGHT, Compensation.OFF
     assert path.compensation.tolist() == [off, left, left, right, off, off, off, off, off]
     assert path.tool.tolist() == [5, 5, 5, 5, 5, 7, 7, 7, 7]
@@ -197,6 +195,16 @@ def test_comments_percent_and_block_delete() -> None:
     program = moves("%|O1000 (A)|N10 /G0 X1 (X2) ; X3|/2 X4|%|")
     same(program.toolpath.end[:, 0], [1, 4])
     assert program.comments() == [(1, "A"), (2, "X2"), (2, " X3")]
+
+
+def test_text_behind_the_second_percent_is_no_program() -> None:
+    assert len(moves("%|G0 X1|%|G0 X2|garbage!|").toolpath) == 1
+
+
+def test_siemens_keywords() -> None:
+    program = moves('G54 G90 G64 FFWON|G0 X1 Y1 Z1|CYCLE832(0.01)|MSG("side")|G0 SUPA Z0 D0|G1 X3 F1')
+    assert program.opaque_moves().tolist() == [False, True, False]
+    assert np.isnan(program.toolpath.end[2, 2])
 
 
 def test_text_behind_the_end_moves_nothing() -> None:

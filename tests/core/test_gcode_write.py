@@ -157,10 +157,7 @@ def test_samples_with_shifted_cutting_moves(path: Path, seed: int, decimals: int
     random = np.random.default_rng(seed)
     cutting = (p.toolpath.kind != Kind.RAPID) & ~p.opaque_moves() & np.isfinite(p.toolpath.start).all(axis=1)
     cutting &= p.toolpath.kind != Kind.CUBIC
-    shift = (
-        random.uniform(-0.02, 0.02, (len(cutting), 3))
-        * (cutting & (random.random(len(cutting)) < 0.4))[:, None]
-    )
+    shift = random.uniform(-0.02, 0.02, (len(cutting), 3)) * (cutting & (random.random(len(cutting)) < 0.4))[:, None]
     shift[:, 2] = 0
     wanted = displaced(p.toolpath, shift)
     try:
@@ -174,6 +171,35 @@ def test_samples_with_shifted_cutting_moves(path: Path, seed: int, decimals: int
 def test_samples_unchanged(path: Path) -> None:
     p = read(path)
     assert write(p, p.toolpath.take(slice(None))) == path.read_bytes()
+
+
+TOKENS = """G0 G1 G2 G3 X1 X2.5 Y3 Y-1 Z2 Z.5 I1 J1 K1 R4 R-4 P2 F5 M3 M30 G91 G90 G20 G21 G18 G17 N5 (C) ;c
+G0X0Y0Z0 G92 G92.1 X[#1] G28 G81 G80 G54 G55 M98 G41 G90.1 G91.1 G5 Q1 /""".split()
+
+
+@settings(max_examples=500, deadline=None)
+@given(st.lists(st.sampled_from([*TOKENS, "\n", "\n", "\n", "\n"]), max_size=50), st.integers(0, 2**32 - 1))
+def test_any_program_is_written_or_refused(tokens: list[str], seed: int) -> None:
+    data = ("G0X0Y0Z0\nF9\n" + " ".join(tokens)).encode()
+    try:
+        p = parse(data)
+    except FormatError:
+        return
+    assert write(p, p.toolpath.take(slice(None))) == data
+    t = p.toolpath
+    random = np.random.default_rng(seed)
+    free = ~p.opaque_moves() & np.isfinite(t.end).all(axis=1) & np.isfinite(t.start).all(axis=1)
+    wanted = displaced(t, random.uniform(-0.01, 0.01, (len(t), 3)) * free[:, None])
+    try:
+        back = parse(write(p, wanted)).toolpath
+    except MillcorrError:
+        return
+    assert len(back) == len(wanted)
+    assert (back.kind == wanted.kind).all()
+    known = np.isfinite(wanted.end) & np.isfinite(back.end)
+    assert (np.isfinite(wanted.end) == np.isfinite(back.end)).all()
+    off = np.abs(back.end - wanted.end)[known]
+    assert off.max(initial=0.0) <= 0.001
 
 
 # -- words ---
