@@ -383,10 +383,12 @@ def _section(shape: Any, z: float) -> Any:
             faces.append(Part.Face(wire))
     if not faces:
         return Part.Compound([])
-    out = faces[0]
-    for face in faces[1:]:
-        out = out.fuse(face)
-    return out
+    kept: list[Any] = []
+    for face in sorted(faces, key=lambda f: -f.Area):
+        # A boundary within another one is a hole or a pocket.
+        if not any(other.common(face).Area > 0.5 * face.Area for other in kept):
+            kept.append(face)
+    return Part.Compound(kept)
 
 
 def _on_outline(face: Any, outline: Any) -> bool:

@@ -79,6 +79,8 @@ def main() -> int:
                     "-p",
                     "no:faulthandler",
                     "--color=no",
+                    "-W",
+                    "ignore::DeprecationWarning",
                     *chosen,
                 ],  # fmt: skip
             ),

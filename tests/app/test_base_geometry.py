@@ -34,7 +34,7 @@ def operation_on(document, shape, base=None, **properties):
         names = [f"Face{k + 1}" for k, f in enumerate(clone.Shape.Faces) if base(f)]
         names += [f"Edge{k + 1}" for k, e in enumerate(clone.Shape.Edges) if base(e)]
         operation.Base = [(clone, tuple(names))]
-    for name, value in properties.items():
+    for name, value in ({"Side": "Outside"} | properties).items():
         setattr(operation, name, value)
     document.recompute()
     return operation
@@ -164,15 +164,19 @@ def test_changed_moves_replace_their_commands_only(document):
     operation = compat.operations(demonstration.build(document))[0]
     before = motion.program_of_path(operation.Path, "demo").toolpath
     row = int(np.flatnonzero(before.kind == Kind.ARC)[3])
-    end, start = before.end.copy(), before.start.copy()
-    end[row, 0] += 0.01
-    start[row + 1, 0] += 0.01
-    after = before.with_moves(end=end, start=start)
+    # One arc becomes two.
+    after = before.take(np.sort(np.append(np.arange(len(before)), row)))
+    middle = before.take(slice(row, row + 1)).position(np.array([0.5]))[0, 0]
+    end, start, sweep = after.end.copy(), after.start.copy(), after.sweep.copy()
+    end[row], start[row + 1] = middle, middle
+    sweep[[row, row + 1]] /= 2
+    after = after.with_moves(end=end, start=start, sweep=sweep)
     path = motion.path_of_toolpath(operation.Path.Commands, before, after, ("mark (one)",))
     old, new = operation.Path.Commands, path.Commands
     assert new[0].Name == "(mark [one])"
-    changed = [k for k, (a, b) in enumerate(zip(old, new[1:], strict=True)) if a.toGCode() != b.toGCode()]
-    assert changed == [before.source[row] - 1, before.source[row + 1] - 1]
+    at = int(before.source[row]) - 1
+    assert [c.toGCode() for c in new[1 : at + 1]] == [c.toGCode() for c in old[:at]]
+    assert [c.toGCode() for c in new[at + 3 :]] == [c.toGCode() for c in old[at + 1 :]]
     read = motion.program_of_path(path, "again").toolpath
     assert np.nanmax(np.abs(read.end - after.end)) < 1e-6
     assert np.allclose(read.sweep, after.sweep, atol=1e-6)
