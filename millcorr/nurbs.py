@@ -120,8 +120,8 @@ class NurbsCurve:
         body = np.repeat(self.knots[:-1], self.multiplicities[:-1])
         turns = extra // len(body) + 2
         before = np.concatenate([body - k * period for k in range(turns, 0, -1)])[-extra:] if extra > 0 else body[:0]
-        after = np.concatenate([body + k * period for k in range(1, turns + 1)])
-        after = after[after > self.knots[-1]]
+        # The first of them is the last knot again, whatever rounding makes of it.
+        after = np.concatenate([body + k * period for k in range(1, turns + 1)])[self.multiplicities[0] :]
         last = np.repeat(self.knots[-1:], self.multiplicities[-1:])
         return np.concatenate([before, body, last, after[:extra]])
 

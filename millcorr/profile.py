@@ -153,6 +153,12 @@ class Profile:
         owner = np.array([r[:2] for r in rows], dtype=np.int64)
         bounds = np.array([r[2:] for r in rows])
         power, owner, bounds, arc = _split_until_arc_length_is_exact(power, owner, bounds)
+        standing = _speed(power, np.array([0.0, 1.0])).min(axis=1) < 1e-9 * _chebyshev_sum(arc, np.ones(len(arc)))
+        if standing.any():
+            x, y = power[np.argmax(standing), 0, :2] / power[np.argmax(standing), 0, 2]
+            raise InputError(
+                f"the profile has a cusp or a point where its parametrisation stands still near X{x:.3f} Y{y:.3f}"
+            )
         contour_of = owner[:, 0]
         first = np.searchsorted(contour_of, np.arange(len(contours) + 1))
         if (np.diff(first) == 0).any():
