@@ -206,18 +206,17 @@ class Profile:
     def stretches(self) -> list[Stretch]:
         """Smooth stretches by their number."""
         out = []
-        for number in range(int(self.stretch.max()) + 1):
-            spans = np.flatnonzero(self.stretch == number)
+        order = np.argsort(self.stretch, kind="stable")
+        number = self.stretch[order]
+        for spans in np.split(order, np.flatnonzero(np.diff(number)) + 1):
             k = int(self.contour[spans[0]])
-            total = float(self.total[k])
-            jump = np.flatnonzero(np.diff(spans) != 1)
-            start = int(spans[jump[0] + 1]) if len(jump) else int(spans[0])
-            last = int(self.neighbour(np.array([start]), -1)[0])
-            corner = bool(np.isnan(self.turn[last]) or abs(self.turn[last]) > CORNER_ANGLE)
+            turn = self.turn[self.neighbour(spans, -1)]
+            after_corner = np.isnan(turn) | (np.abs(turn) > CORNER_ANGLE)
+            start = int(spans[np.argmax(after_corner)])
             whole = len(spans) == int(self.first[k + 1] - self.first[k])
-            closed = whole and self.contours[k].closed and not corner
+            closed = whole and self.contours[k].closed and not after_corner.any()
             length = float(self.length[spans].sum())
-            out.append(Stretch(k, float(self.begin[start]) % total, length, closed))
+            out.append(Stretch(k, float(self.begin[start]) % float(self.total[k]), length, closed))
         return out
 
     def reversed(self) -> Profile:
