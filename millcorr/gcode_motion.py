@@ -19,7 +19,7 @@ UNSTATED = -1
 
 # Codes are held as ten times their number, so that G90.1 is 901.
 _PATHS = (0, 10, 20, 30, 50)
-_CYCLES = (730, 740, 760, 810, 820, 830, 840, 850, 860, 870, 880, 890)
+CYCLES = (730, 740, 760, 810, 820, 830, 840, 850, 860, 870, 880, 890)
 _CANCEL_CYCLE = 800
 _OFFSETS = (*range(540, 600), 1540, *range(1100, 1300, 10), 5000, *range(5050, 6000, 10))
 _LENGTH_OFFSETS = (430, 431, 432, 440, 490)
@@ -30,7 +30,7 @@ _OKUMA_LENGTHS = range(540, 600, 10)
 _HOMING = (280, 300)
 
 _GROUPS: dict[str, dict[int, int]] = {
-    "motion": {code: code for code in (*_PATHS, *_CYCLES, _CANCEL_CYCLE)},
+    "motion": {code: code for code in (*_PATHS, *CYCLES, _CANCEL_CYCLE)},
     "plane": {170: 17, 180: 18, 190: 19},
     "distance": {900: 90, 910: 91},
     "arc distance": {901: 90, 911: 91},
@@ -155,9 +155,7 @@ class Stretch:
     reason: str
 
 
-def follow(
-    words: Words, odd: Sequence[OddLine], lines: int, name: str
-) -> tuple[Toolpath, Modal, tuple[Stretch, ...]]:
+def follow(words: Words, odd: Sequence[OddLine], lines: int, name: str) -> tuple[Toolpath, Modal, tuple[Stretch, ...]]:
     """Follow a program line by line to its moves.
 
     Parameters
@@ -397,9 +395,7 @@ class _Follower:
             until = _next(motions, line, self.lines)
             doubtful[line:until] = True
             until = _next(distances, line, self.lines)
-            self.stretches.append(
-                Stretch(line, until - 1, f"{reason}, G90 or G91 is not stated afresh behind it")
-            )
+            self.stretches.append(Stretch(line, until - 1, f"{reason}, G90 or G91 is not stated afresh behind it"))
         return lost, doubtful
 
     def _strange(self, xy: Bools, motion_stated: Bools) -> tuple[Bools, Bools]:
@@ -418,9 +414,7 @@ class _Follower:
             doubtful[line : _next(motions, line, self.lines)] = True
         return strange, doubtful
 
-    def _unknown_axes(
-        self, homing: Bools, cycle: Bools, back_to_r: Bools, absolute: Bools
-    ) -> dict[str, Bools]:
+    def _unknown_axes(self, homing: Bools, cycle: Bools, back_to_r: Bools, absolute: Bools) -> dict[str, Bools]:
         """Axes whose position is unknown behind a line although it may name them, three times (lines,)."""
         machine = self.marked([530])
         none_named = homing & ~self.any_of("XYZ")
@@ -516,7 +510,7 @@ class _Follower:
         motion = np.where(doubtful | doubtful_too, UNSTATED, motion)
         homing = self.marked(_HOMING)
         target = ~self.marked(_NOT_A_TARGET)
-        cycle = np.isin(motion, _CYCLES)
+        cycle = np.isin(motion, CYCLES)
         unknown = self._unknown_axes(homing, cycle & xyz, cycle_return == 99, absolute)
         for axis in "XYZ":
             unknown[axis] |= strange | behind_call
@@ -542,9 +536,7 @@ class _Follower:
         for code, value in ((10, Kind.LINE), (20, Kind.ARC), (30, Kind.ARC), (50, Kind.CUBIC)):
             kind[on_path[rows] & (motion[rows] == code)] = value
         start, end = before[rows], after[rows]
-        centre, sweep = self._arcs(
-            rows, kind, start, end, plane, motion == 20, arc_distance == 90, scale, ever[rows]
-        )
+        centre, sweep = self._arcs(rows, kind, start, end, plane, motion == 20, arc_distance == 90, scale, ever[rows])
         control = self._cubics(rows, kind, start, end, plane, motion, scale)
         feed_word, feed = self._feed(mode_stated, mode, scale)
         toolpath = Toolpath(
