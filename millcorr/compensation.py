@@ -62,7 +62,8 @@ class Course:
             slope = (value[1] - value[0]) / (s[1] - s[0])
             return Course(s.copy(), np.array([[value[0]], [slope], [0.0], [0.0]]))
         else:
-            spline = CubicSpline(s, value, bc_type="natural")
+            # Level ends go over smoothly into the values held beyond them.
+            spline = CubicSpline(s, value, bc_type="clamped")
         return Course(np.array(spline.x), np.array(spline.c[::-1]), length if closed else 0.0)
 
     @property
@@ -250,7 +251,7 @@ def _bridged(s: Floats, value: Floats, stretch: Stretch) -> tuple[Floats, Floats
             room = abs(at - end)
             if room > GAP_SPACINGS * typical:
                 gaps.append((min(end, float(at)), max(end, float(at))))
-            if room > typical:
+            if room > 1e-9:
                 count = int(min(room / typical, 200)) + 1
                 extra_s.append(at + (end - at) * np.arange(1, count + 1) / count)
                 extra_v.append(np.full(count, inner))

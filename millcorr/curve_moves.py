@@ -100,7 +100,7 @@ def fit_moves(
     largest = 0.0
     corner = intervals.piece < 0
     if corner.any():
-        moves += _about_corners(intervals.take(corner))
+        moves += _about_corners(intervals.take(corner), tolerance)
     rest = intervals.take(~corner)
     for round_ in range(ROUNDS):
         if not len(rest.owner):
@@ -157,7 +157,7 @@ def _place(rows: Intervals) -> Floats:
     return out
 
 
-def _about_corners(rows: Intervals) -> list[tuple[Ints, Floats, Toolpath]]:
+def _about_corners(rows: Intervals, tolerance: float) -> list[tuple[Ints, Floats, Toolpath]]:
     arm0, arm1 = rows.start - rows.corner, rows.end - rows.corner
     turn = np.arctan2(
         arm0[:, 0] * arm1[:, 1] - arm0[:, 1] * arm1[:, 0], (arm0 * arm1).sum(axis=1)
@@ -165,17 +165,21 @@ def _about_corners(rows: Intervals) -> list[tuple[Ints, Floats, Toolpath]]:
     # The corner's arc keeps its direction; a correction never turns it round.
     against = (rows.sweep_sign != 0) & (np.sign(turn) != rows.sweep_sign)
     sweep = np.where(against, turn + rows.sweep_sign * 2 * np.pi, turn)
-    out = []
+    radius = np.hypot(*arm0.T)
     line = rows.kind == Kind.LINE
-    if (~line).any():
-        a = ~line
-        found = _moves(
-            rows.start[a], rows.end[a], rows.z0[a], rows.z1[a], Kind.ARC, centre=rows.corner[a], sweep=sweep[a]
-        )
-        out.append((rows.owner[a], np.zeros(int(a.sum())), found))
-    if line.any():
-        found = _moves(rows.start[line], rows.end[line], rows.z0[line], rows.z1[line], Kind.LINE)
-        out.append((rows.owner[line], np.zeros(int(line.sum())), found))
+    a = rows.take(~line)
+    arcs = _moves(a.start, a.end, a.z0, a.z1, Kind.ARC, centre=a.corner, sweep=sweep[~line])
+    out = [(a.owner, np.zeros(len(a.owner)), arcs)]
+    for i in np.flatnonzero(line):
+        largest = 2 * np.arccos(max(1 - tolerance / radius[i], 0.0)) if radius[i] > 0 else np.pi
+        count = max(1, int(np.ceil(abs(sweep[i]) / largest)))
+        share = np.arange(count + 1) / count
+        angle = np.arctan2(arm0[i, 1], arm0[i, 0]) + sweep[i] * share
+        point = rows.corner[i] + radius[i] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+        point[0], point[-1] = rows.start[i], rows.end[i]
+        z = rows.z0[i] + (rows.z1[i] - rows.z0[i]) * share
+        chords = _moves(point[:-1], point[1:], z[:-1], z[1:], Kind.LINE)
+        out.append((np.full(count, rows.owner[i]), np.arange(float(count)), chords))
     return out
 
 
@@ -277,8 +281,10 @@ def _cubics(
 ) -> tuple[Floats, list[tuple[Ints, Floats, Toolpath]]]:
     """One Bezier cubic with the path's tangents at its ends."""
     step = (rows.sigma1 - rows.sigma0)[:, None] / 3
-    _, n0, f0 = contour.evaluate(rows.piece, rows.sigma0, radius)
-    _, n1, f1 = contour.evaluate(rows.piece, rows.sigma1, radius)
+    # Just inside: where the curvature jumps, each side has its own speed.
+    inside = 1e-6 * (rows.sigma1 - rows.sigma0)
+    _, n0, f0 = contour.evaluate(rows.piece, rows.sigma0 + inside, radius)
+    _, n1, f1 = contour.evaluate(rows.piece, rows.sigma1 - inside, radius)
     p1 = rows.start + step * np.stack([-n0[:, 1], n0[:, 0]], 1) * f0[:, None]
     p2 = rows.end - step * np.stack([-n1[:, 1], n1[:, 0]], 1) * f1[:, None]
     u = PROBES[None, :, None]
@@ -288,9 +294,13 @@ def _cubics(
         + 3 * p2[:, None] * u**2 * (1 - u)
         + rows.end[:, None] * u**3
     )
-    # The same parameter bounds the distance from above.
+    sigma = rows.sigma0[:, None] + (rows.sigma1 - rows.sigma0)[:, None] * PROBES
+    _, normal, _ = contour.evaluate(np.repeat(rows.piece, len(PROBES)), sigma.ravel(), radius)
     gap = curve - probes
-    error = np.where(rows.whole, np.inf, np.hypot(gap[:, :, 0], gap[:, :, 1]).max(axis=1))
+    across = np.abs((gap * normal.reshape(gap.shape)).sum(axis=2)).max(axis=1)
+    # Running ahead along the path costs only its square over the radius of curvature.
+    ahead = np.hypot(gap[:, :, 0], gap[:, :, 1]).max(axis=1)
+    error = np.where(rows.whole | (ahead > 0.05 * np.abs(rows.sigma1 - rows.sigma0)), np.inf, across)
     ok = error <= tolerance
     good = rows.take(ok)
     moves = _moves(

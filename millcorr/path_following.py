@@ -121,9 +121,12 @@ def follow(
     row_array = np.array(row, dtype=np.int64)
     joined = np.zeros(len(row_array), dtype=bool)
     if len(row_array) > 1:
+        # A plunge or retract on the spot does not part two moves.
+        delta = np.nan_to_num(toolpath.end[:, :2] - toolpath.start[:, :2], nan=1.0)
+        travelled = np.concatenate([[0.0], np.cumsum(np.hypot(*delta.T) + np.abs(toolpath.sweep))])
+        between = travelled[row_array[1:]] - travelled[row_array[:-1] + 1]
         meets = np.hypot(*(toolpath.start[row_array[1:], :2] - toolpath.end[row_array[:-1], :2]).T) < 1e-9
-        near = row_array[1:] == row_array[:-1] + 1
-        joined[1:] = (row_array[1:] == row_array[:-1]) | (near & meets)
+        joined[1:] = (row_array[1:] == row_array[:-1]) | (meets & (np.abs(between) < 1e-9))
     distance = np.median(np.abs(off), axis=1)
     apart = distance[~good]
     return Following(

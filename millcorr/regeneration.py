@@ -178,8 +178,30 @@ def _vertices(
         vertex = contour.evaluate(np.array([piece]), np.array([at]), radius)[0][0]
         (sigma1 if side == t else sigma0)[side] = at
         end[t], start[f] = vertex, vertex
+    _end_at_known_corners(toolpath, parts, start, end, this, after, a != b)
     _round_corner_ends(toolpath, contour, radius, parts, start, end, this, after)
     return start, end, sigma0, sigma1
+
+
+def _end_at_known_corners(
+    toolpath: Toolpath, parts: Following, start: Floats, end: Floats, this: Ints, after: Ints, corner: Bools
+) -> None:
+    """A chain that begins or ends at a corner shares its vertex with the parts that meet there. In place."""
+    known = {
+        tuple(np.round(toolpath.end[parts.row[t], :2] / SAME_POINT).astype(int).tolist()): end[t]
+        for t in this[corner]
+        if parts.end[t] == 1.0
+    }
+    if not known:
+        return
+    free_end, free_start = np.ones(len(parts.row), dtype=bool), np.ones(len(parts.row), dtype=bool)
+    free_end[this], free_start[after] = False, False
+    for i in np.flatnonzero(free_end & (parts.end == 1.0)):
+        key = tuple(np.round(toolpath.end[parts.row[i], :2] / SAME_POINT).astype(int).tolist())
+        end[i] = known.get(key, end[i])
+    for i in np.flatnonzero(free_start & (parts.begin == 0.0)):
+        key = tuple(np.round(toolpath.start[parts.row[i], :2] / SAME_POINT).astype(int).tolist())
+        start[i] = known.get(key, start[i])
 
 
 def _round_corner_ends(
@@ -417,6 +439,8 @@ def _intervals(
     if output_moves != "keep":
         wanted = {"lines": Kind.LINE, "arcs": Kind.ARC, "nurbs": Kind.CUBIC}[output_moves]
         kind = np.full(len(pick), int(wanted))
+        # A spline block (G5) moves in the plane only; a rising move takes arcs.
+        kind[(kind == Kind.CUBIC) & (z0 != z1)] = int(Kind.ARC)
     # On a closed piece the arc length runs on past the seam, the way the move does.
     whole = np.hypot(*(end[pick] - start[pick]).T) < 1e-9
     step = sigma1[pick] - sigma0[pick]

@@ -105,7 +105,9 @@ def _across(points: Floats, profile: Profile, feet: FootPoints) -> Floats:
 
 def _samples(toolpath: Toolpath, rows: Ints) -> tuple[Floats, float]:
     moves = toolpath.take(rows)
-    length = moves.length()
+    # Heights may be unknown where the program has not stated one; the proof is in the plane.
+    level = np.nan_to_num(moves.start) * [1, 1, 0], np.nan_to_num(moves.end) * [1, 1, 0]
+    length = moves.with_moves(start=level[0], end=level[1]).length()
     count = np.maximum(9, np.ceil(length / SPACING).astype(np.int64) + 1)
     out = []
     for k in np.unique(count):
