@@ -134,9 +134,7 @@ def read_arcs(
         )
         strange |= here & centre_words[c][0] & (centre_words[c][1] != 0)
         s, e = start[rows][:, [a, b]], end[rows][:, [a, b]]
-        offset = np.column_stack(
-            [np.where(centre_words[k][0], centre_words[k][1], 0.0)[rows] for k in (a, b)]
-        )
+        offset = np.column_stack([np.where(centre_words[k][0], centre_words[k][1], 0.0)[rows] for k in (a, b)])
         middle = offset * scale[rows, None] + np.where(absolute[rows, None], 0.0, s)
         r = by_radius[rows]
         if r.any():
@@ -161,9 +159,7 @@ def read_arcs(
         centre[rows, c] = start[rows, c]
         sweep[rows] = sweep_of(s, e, middle, clockwise[rows])
     turns = np.where(turns_word[0], turns_word[1], 1.0)
-    refuse(
-        (turns < 1) | (turns != np.rint(turns)), "the number of turns P of an arc is a whole number from 1"
-    )
+    refuse((turns < 1) | (turns != np.rint(turns)), "the number of turns P of an arc is a whole number from 1")
     return centre, sweep + np.sign(sweep) * 2 * np.pi * (turns - 1), strange
 
 

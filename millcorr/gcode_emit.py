@@ -355,9 +355,7 @@ class Emitter:
         had_radius = line.find("R") >= 0 and self._code(line) in (2, 3)
         if move.kind == Kind.ARC:
             if move.plane != form.plane:
-                raise InputError(
-                    f"toolpath: an arc of line {form.line + 1} is not in the plane in force there"
-                )
+                raise InputError(f"toolpath: an arc of line {form.line + 1} is not in the plane in force there")
             arc = self._arc_words(move, end, had_radius)
             code = code if arc else 1
         elif move.kind == Kind.CUBIC:
@@ -453,9 +451,7 @@ class Emitter:
         radius = math.hypot(move.start[a] - wanted[0], move.start[b] - wanted[1])
         clockwise = move.sweep < 0
         sweep = abs(move.sweep) - _TURN * (move.turns - 1)
-        arc = _Arc(
-            wanted, radius, math.atan2(move.start[b] - wanted[1], move.start[a] - wanted[0]), sweep, clockwise
-        )
+        arc = _Arc(wanted, radius, math.atan2(move.start[b] - wanted[1], move.start[a] - wanted[0]), sweep, clockwise)
         base = (0.0, 0.0) if form.absolute_arcs else s
         words, centre = self._centre_on_grid(arc, s, e, base)
         slack = (3 * form.unit + form.tolerance) / max(radius, 1e-12)

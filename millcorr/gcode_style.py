@@ -104,8 +104,7 @@ def style_of(data: bytes, starts: Ints, words: Words, motion: Ints, moving: Ints
         leading_zero=count(r"[Gg]0[0-9]") > count(r"[Gg][0-3](?![0-9.])"),
         trailing_zeros=fixed,
         leading_digit=count(r"[XYZIJKRxyzijkr][-+]?\.[0-9]") <= count(r"[XYZIJKRxyzijkr][-+]?0\.[0-9]"),
-        point=count(r"[XYZIJKRxyzijkr][-+]?[0-9]+\.(?![0-9])")
-        > count(r"[XYZIJKRxyzijkr][-+]?[0-9]+(?![0-9.])"),
+        point=count(r"[XYZIJKRxyzijkr][-+]?[0-9]+\.(?![0-9])") > count(r"[XYZIJKRxyzijkr][-+]?[0-9]+(?![0-9.])"),
         number_step=step,
         parentheses=not (b";" in sample and sample.count(b";") > sample.count(b"(")),
         modal=bool((~stated).sum() > repeated.sum()),
