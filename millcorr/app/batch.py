@@ -12,9 +12,9 @@ from __future__ import annotations
 
 import os
 import re
-import shutil
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 from uuid import uuid4
@@ -23,9 +23,9 @@ import FreeCAD
 
 from millcorr import gcode as nc
 from millcorr import pipeline, verification
-from millcorr.errors import FormatError, InputError, MillcorrError, RefusedError, UsageError
+from millcorr.errors import InputError, MillcorrError, RefusedError, UsageError
 
-from . import base_geometry, compat, correction, dressup, measurement_object, views
+from . import base_geometry, compat, correction, documents, dressup, measurement_object, sources, views
 
 # FreeCAD brings a document's objects to life only if their modules are there before it is opened.
 from . import profile_object as profile_object
@@ -41,6 +41,7 @@ _PROPERTIES = {
     "dead_band": "DeadBand",
     "tolerance": "Tolerance",
     "output_moves": "OutputMoves",
+    "cutter_compensation": "CutterCompensation",
 }
 
 
@@ -52,6 +53,7 @@ def correct_document(
     points: str | None = None,
     probe_radius: float | None = None,
     units: str | None = None,
+    format: str | None = None,
     nominal: Any = None,
     output: str | Path | None = None,
     gcode: str | Path | None = None,
@@ -78,8 +80,11 @@ def correct_document(
         Radius of the probe's ball in mm.
     units : {"mm", "inch"}, optional
         Unit of the file, where it does not say.
-    nominal : str or document object, optional
-        Label or name of the object that holds the nominal profile; default the operation's own geometry.
+    format : str, optional
+        Name of the file's format; default by its content.
+    nominal : str, Path or document object, optional
+        Nominal profile: object of the document, ``"#Label"`` of one, or a file (see `sources.nominal_shape`),
+        which is then kept in the document; default the operation's own geometry.
     output : str or Path, optional
         Document to write.
     gcode : str or Path, optional
@@ -87,8 +92,8 @@ def correct_document(
     report : str or Path, optional
         Directory for the report.
     **settings
-        ``tool_diameter, side, align, filter, method, gain, limit, dead_band, tolerance, output_moves`` as in
-        `pipeline.Settings`.
+        ``tool_diameter, side, align, filter, method, gain, limit, dead_band, tolerance, output_moves,
+        cutter_compensation`` as in `pipeline.Settings`.
 
     Returns
     -------
@@ -107,15 +112,15 @@ def correct_document(
     compat.prepare_modules()
     source = Path(document) if isinstance(document, str | Path) else None
     with ExitStack() as stack:
-        here = stack.enter_context(opened(document))
+        here = stack.enter_context(documents.opened(document))
         stack.enter_context(_all_or_nothing(here))
         base = find_operation(here, operation)
         measurement = None
         if measured is not None:
-            measurement = measurement_object.create(here, measured, points, probe_radius, units)
+            measurement = measurement_object.create(here, measured, points, probe_radius, units, format)
         chosen = {_PROPERTIES[name]: value for name, value in settings.items() if value is not None}
         if nominal is not None:
-            chosen["Nominal"] = find_object(here, nominal)
+            chosen["Nominal"] = sources.nominal_object(here, nominal)
         obj = _dressed(base, measurement, chosen)
         corrected = correction.correct(obj)
         here.recompute()
@@ -124,31 +129,6 @@ def correct_document(
         proof = None if text is None else prove(obj, text, corrected)
         _write(here, source, corrected, text, proof, output, gcode, report)
         return corrected.result
-
-
-@contextmanager
-def opened(document: Any) -> Iterator[Any]:
-    """The document, opened and closed here where it is a file; FormatError if it is none."""
-    if not isinstance(document, str | Path):
-        yield document
-        return
-    path = Path(document)
-    if not path.is_file():
-        raise FormatError("no such file", path)
-    before = FreeCAD.ActiveDocument
-    try:
-        here = FreeCAD.openDocument(str(path.resolve()))
-    except (OSError, RuntimeError, ValueError) as error:
-        raise FormatError("not a FreeCAD document", path) from error
-    # FreeCAD opens an empty document in place of a broken file instead of failing.
-    try:
-        if not here.Objects:
-            raise FormatError("the document is empty or damaged", path)
-        yield here
-    finally:
-        FreeCAD.closeDocument(here.Name)
-        if before is not None:
-            FreeCAD.setActiveDocument(before.Name)
 
 
 def export_report(obj: Any, directory: str | Path) -> None:
@@ -187,18 +167,6 @@ def _all_or_nothing(document: Any) -> Iterator[None]:
         document.commitTransaction()
     finally:
         document.UndoMode = mode
-
-
-def find_object(document: Any, name: Any) -> Any:
-    """Object by label or name; UsageError if there is none or several of that label."""
-    if not isinstance(name, str):
-        return name
-    found = [obj for obj in document.Objects if obj.Label == name] or [
-        obj for obj in document.Objects if obj.Name == name
-    ]
-    if len(found) != 1:
-        raise UsageError(f"the document has {len(found) or 'no'} objects called {name}")
-    return found[0]
 
 
 def find_operation(document: Any, name: Any = None) -> Any:
@@ -327,27 +295,31 @@ def _write(
     gcode: str | Path | None,
     directory: str | Path | None,
 ) -> None:
-    """Write everything beside its place first, then put it there."""
+    """Write document and program beside their places, then the report, then put them in place."""
     with ExitStack() as stack:
         ready: list[tuple[Path, Path]] = []
+        written = {}
         if output is not None:
             beside = stack.enter_context(_beside(Path(output)))
             document.saveCopy(str(beside))
             if source is not None:
                 views.carry_over(source, beside)
             ready.append((beside, Path(output)))
+            written["document"] = str(output)
         if gcode is not None and text is not None:
             beside = stack.enter_context(_beside(Path(gcode)))
             beside.write_bytes(text.encode("utf-8"))
             ready.append((beside, Path(gcode)))
+            written["program"] = str(gcode)
         if directory is not None:
-            beside = stack.enter_context(_beside(Path(directory)))
             # Imported when it is wanted: the plots take their time to load.
             from millcorr import report
 
-            report.write(beside, corrected.request, corrected.result, proof)
-            Path(directory).mkdir(parents=True, exist_ok=True)
-            ready += [(file, Path(directory) / file.name) for file in beside.iterdir()]
+            result = corrected.result if proof is None else replace(corrected.result, verification=proof)
+            notes = [] if written else ["Check only: no program was written."]
+            if proof is not None:
+                notes.append("The path error is that of the program as FreeCAD posted it, read back.")
+            report.write(result, directory, outputs=written, notes=notes)
         for beside, place in ready:
             os.replace(beside, place)
 
@@ -355,12 +327,9 @@ def _write(
 @contextmanager
 def _beside(place: Path) -> Iterator[Path]:
     """A temporary name in the same directory and with the same suffix."""
-    if not place.absolute().parent.is_dir():
-        raise UsageError(f"{place}: there is no directory {place.absolute().parent}")
+    place.absolute().parent.mkdir(parents=True, exist_ok=True)
     path = place.absolute().parent / f".millcorr-{uuid4().hex}{place.suffix}"
     try:
         yield path
     finally:
-        if path.is_dir():
-            shutil.rmtree(path, ignore_errors=True)
         path.unlink(missing_ok=True)

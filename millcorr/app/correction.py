@@ -53,6 +53,7 @@ def settings_of(obj: Any) -> pipeline.Settings:
         dead_band=obj.DeadBand.Value,
         tolerance=obj.Tolerance.Value,
         output_moves=obj.OutputMoves,
+        cutter_compensation=obj.CutterCompensation,
     )
 
 

@@ -7,6 +7,7 @@ from datetime import datetime
 from math import isfinite
 from typing import Any
 
+import Part
 import Path
 
 from millcorr.errors import InputError
@@ -96,6 +97,13 @@ PROPERTIES = (
         _text("App::Property", "Moves of the corrected path: as the operation's, only lines, or arcs"),
         ("keep", "lines", "arcs"),
     ),
+    Property(
+        "Enumeration",
+        "CutterCompensation",
+        "Correction",
+        _text("App::Property", "What a path under G41 or G42 is: the contour itself, or the centre path"),
+        ("contour", "wear"),
+    ),
     Property("Distance", "DeviationMean", "Result", _text("App::Property", "Mean deviation"), 0.0, READ_ONLY),
     Property("Distance", "DeviationMin", "Result", _text("App::Property", "Least deviation"), 0.0, READ_ONLY),
     Property("Distance", "DeviationMax", "Result", _text("App::Property", "Greatest deviation"), 0.0, READ_ONLY),
@@ -161,6 +169,7 @@ class DressupMillcorr:
         obj.Path = Path.Path()
         before = obj.Digest
         _clear(obj)
+        _empty_profiles(obj)
         if obj.Base is None or not compat.is_active(obj.Base):
             return
         corrected = correction.correct(obj)
@@ -191,6 +200,13 @@ class DressupMillcorr:
 
     __getstate__ = dumps
     __setstate__ = loads
+
+
+def _empty_profiles(obj: Any) -> None:
+    """Empty the compensated profiles that hang on a dressup: FreeCAD does not recompute them if it fails."""
+    for dependent in obj.InList:
+        if getattr(dependent, "Correction", None) == obj and hasattr(dependent, "Shape"):
+            dependent.Shape = Part.Shape()
 
 
 def _clear(obj: Any) -> None:

@@ -52,6 +52,9 @@ PROPERTIES = (
         _text("App::Property", "Unit of length in the file"),
         (AS_FILE, "mm", "inch"),
     ),
+    Property(
+        "String", "Format", "Measurement", _text("App::Property", "Format of the file; empty: by its content"), ""
+    ),
     Property("String", "Source", "Origin", _text("App::Property", "Name of the file"), "", READ_ONLY),
     Property("String", "Digest", "Origin", _text("App::Property", "SHA-256 of the file"), "", READ_ONLY),
     Property("Integer", "Count", "Origin", _text("App::Property", "Number of points"), 0, READ_ONLY),
@@ -100,6 +103,7 @@ def create(
     points: str | None = None,
     ball_radius: float | None = None,
     units: str | None = None,
+    format: str | None = None,
     name: str | None = None,
 ) -> Any:
     """New measurement in a document.
@@ -115,6 +119,8 @@ def create(
         Radius of the probe's ball in mm.
     units : {"mm", "inch"}, optional
         Unit of the file where it does not say.
+    format : str, optional
+        Name of the file's format; default by its content.
     name : str, optional
         What to call it; default the file's name.
 
@@ -135,6 +141,7 @@ def create(
         obj.Points = points or AS_FILE
         obj.BallRadius = ball_radius or 0.0
         obj.Unit = units or AS_FILE
+        obj.Format = format or ""
         measurement_of(obj)
     except (InputError, ValueError):
         document.removeObject(obj.Name)
@@ -195,6 +202,7 @@ def measurement_of(obj: Any) -> Measurement:
             points=None if obj.Points == AS_FILE else obj.Points,
             probe_radius=float(obj.BallRadius.Value) or None,
             units=None if obj.Unit == AS_FILE else obj.Unit,
+            format=obj.Format or None,
         )
     except FormatError as error:
         # The stored copy lies in a temporary place that means nothing to the user.

@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Nominal profiles from files that only FreeCAD can read."""
+"""Nominal profiles from other objects and files."""
 
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import FreeCAD
 import Part
 
-from millcorr.errors import FormatError
+from millcorr.errors import FormatError, UsageError
 from millcorr.profile import Profile
 
-from . import batch, convert
+from . import convert, documents
 
 
 def profile_of_file(path: str | Path) -> Profile:
@@ -34,9 +35,15 @@ def profile_of_file(path: str | Path) -> Profile:
     InputError
         If its shape gives no profile.
     """
-    path = Path(path)
+    return convert.profile_of_shape(shape_of_file(Path(path)))
+
+
+def shape_of_file(path: Path) -> Any:
+    """Shape of a STEP, IGES or BREP file, or of a profile.json; FormatError if it is none."""
     if not path.is_file():
         raise FormatError("no such file", path)
+    if path.suffix.lower() == ".json":
+        return convert.shape_of_profile(Profile.read_json(path))
     shape = Part.Shape()
     try:
         shape.read(str(path))
@@ -44,7 +51,49 @@ def profile_of_file(path: str | Path) -> Profile:
         raise FormatError("not a STEP, IGES or BREP file that FreeCAD can read", path) from error
     if shape.isNull():
         raise FormatError("the file holds no shape", path)
-    return convert.profile_of_shape(shape)
+    return shape
+
+
+def nominal_object(document: Any, source: Any) -> Any:
+    """Object that holds a nominal profile, made in the document where it comes from a file.
+
+    Parameters
+    ----------
+    document : FreeCAD document
+    source : document object, str or Path
+        An object; its label or name, with or without ``#`` before it; a .json, STEP, IGES or BREP file; or
+        an object of another document as ``FILE.FCStd#Label``.
+
+    Returns
+    -------
+    document object
+
+    Raises
+    ------
+    UsageError
+        If there is no such object, or the file cannot serve as nominal of a document.
+    FormatError
+        If the file cannot be read.
+    """
+    if not isinstance(source, str | Path):
+        return source
+    name, _, label = str(source).partition("#")
+    if not name or not Path(name).is_file():
+        return documents.find_object(document, label or name)
+    path = Path(name)
+    suffix = path.suffix.lower()
+    if suffix == ".fcstd":
+        with documents.opened(path) as other:
+            shape = documents.find_object(other, label).Shape.copy()
+    elif suffix in (".json", ".step", ".stp", ".iges", ".igs", ".brep", ".brp"):
+        shape = shape_of_file(path)
+    else:
+        raise UsageError(f"{path}: the nominal of a document comes from an object, a CAD file or a profile.json")
+    FreeCAD.setActiveDocument(document.Name)
+    obj = document.addObject("Part::Feature", "Nominal")
+    obj.Label = path.name
+    obj.Shape = shape
+    return obj
 
 
 def profile_of_object(document: str | Path, label: str) -> Profile:
@@ -68,9 +117,9 @@ def profile_of_object(document: str | Path, label: str) -> Profile:
     UsageError
         If there is no such object.
     """
-    with batch.opened(document) as here:
+    with documents.opened(document) as here:
         FreeCAD.setActiveDocument(here.Name)
-        obj = batch.find_object(here, label)
+        obj = documents.find_object(here, label)
         if not hasattr(obj, "Shape"):
             raise FormatError(f"{label} has no shape", document)
         return convert.profile_of_shape(obj.Shape)

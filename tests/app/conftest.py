@@ -16,10 +16,7 @@ else:
     @pytest.fixture
     def document():
         """An empty document."""
-        doc = FreeCAD.newDocument("Test")
-        yield doc
-        if doc.Name in FreeCAD.listDocuments():
-            FreeCAD.closeDocument(doc.Name)
+        return FreeCAD.newDocument("Test")
 
     @pytest.fixture(autouse=True)
     def close_documents():
@@ -39,9 +36,9 @@ else:
     @pytest.fixture(scope="session")
     def measured_file(part_files):
         """Points of a part cut by the demonstration's program with a known error, and that error."""
-        from millcorr.app import batch, compat, demonstration, motion
+        from millcorr.app import batch, compat, demonstration, documents, motion
 
-        with batch.opened(part_files[0]) as doc:
+        with documents.opened(part_files[0]) as doc:
             operation = batch.find_operation(doc)
             program = motion.program_of_path(compat.path_of(operation), "demo")
         path = part_files[0].with_name("cmm.csv")

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Documents opened from files, and what is found in them by label."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import FreeCAD
+
+from millcorr.errors import FormatError, UsageError
+
+
+@contextmanager
+def opened(document: Any) -> Iterator[Any]:
+    """The document, opened and closed here where it is a file; FormatError if it is none."""
+    if not isinstance(document, str | Path):
+        yield document
+        return
+    path = Path(document)
+    if not path.is_file():
+        raise FormatError("no such file", path)
+    before = FreeCAD.ActiveDocument
+    try:
+        here = FreeCAD.openDocument(str(path.resolve()))
+    except (OSError, RuntimeError, ValueError) as error:
+        raise FormatError("not a FreeCAD document", path) from error
+    # FreeCAD opens an empty document in place of a broken file instead of failing.
+    try:
+        if not here.Objects:
+            raise FormatError("the document is empty or damaged", path)
+        yield here
+    finally:
+        FreeCAD.closeDocument(here.Name)
+        if before is not None:
+            FreeCAD.setActiveDocument(before.Name)
+
+
+def find_object(document: Any, name: Any) -> Any:
+    """Object by label or name; UsageError if there is none or several of that label."""
+    if not isinstance(name, str):
+        return name
+    found = [obj for obj in document.Objects if obj.Label == name] or [
+        obj for obj in document.Objects if obj.Name == name
+    ]
+    if len(found) != 1:
+        raise UsageError(f"the document has {len(found) or 'no'} objects called {name}")
+    return found[0]

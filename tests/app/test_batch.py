@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From a document file to a corrected document, a program and a report."""
+
+from __future__ import annotations
+
+import json
+import zipfile
+from pathlib import Path
+
+import FreeCAD
+import numpy as np
+import pytest
+
+from millcorr import gcode as nc
+from millcorr.app import batch, compat, convert, demonstration, process, sources, views
+from millcorr.errors import FormatError, LimitError, RefusedError, UsageError
+from millcorr.footpoint import FootPointSearch
+from millcorr.profile import Profile
+from millcorr.toolpath import Kind
+
+
+def files(directory: Path) -> set[str]:
+    return {str(p.relative_to(directory)) for p in directory.rglob("*")}
+
+
+def test_end_to_end(part_files, measured_file, tmp_path):
+    original = part_files[0].read_bytes()
+    output, program, report = tmp_path / "out.FCStd", tmp_path / "out.nc", tmp_path / "report"
+    result = batch.correct_document(
+        str(part_files[0]), operation="Profile", measured=str(measured_file[0]), points="contact",
+        output=str(output), gcode=str(program), report=str(report),
+    )  # fmt: skip
+    assert part_files[0].read_bytes() == original
+    assert not FreeCAD.listDocuments()
+    assert {"report.html", "report.json", "deviations.csv", "profile.json"} <= files(report)
+    assert not [name for name in files(tmp_path) if "millcorr-" in name]
+    summary = json.loads((report / "report.json").read_text(encoding="utf-8"))
+    assert summary["points"]["used"] == 200
+    assert 0 < summary["verification"]["path_error_max"] <= 0.001
+
+    # The posted program, read back by us, lies at the radius from the profile in the report.
+    compensated = Profile.read_json(report / "profile.json")
+    toolpath = nc.read(program).toolpath
+    arcs = toolpath.take(toolpath.kind == Kind.ARC)
+    points = arcs.position(np.linspace(0, 1, 33))[:, :, :2].reshape(-1, 2)
+    off = FootPointSearch(compensated, margin=7.0).find(points).distance - 5.0
+    assert np.abs(off).max() < 1e-3
+    assert "millcorr" in program.read_text() and toolpath.feed[toolpath.kind == Kind.ARC] == pytest.approx(5.0)
+
+    doc = FreeCAD.openDocument(str(output))
+    assert [obj.Label for obj in compat.operations(compat.jobs(doc)[0])] == ["Profile corrected"]
+    assert result.verification.path_error_max <= 0.001
+
+
+def test_check_writes_the_report_only(part_files, measured_file, tmp_path):
+    batch.correct_document(part_files[0], measured=measured_file[0], points="contact", report=tmp_path / "r")
+    assert files(tmp_path) == {"r", *(f"r/{n}" for n in files(tmp_path / "r"))}
+
+
+def test_open_document_keeps_the_dressup(part_files, measured_file):
+    doc = FreeCAD.openDocument(str(part_files[0]))
+    batch.correct_document(doc, measured=measured_file[0], points="contact")
+    assert doc.getObject("DressupMillcorr") is not None
+    with pytest.raises(RefusedError, match="already"):
+        batch.correct_document(doc, measured=measured_file[0], points="contact")
+    assert len([o for o in doc.Objects if o.Name.startswith(("Dressup", "Measurement"))]) == 2
+
+
+FAILURES = {
+    "unknown operation": ({"operation": "None"}, UsageError),
+    "unknown setting": ({"speed": 3}, UsageError),
+    "impossible setting": ({"output_moves": "circles"}, UsageError),
+    "kind of points missing": ({"points": None}, UsageError),
+    "missing measurement": ({"measured": "none.csv"}, FormatError),
+    "over the limit": ({"limit": 1e-4}, LimitError),
+    "wrong diameter": ({"tool_diameter": 6.0}, LimitError),
+    "unknown nominal": ({"nominal": "#None"}, UsageError),
+}
+
+
+@pytest.mark.parametrize("name", FAILURES)
+def test_failure_leaves_nothing(part_files, measured_file, tmp_path, name):
+    change, error = FAILURES[name]
+    (tmp_path / "out.nc").write_text("as it was")
+    arguments = {"operation": "Profile", "measured": measured_file[0], "points": "contact"} | change
+    places = {"output": tmp_path / "out.FCStd", "gcode": tmp_path / "out.nc", "report": tmp_path / "report"}
+    doc = FreeCAD.openDocument(str(part_files[0]))
+    before = [obj.Name for obj in doc.Objects]
+    for document in (doc, str(part_files[0])):
+        with pytest.raises(error) as caught:
+            batch.correct_document(document, **arguments, **places)
+        assert "\n" not in str(caught.value)
+        assert files(tmp_path) == {"out.nc"} and (tmp_path / "out.nc").read_text() == "as it was"
+        if document is doc:
+            assert [obj.Name for obj in doc.Objects] == before
+            assert [obj.Label for obj in compat.operations(compat.jobs(doc)[0])] == ["Profile"]
+            FreeCAD.closeDocument(doc.Name)
+
+
+@pytest.mark.parametrize("content", [None, b"", b"no archive", b"PK\x03\x04 cut off"])
+def test_bad_document_is_refused(tmp_path, measured_file, content):
+    path = tmp_path / "bad.FCStd"
+    if content is not None:
+        path.write_bytes(content)
+    with pytest.raises(FormatError, match="bad.FCStd"):
+        batch.correct_document(path, measured=measured_file[0], points="contact")
+    assert not FreeCAD.listDocuments()
+
+
+def test_coarse_posting_is_noticed(part_files, measured_file, tmp_path):
+    doc = FreeCAD.openDocument(str(part_files[0]))
+    compat.jobs(doc)[0].PostProcessorArgs = "--precision 2"
+    with pytest.raises(LimitError):
+        batch.correct_document(doc, measured=measured_file[0], points="contact", gcode=tmp_path / "out.nc")
+    assert not files(tmp_path)
+
+
+def test_nominal_from_files_and_objects(part_files, measured_file, tmp_path):
+    curve = demonstration.contour_curve().toShape()
+    curve.exportBrep(str(tmp_path / "nominal.brep"))
+    curve.exportStep(str(tmp_path / "nominal.step"))
+    profile = convert.profile_of_shape(curve)
+    (tmp_path / "nominal.json").write_text(json.dumps(profile.as_dict()), encoding="utf-8")
+    results = []
+    written = [tmp_path / f"nominal.{suffix}" for suffix in ("brep", "step", "json")]
+    for nominal in (None, "Part", "#Part", f"{part_files[0]}#Part", *written):
+        results.append(
+            batch.correct_document(part_files[0], measured=measured_file[0], points="contact", nominal=nominal)
+        )
+    wanted = results[0].summary()["deviation"]
+    for result in results[1:]:
+        assert result.summary()["deviation"] == pytest.approx(wanted, abs=1e-7)
+
+
+def test_profile_of_file_and_object(part_files, tmp_path):
+    part = sources.profile_of_object(part_files[0], "Part")
+    assert part.total[0] == pytest.approx(223.978, abs=1e-3)
+    (tmp_path / "bad.step").write_text("nothing")
+    with pytest.raises(FormatError, match="bad.step"):
+        sources.profile_of_file(tmp_path / "bad.step")
+
+
+def test_requests_from_another_process(part_files, measured_file, tmp_path):
+    answer = tmp_path / "answer.json"
+
+    def ask(function, **arguments):
+        process.answer({"function": function, "arguments": arguments}, str(answer))
+        return json.loads(answer.read_text(encoding="utf-8"))
+
+    good = ask("correct", document=str(part_files[0]), measured=str(measured_file[0]), points="contact")
+    assert good["value"]["points"]["used"] == 200
+    refused = ask("correct", document=str(part_files[0]), measured=str(measured_file[0]), points="contact", limit=1e-4)
+    assert refused["error"] == "LimitError"
+    assert ask("correct", document="none.FCStd")["error"] == "FormatError"
+    assert ask("nothing")["error"] == "UsageError"
+    assert ask("correct", document=str(part_files[0]), measured=3)["error"] == "MillcorrError"
+
+
+def test_views_are_carried_over(tmp_path):
+    old, new = tmp_path / "old.FCStd", tmp_path / "new.FCStd"
+    with zipfile.ZipFile(old, "w") as archive:
+        for name in ("Document.xml", "Shape.brp", "GuiDocument.xml", "Colour"):
+            archive.writestr(name, f"old {name}")
+    with zipfile.ZipFile(new, "w") as archive:
+        for name in ("Document.xml", "Shape.brp", "Points.csv"):
+            archive.writestr(name, f"new {name}")
+    views.carry_over(old, new)
+    views.carry_over(old, new)
+    with zipfile.ZipFile(new) as archive:
+        assert archive.namelist() == ["Document.xml", "Shape.brp", "Points.csv", "GuiDocument.xml", "Colour"]
+        assert archive.read("Document.xml") == b"new Document.xml"
