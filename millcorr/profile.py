@@ -136,22 +136,21 @@ class Profile:
         contours = tuple(contours)
         if not contours:
             raise InputError("the profile has no contour")
-        points: list[Floats] = []
-        rows: list[tuple[int, int, float, float]] = []
+        power_of: list[Floats] = []
+        owner_of: list[Ints] = []
+        bounds_of: list[Floats] = []
         degree = max((c.degree for contour in contours for c in contour.curves), default=1)
         for k, contour in enumerate(contours):
             for j, nurbs in enumerate(contour.curves):
-                bounds, bezier = nurbs.bezier()
-                power = _raise_degree(_power_basis(bezier), degree)
-                for i in range(len(power)):
-                    if np.ptp(bezier[i, :, :2] / bezier[i, :, 2:], axis=0).max() > 1e-9:
-                        points.append(power[i])
-                        rows.append((k, j, bounds[i], bounds[i + 1]))
-        if not points:
+                knots, bezier = nurbs.bezier()
+                poles = bezier[:, :, :2] / bezier[:, :, 2:]
+                long = np.ptp(poles, axis=1).max(axis=1) > 1e-9
+                power_of.append(_raise_degree(_power_basis(bezier[long]), degree))
+                owner_of.append(np.tile(np.array([k, j], dtype=np.int64), (int(long.sum()), 1)))
+                bounds_of.append(np.stack([knots[:-1], knots[1:]], axis=1)[long])
+        if not any(map(len, power_of)):
             raise InputError("the profile has no length")
-        power = np.array(points)
-        owner = np.array([r[:2] for r in rows], dtype=np.int64)
-        bounds = np.array([r[2:] for r in rows])
+        power, owner, bounds = np.concatenate(power_of), np.concatenate(owner_of), np.concatenate(bounds_of)
         power, owner, bounds, arc = _split_until_arc_length_is_exact(power, owner, bounds)
         standing = _speed(power, np.array([0.0, 1.0])).min(axis=1) < 1e-9 * _chebyshev_sum(arc, np.ones(len(arc)))
         if standing.any():
