@@ -10,110 +10,31 @@ import numpy as np
 
 from .errors import FormatError
 from .gcode_arcs import read_arcs
+from .gcode_codes import (
+    CALL_CODES,
+    CALL_MS,
+    CANCEL_CYCLE,
+    CYCLES,
+    EXTENDED_OFFSETS,
+    FRAME_OFF,
+    FRAME_ON,
+    GROUPS,
+    HARMLESS,
+    HOMING,
+    INCH,
+    INITIAL,
+    LENGTH_OFFSETS,
+    NOT_A_TARGET,
+    OFFSETS,
+    OKUMA_LENGTHS,
+    OKUMA_OFFSET,
+    PATHS,
+    POSITION_SURVIVES,
+    PROGRAM_ENDS,
+    UNSTATED,
+)
 from .gcode_words import OddLine, Words
-from .toolpath import Bools, Compensation, Floats, Ints, Kind, Plane, Toolpath
-
-INCH = 25.4
-UNSTATED = -1
-"""Motion of a line before any motion code."""
-
-# Codes are held as ten times their number, so that G90.1 is 901.
-_PATHS = (0, 10, 20, 30, 50)
-CYCLES = (730, 740, 760, 810, 820, 830, 840, 850, 860, 870, 880, 890)
-_CANCEL_CYCLE = 800
-_OFFSETS = (*range(540, 600), 1540, *range(1100, 1300, 10), 5000, *range(5050, 6000, 10))
-_LENGTH_OFFSETS = (430, 431, 432, 440, 490)
-_EXTENDED_OFFSETS = (541, 1540)
-# Okuma: G15 Hn chooses the work offset, G54 to G59 with H the tool length.
-_OKUMA_OFFSET = 150
-_OKUMA_LENGTHS = range(540, 600, 10)
-_HOMING = (280, 300)
-
-_GROUPS: dict[str, dict[int, int]] = {
-    "motion": {code: code for code in (*_PATHS, *CYCLES, _CANCEL_CYCLE)},
-    "plane": {170: 17, 180: 18, 190: 19},
-    "distance": {900: 90, 910: 91},
-    "arc distance": {901: 90, 911: 91},
-    "unit": {200: 20, 210: 21, 700: 20, 710: 21},
-    "compensation": {
-        400: Compensation.OFF,
-        410: Compensation.LEFT,
-        411: Compensation.LEFT,
-        420: Compensation.RIGHT,
-        421: Compensation.RIGHT,
-    },
-    "feed mode": {930: 93, 940: 94, 950: 95},
-    "cycle return": {980: 98, 990: 99},
-}
-_INITIAL = {
-    "motion": UNSTATED,
-    "plane": 17,
-    "distance": 90,
-    "arc distance": 91,
-    "unit": 21,
-    "compensation": 0,
-    "feed mode": 94,
-    "cycle return": 98,
-}
-
-_FRAME_ON = {
-    920: "G92 shifts the frame",
-    520: "G52 shifts the frame",
-    100: "G10 may change a work offset",
-    680: "G68 rotates the frame",
-    681: "G68.1 rotates the frame",
-    682: "G68.2 tilts the plane",
-    510: "G51 scales the frame",
-    511: "G51.1 mirrors the frame",
-    1010: "G101 mirrors the frame",
-    160: "G16 states polar coordinates",
-    121: "G12.1 interpolates in polar coordinates",
-    1120: "G112 interpolates in polar coordinates",
-    71: "G7.1 interpolates on a cylinder",
-    1070: "G107 interpolates on a cylinder",
-    70: "G7 states diameters",
-    434: "G43.4 controls the tool centre point",
-    435: "G43.5 controls the tool centre point",
-    2340: "G234 controls the tool centre point",
-    660: "G66 calls a macro at every move",
-    930: "G93 states the feed as inverse time",
-}
-_FRAME_OFF: dict[int, tuple[int, ...]] = {
-    921: (920,),
-    922: (920,),
-    110: (100,),
-    690: (680, 681, 682),
-    691: (680, 681, 682),
-    500: (510,),
-    501: (511,),
-    1000: (1010,),
-    150: (160,),
-    131: (121,),
-    1130: (1120,),
-    80: (70,),
-    430: (434, 435),
-    490: (434, 435),
-    2350: (2340,),
-    670: (660,),
-    940: (930,),
-    950: (930,),
-    **{code: (100,) for code in _OFFSETS},
-}
-_POSITION_SURVIVES = (930, 70)
-_CALL_CODES = {650: "G65 calls a macro"}
-_CALL_MS = (97, 98, 198)
-_PROGRAM_ENDS = (2, 30, 99)
-
-# The axis words of a line with one of these are not the target of a move.
-_NOT_A_TARGET = frozenset(
-    [40, 100, 281, 301, 520, 920, 921, 922, 923, 500, 501, 510, 511, 650, 660, 680, 682, 71, 1070]
-)
-_HARMLESS = frozenset(
-    [code for group in _GROUPS.values() for code in group]
-    + [*_FRAME_ON, *_FRAME_OFF, *_OFFSETS, *_LENGTH_OFFSETS, *_HOMING, *_CALL_CODES, *_NOT_A_TARGET, 530]
-    + [51, 90, 600, 601, 610, 611, 620, 630, 640, 960, 970, 1030, 1870, 4500, 4510]
-    + [6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450]
-)
+from .toolpath import Bools, Floats, Ints, Kind, Plane, Toolpath
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -228,7 +149,7 @@ class _Follower:
 
     def _last_line(self, words: Words) -> int:
         m = words.of("M")
-        ends = m.line[np.isin(m.value, _PROGRAM_ENDS)]
+        ends = m.line[np.isin(m.value, PROGRAM_ENDS)]
         return int(ends[0]) if len(ends) else self.lines - 1
 
     # -- columns and groups -------------------------------------------------------------------------------
@@ -272,9 +193,9 @@ class _Follower:
 
     def group(self, what: str, without: Bools | None = None) -> tuple[Bools, Ints]:
         """Lines that state a modal group, and the state after every line."""
-        members = _GROUPS[what]
+        members = GROUPS[what]
         stated = np.zeros(self.lines, np.bool_)
-        state = np.full(self.lines, _INITIAL[what], np.int64)
+        state = np.full(self.lines, INITIAL[what], np.int64)
         if not self.present.intersection(members):
             return stated, state
         table = np.full(int(self.code.max()) + 1, -9, np.int64)
@@ -283,9 +204,9 @@ class _Follower:
                 table[code] = value
         values = table[self.code]
         these = np.flatnonzero(values != -9)
-        if what == "motion" and _CANCEL_CYCLE in self.present:
+        if what == "motion" and CANCEL_CYCLE in self.present:
             # G0 G80 is a customary safety line: the other code of the line decides.
-            cancel = values[these] == _CANCEL_CYCLE
+            cancel = values[these] == CANCEL_CYCLE
             others = self.code_line[these[~cancel]]
             these = these[~(cancel & np.isin(self.code_line[these], others))]
         line = self.code_line[these]
@@ -298,7 +219,7 @@ class _Follower:
         if without is not None:
             stated &= ~without
         index = _last_index(stated)
-        return stated, np.where(index < 0, _INITIAL[what], state[index])
+        return stated, np.where(index < 0, INITIAL[what], state[index])
 
     # -- what is not plain --------------------------------------------------------------------------------
 
@@ -314,11 +235,11 @@ class _Follower:
     def _frames(self, lost: Bools) -> None:
         """Stretches between a code that changes the frame and the one that ends it."""
         events: list[tuple[int, int, bool]] = []
-        on = {code: reason for code, reason in _FRAME_ON.items() if code in self.present}
+        on = {code: reason for code, reason in FRAME_ON.items() if code in self.present}
         for code in on:
             for line in self.lines_with([code]).tolist():
                 events.append((line, code, self._turns_on(code, line)))
-        for code, ended in _FRAME_OFF.items():
+        for code, ended in FRAME_OFF.items():
             if code in self.present and any(e in on for e in ended):
                 for line in self.lines_with([code]).tolist():
                     events += [(line, e, False) for e in ended if e in on]
@@ -330,7 +251,7 @@ class _Follower:
                 self.stretches.append(Stretch(since.pop(code), line, on[code]))
             else:
                 continue
-            if code not in _POSITION_SURVIVES:
+            if code not in POSITION_SURVIVES:
                 lost[line] = True
         for code, line in since.items():
             self.stretches.append(Stretch(line, self.lines - 1, on[code]))
@@ -357,19 +278,19 @@ class _Follower:
         h_stated, h = self.column("H")
         p = self.column("P")[1]
         offset, length = "G54", "G49"
-        codes = {*_OFFSETS, *_LENGTH_OFFSETS, _OKUMA_OFFSET}
+        codes = {*OFFSETS, *LENGTH_OFFSETS, OKUMA_OFFSET}
         pick = np.isin(self.code, list(codes))
         for code, line in zip(self.code[pick].tolist(), self.code_line[pick].tolist(), strict=True):
-            if code == _OKUMA_OFFSET and not h_stated[line]:
+            if code == OKUMA_OFFSET and not h_stated[line]:
                 continue
-            if code in _LENGTH_OFFSETS or (code in _OKUMA_LENGTHS and h_stated[line]):
+            if code in LENGTH_OFFSETS or (code in OKUMA_LENGTHS and h_stated[line]):
                 new = "G49" if code == 490 else f"G{code / 10:g} H{h[line]}"
                 lost[line, 2] |= new != length
                 length = new
             else:
                 new = f"G{code / 10:g}"
-                if code == _OKUMA_OFFSET or code in _EXTENDED_OFFSETS:
-                    new += f" {h[line] if code == _OKUMA_OFFSET else p[line]}"
+                if code == OKUMA_OFFSET or code in EXTENDED_OFFSETS:
+                    new += f" {h[line] if code == OKUMA_OFFSET else p[line]}"
                 lost[line] |= new != offset
                 offset = new
 
@@ -377,9 +298,9 @@ class _Follower:
         """Lines behind which nothing is known, and lines whose motion code is not known."""
         lost = np.zeros(self.lines, np.bool_)
         doubtful = np.zeros(self.lines, np.bool_)
-        calls = [(line, _CALL_CODES[c]) for c in _CALL_CODES for line in self.lines_with([c]).tolist()]
+        calls = [(line, CALL_CODES[c]) for c in CALL_CODES for line in self.lines_with([c]).tolist()]
         m = self.words.of("M")
-        calls += [(line, "a subprogram is called") for line in m.line[np.isin(m.value, _CALL_MS)].tolist()]
+        calls += [(line, "a subprogram is called") for line in m.line[np.isin(m.value, CALL_MS)].tolist()]
         for o in self.odd:
             if o.effect == "flow":
                 self.stretches.append(Stretch(o.line, self.lines - 1, o.reason))
@@ -403,7 +324,7 @@ class _Follower:
         strange = np.zeros(self.lines, np.bool_)
         doubtful = np.zeros(self.lines, np.bool_)
         motions = np.flatnonzero(motion_stated)
-        for code in sorted(self.present - _HARMLESS):
+        for code in sorted(self.present - HARMLESS):
             lines = self.lines_with([code])
             self._mark(lines, f"G{code / 10:g} is not followed")
             strange[lines] = True
@@ -508,8 +429,8 @@ class _Follower:
         behind_call, doubtful = self._calls(motion_stated, distance_stated)
         strange, doubtful_too = self._strange(xyz, motion_stated)
         motion = np.where(doubtful | doubtful_too, UNSTATED, motion)
-        homing = self.marked(_HOMING)
-        target = ~self.marked(_NOT_A_TARGET)
+        homing = self.marked(HOMING)
+        target = ~self.marked(NOT_A_TARGET)
         cycle = np.isin(motion, CYCLES)
         unknown = self._unknown_axes(homing, cycle & xyz, cycle_return == 99, absolute)
         for axis in "XYZ":
@@ -519,12 +440,12 @@ class _Follower:
         arc = (motion == 20) | (motion == 30)
         moving = ((xyz | (arc & arc_words)) & target) | homing
         ordinary = moving & ~homing
-        on_path = ordinary & np.isin(motion, _PATHS)
+        on_path = ordinary & np.isin(motion, PATHS)
         turning = self.any_of("ABCUVW") & on_path & (motion > 0)
         for lines, reason in (
             (turning, "a rotary or parallel axis moves with this line"),
             (ordinary & (motion == UNSTATED), "no motion code is in force"),
-            (ordinary & (motion == _CANCEL_CYCLE), "axis words behind G80"),
+            (ordinary & (motion == CANCEL_CYCLE), "axis words behind G80"),
             (ordinary & cycle, "canned cycle, never rewritten"),
             (homing, "G28 or G30 leaves the work frame"),
             (self.marked([530]), "G53 moves in the machine frame"),

@@ -16,9 +16,9 @@ import numpy as np
 
 from .errors import FormatError, InputError
 from .gcode import Program
+from .gcode_codes import CYCLES, INCH
 from .gcode_emit import SAME, Emitter, Form, Move, State
 from .gcode_line import Line
-from .gcode_motion import CYCLES, INCH
 from .gcode_style import Style
 from .gcode_words import BYTE_ORDER_MARK, COMMENT
 from .toolpath import Bools, Floats, Ints, Kind, Toolpath

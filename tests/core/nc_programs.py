@@ -124,9 +124,7 @@ def programs(draw: st.DrawFn, max_moves: int = 12) -> Made:
         lines.append("(A PROGRAM G1 X99)")
     put(["G20" if d.inch else "G21", "G90", f"G{d.plane}", "G90.1" if d.arcs == "absolute" else "G91.1"])
     put([g.format(0), *(f"{c}{_number(d, v)}" for c, v in zip("XYZ", at, strict=True))])
-    moves.append(
-        {"kind": Kind.RAPID, "start": [math.nan] * 3, "end": [v * scale for v in at], "line": len(lines) - 1}
-    )
+    moves.append({"kind": Kind.RAPID, "start": [math.nan] * 3, "end": [v * scale for v in at], "line": len(lines) - 1})
     if d.incremental:
         put(["G91"])
     motion = 0
