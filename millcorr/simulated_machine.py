@@ -200,12 +200,13 @@ class SimulatedMachine:
         - mean ``0.3 * 0.03 / 1.03 + 0.00166 = 0.0104`` mm, elastic response to the paper's allowance of
           0.3 mm and a constant;
         - determined waves of 2.3 um standard deviation, the root of half the sum of squared amplitudes;
-        - standard deviation ``sqrt(2.3^2 + 0.6^2 + 1.2^2) = 2.66`` um with sigma_r = 0.6, sigma_m = 1.2 um.
+        - standard deviation ``sqrt(2.3^2 + 0.5^2 + 1.2^2) = 2.64`` um with sigma_r = 0.5, sigma_m = 1.2 um.
 
         One correction at full gain leaves a mean of ``0.0104 * 0.03 / 1.03 + 0.0015 = 0.0018`` mm, the wear
-        of one part included, and on the true surface a standard deviation of ``sqrt(2 sr^2 + sm^2)`` = 1.47
-        um from raw data, ``sqrt(sr^2 + 0.2 (sr^2 + sm^2)) = 0.85`` um through a mean of 5, and never less
-        than sr = 0.6 um.
+        of one part included, and on the true surface a standard deviation of ``sqrt(2 sr^2 + sm^2)`` = 1.39
+        um from raw data, ``sqrt(sr^2 + 0.2 (sr^2 + sm^2)) = 0.77`` um through a mean of 5, and never less
+        than sr = 0.5 um. A first program that errs adds its elastic share: 0.03 / 1.03 of an error of 9.6 um,
+        as of FreeCAD's arcs along this contour, makes 0.77 um into 0.82.
         """
         return SimulatedMachine(
             errors=ErrorField(
@@ -215,7 +216,7 @@ class SimulatedMachine:
             allowance=0.3,
             transfer=0.03,
             wear_per_part=0.0015,
-            process_noise=0.0006,
+            process_noise=0.0005,
             measurement_noise=0.0012,
         )
 

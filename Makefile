@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+.DEFAULT_GOAL := help
+.PHONY: help demo test benchmarks lint clean
+PYTHON = build/venv/bin/python
+
+help:
+	@echo 'make demo        close the loop once on a simulated machine; files in build/demo'
+	@echo 'make test        core tests, tests inside FreeCAD, FreeCAD window on a virtual screen'
+	@echo 'make benchmarks  times and errors beside what one would use instead'
+	@echo 'make lint        ruff, and mypy --strict on the core'
+	@echo 'make clean       remove build/'
+	@echo 'Each installs what it needs first (Debian 12: apt; Python packages only in build/venv).'
+
+demo:
+	@tools/setup demo
+	@$(PYTHON) -m millcorr.demonstration build/demo
+
+test:
+	@tools/setup test
+	@tools/test
+
+benchmarks:
+	@tools/setup test
+	@set -e; for script in benchmarks/*.py; do echo "== $$script"; PYTHONPATH=. $(PYTHON) "$$script"; done
+
+lint:
+	@tools/setup test
+	$(PYTHON) -m ruff check .
+	$(PYTHON) -m mypy
+
+clean:
+	rm -rf build .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	find . -name __pycache__ -not -path './.git/*' -prune -exec rm -rf {} +
