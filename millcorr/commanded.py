@@ -21,7 +21,7 @@ from .profile import Contour, Profile
 from .reconstruction import CompensatedContour
 from .regeneration import BAND
 from .theoretical_contour import SAME_POINT, CutContour, cut_contours, cutting_runs, path_profile
-from .toolpath import Compensation, Toolpath
+from .toolpath import Compensation, Kind, Toolpath
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -160,6 +160,15 @@ def _measured(contours: list[Contour], measurement: Measurement) -> list[Contour
     return [c for c, n in zip(contours, count, strict=True) if n > 0.02 * len(owner)]
 
 
+def beside_the_path(toolpath: Toolpath, following: Bools) -> Bools:
+    """Moves that hang together with following moves: all between the rapids around them; (n,)."""
+    travel = np.nan_to_num(toolpath.end[:, :2] - toolpath.start[:, :2], nan=1.0)
+    rapid = (toolpath.kind == int(Kind.RAPID)) & (np.abs(travel).max(axis=1) > 0)
+    section = np.cumsum(rapid)
+    out: Bools = np.isin(section, section[following]) & ~rapid
+    return out
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Commanded:
     """The program's own following path.
@@ -219,12 +228,23 @@ def commanded_offset(commanded: Commanded, deviation: Deviation) -> Floats:
     -------
     (n,) float64
         Positive where the program leaves material.
+
+    Raises
+    ------
+    InputError
+        If points were measured where the program does not cut the profile.
     """
-    if commanded.error < EXACT or not len(deviation):
-        return np.zeros(len(deviation))
-    centre = deviation.foot + commanded.radius * deviation.normal
-    feet = FootPointSearch(commanded.path, margin=1.0).find(centre)
-    out: Floats = -feet.distance
+    if not len(deviation):
+        return np.zeros(0)
+    # The cutter leaves what is a radius away from its path: the envelope, not the path shifted by a radius.
+    search = FootPointSearch(commanded.path, margin=commanded.radius + 1.0)
+    out = np.zeros(len(deviation))
+    for _ in range(12):
+        feet = search.find(deviation.foot + out[:, None] * deviation.normal)
+        step = -feet.distance - commanded.radius
+        out += np.clip(step, -BAND, BAND)
+        if np.abs(step).max() < 1e-10:
+            break
     if np.abs(out).max() > 2 * BAND + SAME_POINT:
         worst = int(np.argmax(np.abs(out)))
         x, y = deviation.foot[worst]
@@ -232,4 +252,4 @@ def commanded_offset(commanded: Commanded, deviation: Deviation) -> Floats:
             f"the program does not cut the profile near X{x:.3f} Y{y:.3f}, where points were measured: give the "
             "--operation that cuts it, or only the points that belong to it"
         )
-    return out
+    return np.zeros(len(deviation)) if commanded.error < EXACT else out

@@ -101,19 +101,17 @@ def follow(
     inner = slice(1, k - 1)
     _prefer_one_piece(label, sigma, off, points.reshape(-1, k, 2), contour, radius, band)
     good = (label[:, inner] != NOWHERE).all(axis=1) & _steady(label, sigma, contour)
+    ends_on_piece = _ends_on_their_piece(label, sigma, points.reshape(-1, k, 2), contour, radius)
     row, piece, first, last, begin, end = [], [], [], [], [], []
     for i in np.flatnonzero(good):
         names = label[i, inner]
         cuts = np.flatnonzero(np.diff(names)) + 1
         edges = np.concatenate([[0], cuts, [k - 2]])
         for a, b in zip(edges[:-1], edges[1:], strict=True):
-            low, high = int(a) + 1, int(b)
-            low = 0 if low == 1 and label[i, 0] == names[a] else low
-            high = k - 1 if high == k - 2 and label[i, k - 1] == names[a] else high
             row.append(index[i])
             piece.append(names[a])
-            first.append(sigma[i, low])
-            last.append(sigma[i, high])
+            first.append(ends_on_piece[i, 0] if a == 0 else sigma[i, a + 1])
+            last.append(ends_on_piece[i, 1] if b == k - 2 else sigma[i, b])
             begin.append(0.0 if a == 0 else float(SAMPLES[a] + SAMPLES[a + 1]) / 2)
             end.append(1.0 if b == k - 2 else float(SAMPLES[b] + SAMPLES[b + 1]) / 2)
         seen = label[i] != NOWHERE
@@ -207,6 +205,23 @@ def _prefer_one_piece(
             if (np.abs(away) <= band).all():
                 label[i], sigma[i], off[i] = piece, along, away
                 break
+
+
+def _ends_on_their_piece(
+    label: Ints, sigma: Floats, points: Floats, contour: CompensatedContour, radius: float
+) -> Floats:
+    """Arc lengths (m, 2) of every move's ends on the piece that its inside next to them follows."""
+    k = label.shape[1]
+    out = sigma[:, [0, k - 1]].copy()
+    for column, end, inside in ((0, 0, 1), (1, k - 1, k - 2)):
+        rows = np.flatnonzero((label[:, end] != label[:, inside]) & (label[:, inside] >= 0))
+        if len(rows):
+            step = sigma[rows, inside] - sigma[rows, 2 * inside - end]
+            guess = sigma[rows, inside] + np.where(np.isfinite(step), step, 0.0)
+            _, out[rows, column] = contour.distance_off(
+                label[rows, inside], guess, points[rows, end], radius, corrected=False
+            )
+    return out
 
 
 def _joint_at(contour: CompensatedContour, foot: Floats) -> Ints:

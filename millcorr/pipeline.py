@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import __version__, gcode, gcode_write, provenance
-from .commanded import Commanded, choose_side, commanded_offset, nominal_of
+from .commanded import Commanded, beside_the_path, choose_side, commanded_offset, nominal_of
 from .compensation import Correction, along, correction_from, dead_band
 from .deviation import Deviation, deviations, statistics
 from .errors import InputError, LimitError, UsageError
@@ -223,7 +223,7 @@ def correct(request: Request) -> Result:
     material_right = choose_side(toolpath, usable, settings.side, measurement, request.radius, path_radius)
     nominal = nominal_of(request.nominal, toolpath, usable, path_radius, material_right, measurement, program.name)
     nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, request.nominal is not None)
-    program.require_plain(commanded.following)
+    program.require_plain(beside_the_path(toolpath, commanded.following))
 
     if measurement is None:
         correction, work = Correction.none(nominal), _Work.empty()

@@ -59,7 +59,7 @@ X50
 G1 X50 Y20
 G0 Z20
 """
-"""Inside of a rectangle, cut with the material on the right: four inner corners."""
+"""Inside of a rectangle, clockwise, the material on the left: four inner corners."""
 
 HELIX = """G0 X30 Y0
 G0 Z1
