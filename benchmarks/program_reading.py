@@ -22,8 +22,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 import numpy as np
 
-from millcorr.gcode import parse
-from millcorr.gcode_write import write
+from millcorr.gcode import parse, write
 
 
 def numbered(n: int, random: np.random.Generator) -> bytes:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from . import __version__, gcode, gcode_write, provenance
+from . import __version__, gcode, provenance
 from .commanded import Commanded, beside_the_path, choose_side, commanded_offset, nominal_of
 from .compensation import Correction, along, correction_from, dead_band
 from .deviation import Deviation, deviations, statistics
@@ -447,7 +447,7 @@ def _refuse_crossing(nominal: Profile, contour: CompensatedContour) -> None:
 def _written(request: Request, regeneration: Regeneration) -> bytes:
     """The corrected program; decimals as the program has them where the tolerance allows."""
     program, tolerance = request.program, request.settings.tolerance
-    plain = gcode_write.write(program, regeneration.toolpath, tolerance=tolerance)
+    plain = gcode.write(program, regeneration.toolpath, tolerance=tolerance)
     if plain == program.data:
         return plain
     room = tolerance - regeneration.fit_error
@@ -455,7 +455,7 @@ def _written(request: Request, regeneration: Regeneration) -> bytes:
     own = program.style.decimals
     unit = 25.4 if (program.modal.unit == 20).any() else 1.0
     decimals = own if np.sqrt(0.5) * unit * 10.0**-own <= 0.9 * room else None
-    return gcode_write.write(
+    return gcode.write(
         program, regeneration.toolpath, decimals=decimals, tolerance=tolerance, header=_header(request)
     )
 

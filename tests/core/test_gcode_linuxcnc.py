@@ -12,8 +12,7 @@ from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
 from millcorr.errors import FormatError
-from millcorr.gcode import parse, read
-from millcorr.gcode_write import write
+from millcorr.gcode import parse, read, write
 from millcorr.toolpath import Kind, Plane, Toolpath
 from tests.core import rs274
 from tests.core.nc_programs import Made, displaced, programs

@@ -12,8 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from millcorr.errors import FormatError, InputError, MillcorrError
-from millcorr.gcode import Program, parse, read
-from millcorr.gcode_write import write
+from millcorr.gcode import Program, parse, read, write
 from millcorr.toolpath import Kind, Plane, Toolpath
 from tests.core.nc_programs import Made, displaced, programs
 

@@ -14,14 +14,15 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from .errors import FormatError, InputError
-from .gcode import Program
-from .gcode_codes import CYCLES, INCH
-from .gcode_emit import SAME, Emitter, Form, Move, State
-from .gcode_line import Line
-from .gcode_style import Style
-from .gcode_words import BYTE_ORDER_MARK, COMMENT
-from .toolpath import Bools, Floats, Ints, Kind, Toolpath
+from millcorr.errors import FormatError, InputError
+from millcorr.toolpath import Bools, Floats, Ints, Kind, Toolpath
+
+from .codes import CYCLES, INCH
+from .emit import SAME, Emitter, Form, Move, State
+from .line import Line
+from .program import Program
+from .style import Style
+from .words import BYTE_ORDER_MARK, COMMENT
 
 _HEADER_WIDTH = 96
 

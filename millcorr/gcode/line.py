@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 
-from .gcode_words import COMMENT
+from .words import COMMENT
 
 _RANK = {letter: rank for rank, letter in enumerate("G X Y Z A B C U V W I J K R P Q".split())}
 

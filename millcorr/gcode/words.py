@@ -15,8 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .errors import FormatError
-from .toolpath import Floats, Ints
+from millcorr.errors import FormatError
+from millcorr.toolpath import Floats, Ints
 
 Bytes = NDArray[np.uint8]
 

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .gcode_words import COMMENT, Words
-from .toolpath import Bools, Ints
+from millcorr.toolpath import Bools, Ints
+
+from .words import COMMENT, Words
 
 _SAMPLE = 5000
 _AXES = np.frombuffer(b"XYZIJKR", np.uint8)

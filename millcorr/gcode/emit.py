@@ -8,10 +8,11 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from .errors import FormatError, InputError
-from .gcode_line import Line
-from .gcode_style import Style
-from .toolpath import Kind, Plane
+from millcorr.errors import FormatError, InputError
+from millcorr.toolpath import Kind, Plane
+
+from .line import Line
+from .style import Style
 
 SAME = 1e-9
 """Two coordinates in mm closer than this are equal."""
@@ -536,7 +537,7 @@ def _close(a: Sequence[float], b: Sequence[float]) -> bool:
 
 
 def _centre_by_radius(s: Point, e: Point, radius: float, clockwise: bool) -> Point:
-    """Centre of an arc stated by its radius; see `gcode_arcs.centre_by_radius`."""
+    """Centre of an arc stated by its radius; see `arcs.centre_by_radius`."""
     dx, dy = e[0] - s[0], e[1] - s[1]
     half = math.hypot(dx, dy) / 2
     if half == 0:

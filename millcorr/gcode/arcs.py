@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from .toolpath import Bools, Floats, Ints, Plane
+from millcorr.toolpath import Bools, Floats, Ints, Plane
 
 RADIUS_TOLERANCE = 0.0127
 """Accepted difference in mm between the radii at start and end of an arc: half a thousandth of an inch, as

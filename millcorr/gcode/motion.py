@@ -8,9 +8,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .errors import FormatError
-from .gcode_arcs import read_arcs
-from .gcode_codes import (
+from millcorr.errors import FormatError
+from millcorr.toolpath import Bools, Floats, Ints, Kind, Plane, Toolpath
+
+from .arcs import read_arcs
+from .codes import (
     CALL_CODES,
     CALL_MS,
     CANCEL_CYCLE,
@@ -33,8 +35,7 @@ from .gcode_codes import (
     PROGRAM_ENDS,
     UNSTATED,
 )
-from .gcode_words import OddLine, Words
-from .toolpath import Bools, Floats, Ints, Kind, Plane, Toolpath
+from .words import OddLine, Words
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from .toolpath import Compensation
+from millcorr.toolpath import Compensation
 
 INCH = 25.4
 UNSTATED = -1

@@ -9,11 +9,12 @@ from pathlib import Path
 
 import numpy as np
 
-from .errors import FormatError
-from .gcode_motion import Modal, Stretch, follow
-from .gcode_style import Style, style_of
-from .gcode_words import comments, line_starts, take_apart
-from .toolpath import Bools, Ints, Toolpath
+from millcorr.errors import FormatError
+from millcorr.toolpath import Bools, Ints, Toolpath
+
+from .motion import Modal, Stretch, follow
+from .style import Style, style_of
+from .words import comments, line_starts, take_apart
 
 
 @dataclass(frozen=True, eq=False, slots=True)
