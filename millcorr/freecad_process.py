@@ -177,6 +177,6 @@ def _error(answered: dict[str, Any]) -> MillcorrError:
     error = kind(answered["message"])
     if "traceback" in answered:
         error.add_note(answered["traceback"])
-    if kind is errors.FormatError:
+    if isinstance(error, errors.FormatError):
         error.file, error.line = answered.get("file"), answered.get("line")
     return error
