@@ -123,7 +123,11 @@ def correct_document(
             chosen["Nominal"] = sources.nominal_object(here, nominal)
         obj = _dressed(base, measurement, chosen)
         corrected = correction.correct(obj)
-        here.recompute()
+        # Only what is new: another FreeCAD would lay the operation's own path anew, and the part was cut with
+        # the one that is stored.
+        for new in (measurement, obj):
+            if new is not None:
+                new.recompute()
         _require_valid(obj)
         text = None if gcode is None else _posted(obj)
         proof = None if text is None else prove(obj, text, corrected)

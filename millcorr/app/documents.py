@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import shutil
+import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -23,10 +25,15 @@ def opened(document: Any) -> Iterator[Any]:
     if not path.is_file():
         raise FormatError("no such file", path)
     before = FreeCAD.ActiveDocument
-    try:
-        here = FreeCAD.openDocument(str(path.resolve()))
-    except (OSError, RuntimeError, ValueError) as error:
-        raise FormatError("not a FreeCAD document", path) from error
+    with tempfile.TemporaryDirectory() as directory:
+        place = path.resolve()
+        if any(doc.FileName and Path(doc.FileName).resolve() == place for doc in FreeCAD.listDocuments().values()):
+            # FreeCAD would hand out the open document, with what was changed in it since; the file is meant.
+            place = Path(shutil.copy(place, directory))
+        try:
+            here = FreeCAD.openDocument(str(place))
+        except (OSError, RuntimeError, ValueError) as error:
+            raise FormatError("not a FreeCAD document", path) from error
     # FreeCAD opens an empty document in place of a broken file instead of failing.
     try:
         if not here.Objects:

@@ -13,7 +13,7 @@ import Path
 from millcorr.errors import InputError
 
 from . import compat, correction, views
-from .properties import QT_TRANSLATE_NOOP, READ_ONLY, Property, complete, store
+from .properties import HIDDEN, QT_TRANSLATE_NOOP, READ_ONLY, Property, complete, store
 
 _text = QT_TRANSLATE_NOOP
 PROPERTIES = (
@@ -146,9 +146,25 @@ PROPERTIES = (
     ),
     Property("String", "Digest", "Origin", _text("App::Property", "SHA-256 of that file"), "", READ_ONLY),
     Property("String", "Corrected", "Origin", _text("App::Property", "When the correction was made"), "", READ_ONLY),
+    Property(
+        "String",
+        "CutPath",
+        "Origin",
+        _text("App::Property", "SHA-256 of the measurement, and of the operation's path when it came"),
+        "",
+        HIDDEN,
+    ),
 )
 
-_RESULTS = tuple(row for row in PROPERTIES if row.group in ("Result", "Origin") and row.name != "Corrected")
+_RESULTS = tuple(
+    row for row in PROPERTIES if row.group in ("Result", "Origin") and row.name not in ("Corrected", "CutPath")
+)
+
+
+CHANGED = (
+    "the path of {} is not the one the measured part was cut with: the difference between the two counts as an "
+    "error of the machine; measure a part cut with the path as it is now"
+)
 
 
 class DressupMillcorr:
@@ -167,7 +183,6 @@ class DressupMillcorr:
         """Correct the path; on any failure the path is empty and the object is invalid."""
         # Emptied first: whatever goes wrong from here on, no uncorrected path can be posted.
         obj.Path = Path.Path()
-        before = obj.Digest
         _clear(obj)
         _empty_profiles(obj)
         if obj.Base is None or not compat.is_active(obj.Base):
@@ -175,8 +190,12 @@ class DressupMillcorr:
         corrected = correction.correct(obj)
         obj.Path = corrected.path()
         _state(obj, corrected)
-        if obj.Digest != before or not obj.Corrected:
+        cut = f"{obj.Digest} {corrected.request.program.digest}"
+        if not obj.CutPath.startswith(f"{obj.Digest} "):
             obj.Corrected = datetime.now().astimezone().isoformat(timespec="seconds")
+            obj.CutPath = cut
+        elif obj.Digest and obj.CutPath != cut:
+            obj.Warnings = [*obj.Warnings, CHANGED.format(obj.Base.Label)]
 
     def onDelete(self, obj: Any, subelements: Any = None) -> bool:
         """Give the operation its place in the job back."""

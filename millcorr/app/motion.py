@@ -53,7 +53,7 @@ def line_of_command(command: Any) -> str:
         if letter in parameters:
             words.append(letter + _number(parameters[letter]))
     if "F" in parameters and name not in _RAPIDS and parameters["F"] > 0:
-        words.append("F" + _number(parameters["F"] * 60.0))
+        words.append("F" + _number(round(parameters["F"], 6) * 60.0))
     return " ".join(words)
 
 

@@ -64,7 +64,7 @@ def main() -> int:
             inside.mkdir()
             _copy(documents, inside)
         script = work / "millcorr_tests.py"
-        chosen = arguments if any(not a.startswith("-") for a in arguments) else [str(HERE), *arguments]
+        chosen = arguments if any(Path(a.split("::")[0]).exists() for a in arguments) else [str(HERE), *arguments]
         script.write_text(
             _SCRIPT.format(
                 work=directory,

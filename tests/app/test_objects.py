@@ -134,6 +134,14 @@ def test_new_measurement_is_taken_up(corrected, tmp_path):
     assert obj.Measurement.Count == 100
 
 
+def test_other_path_than_the_measured_one_is_noticed(corrected):
+    doc, obj, _ = corrected
+    obj.Base.setExpression("FinalDepth", None)
+    obj.Base.FinalDepth = 2.0
+    doc.recompute()
+    assert valid(obj) and any("is not the one" in warning for warning in obj.Warnings)
+
+
 def test_undo_and_redo(corrected):
     doc, obj, _ = corrected
     first = words(obj)
