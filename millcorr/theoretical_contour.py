@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from .errors import InputError
 from .nurbs import NurbsCurve
-from .profile import CORNER_ANGLE, Contour, Profile
+from .profile import CORNER_ANGLE, GAP, Contour, Profile
 from .toolpath import Compensation, Kind, Plane, Toolpath
 
 Floats = NDArray[np.float64]
@@ -47,14 +47,32 @@ class CutContour:
 
 @dataclass(slots=True)
 class _Piece:
-    """A line or an arc of the path while it is being offset; `low` and `high` trim it."""
+    """A line, an arc or a cubic of the path while it is being offset; `low` and `high` trim it."""
 
     p0: Floats
     p1: Floats
-    centre: Floats | None
-    sweep: float
+    centre: Floats | None = None
+    sweep: float = 0.0
     low: float = 0.0
     high: float = 1.0
+    control: Floats | None = None
+    """Inner Bezier points of a cubic, (2, 2); a cubic is neither offset nor trimmed."""
+
+    @staticmethod
+    def arc(p0: Floats, p1: Floats, centre: Floats, sweep: float) -> _Piece:
+        """Arc that meets both its ends: a program's rounding leaves them at slightly different radii."""
+        chord = p1 - p0
+        size2 = float(chord @ chord)
+        if size2 > 1e-18:
+            centre = centre - chord * ((centre - (p0 + p1) / 2) @ chord / size2)
+            a, b = p0 - centre, p1 - centre
+            exact = float(np.arctan2(a[0] * b[1] - a[1] * b[0], a @ b))
+            sweep = exact + 2 * np.pi * round((sweep - exact) / (2 * np.pi))
+        return _Piece(p0, p1, centre, sweep)
+
+    def reversed(self) -> _Piece:
+        control = None if self.control is None else self.control[::-1]
+        return _Piece(self.p1, self.p0, self.centre, -self.sweep, control=control)
 
     def at(self, u: float) -> tuple[Floats, Floats]:
         """Point and derivative at parameter u, continued outside 0..1."""
@@ -87,6 +105,9 @@ class _Piece:
         return _Piece(self.p0 + distance * n0, self.p1 + distance * n1, self.centre, self.sweep)
 
     def curve(self) -> NurbsCurve:
+        if self.control is not None:
+            poles = np.vstack([self.p0, self.control, self.p1])
+            return NurbsCurve(3, poles, np.ones(4), np.array([0.0, 1.0]), np.array([4, 4]))
         a, b = self.at(self.low)[0], self.at(self.high)[0]
         if self.centre is None:
             return NurbsCurve.line(a, b)
@@ -117,21 +138,38 @@ def closed_loops(toolpath: Toolpath, run: Ints) -> list[tuple[int, int]]:
     only goes out and back is none.
     """
     points = np.vstack([toolpath.start[run[:1], :2], toolpath.end[run, :2]])
-    key = np.round(points / SAME_POINT).astype(np.int64)
-    order = np.lexsort((np.arange(len(key)), key[:, 1], key[:, 0]))
-    same = (key[order[1:]] == key[order[:-1]]).all(axis=1)
+    name = _vertices(points)
+    order = np.lexsort((np.arange(len(name)), name))
+    same = name[order[1:]] == name[order[:-1]]
     first, last = order[:-1][same], order[1:][same]
-    shortest = np.argsort(last - first, kind="stable")
-    quarter = toolpath.take(run).position(np.array([0.0, 0.25, 0.5, 0.75]))[:, :, :2]
+    ring = toolpath.take(run).position(np.array([0.0, 0.25, 0.5, 0.75]))[:, :, :2].reshape(-1, 2)
+    ring = np.vstack([ring, points[-1:]]) - points.mean(axis=0)
+    swept = np.cumsum(ring[:-1, 0] * ring[1:, 1] - ring[:-1, 1] * ring[1:, 0])
+    swept = np.concatenate([[0.0], swept[3::4]])
+    area = (swept[last] - swept[first]) / 2
+    shortest = np.lexsort((first, last - first))
+    shortest = shortest[np.abs(area[shortest]) > 1e-6]
     taken = np.zeros(len(run), dtype=bool)
     loops = []
     for a, b in zip(first[shortest].tolist(), last[shortest].tolist(), strict=True):
-        ring = quarter[a:b].reshape(-1, 2) - points[a]
-        area = np.sum(ring[:, 0] * np.roll(ring[:, 1], -1) - ring[:, 1] * np.roll(ring[:, 0], -1)) / 2
-        if not taken[a:b].any() and abs(area) > 1e-6:
+        if not taken[a:b].any():
             taken[a:b] = True
             loops.append((a, b))
     return sorted(loops)
+
+
+def _vertices(points: Floats) -> Ints:
+    """Number of each point's vertex; points closer than `SAME_POINT` share one."""
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+    from scipy.spatial import cKDTree
+
+    # Passes repeat their points exactly: only different points are compared.
+    different, number = np.unique(points, axis=0, return_inverse=True)
+    near = cKDTree(different).query_pairs(SAME_POINT, output_type="ndarray")
+    graph = coo_matrix((np.ones(len(near)), (near[:, 0], near[:, 1])), shape=(len(different),) * 2)
+    vertex: Ints = connected_components(graph, directed=False)[1][number.ravel()].astype(np.int64)
+    return vertex
 
 
 def cut_contours(
@@ -189,18 +227,15 @@ def _offset(toolpath: Toolpath, rows: Ints, radius: float, material_right: bool,
             raise InputError(
                 "the program cuts along splines (G5), whose offset is no spline: give the contour with --nominal"
             )
+        start, end = toolpath.start[i, :2], toolpath.end[i, :2]
         if toolpath.kind[i] == Kind.CUBIC:
-            # A polyline fine enough to lie within a nanometre of the cubic.
-            t = np.linspace(0.0, 1.0, 129)
-            p = toolpath.take(np.array([i])).position(t)[0, :, :2]
-            pieces += [_Piece(a, b, None, 0.0) for a, b in zip(p[:-1], p[1:], strict=True)]
-            continue
-        arc = toolpath.kind[i] == Kind.ARC
-        centre = toolpath.centre[i, :2] if arc else None
-        sweep = float(toolpath.sweep[i]) if arc else 0.0
-        pieces.append(_Piece(toolpath.start[i, :2], toolpath.end[i, :2], centre, sweep))
+            pieces.append(_Piece(start, end, control=toolpath.control[i].reshape(2, 2)))
+        elif toolpath.kind[i] == Kind.ARC:
+            pieces.append(_Piece.arc(start, end, toolpath.centre[i, :2], float(toolpath.sweep[i])))
+        else:
+            pieces.append(_Piece(start, end))
     if material_right:
-        pieces = [_Piece(p.p1, p.p0, p.centre, -p.sweep) for p in reversed(pieces)]
+        pieces = [p.reversed() for p in reversed(pieces)]
     if radius == 0:
         return CutContour(Contour(_merge(pieces), closed), rows, closed)
     return CutContour(Contour(_merge(_trimmed(pieces, radius, closed)), closed), rows, closed)
@@ -227,9 +262,17 @@ def _trimmed(pieces: list[_Piece], radius: float, closed: bool) -> list[_Piece]:
         adjacent = j == (i + 1) % len(pieces)
         ta, tb = a.tangent(1.0), b.tangent(0.0)
         turn = float(np.arctan2(ta[0] * tb[1] - ta[1] * tb[0], ta @ tb))
+        if adjacent and turn > np.pi - 1e-6:
+            # Straight back the cutter leaves a slot's round end; a fin without thickness it cannot.
+            turn -= 2 * np.pi
+        gap = float(np.hypot(*(b.p0 - a.p1)))
         if adjacent and abs(turn) < 1e-7:
             continue
-        if (adjacent or np.hypot(*(b.p0 - a.p1)) > SAME_POINT) and not _trim_to_each_other(a, b, 4 * radius):
+        # A convex corner is cut back however far the path ran past it; a concave one is continued so far only.
+        reach = 4 * radius if turn < 0 else np.inf
+        if (adjacent or gap > SAME_POINT) and not _trim_to_each_other(a, b, reach):
+            if gap < GAP / 2:
+                continue
             if turn >= 0 or not adjacent:
                 x, y = a.p1
                 raise InputError(
@@ -311,7 +354,7 @@ def _merge(pieces: list[_Piece]) -> tuple[NurbsCurve, ...]:
         chain.clear()
 
     for p in pieces:
-        if p.centre is not None:
+        if p.centre is not None or p.control is not None:
             flush()
             curves.append(p.curve())
             continue
