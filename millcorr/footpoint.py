@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Foot points: the nearest point of a profile to each given point, exact and in blocks of cache size.
 
-Newton's method starts from a seed. Few points are compared with every sample of the profile; many points take
-their seed from a grid over the profile's box. Where neighbouring cells disagree about the branch (near the
-medial axis, in narrow slots, at thin walls) and wherever Newton does not settle, a point falls back to the
-full comparison, which also finds the nearest *other* branch.
+Newton's method starts from a seed. Few points are compared with the samples of the profile, group by group.
+Many points take their seed from a grid over the profile's box, whose cells are compared in their stead as far as
+points lie in them: the seed is the cell centre's own foot point, moved along to first order, which leaves two
+Newton steps. Where a cell does not belong to one branch alone (near the medial axis, in narrow slots, at thin
+walls) and wherever Newton does not settle, a point is compared itself, which also finds the nearest *other*
+branch.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,10 +22,21 @@ from .profile import SMOOTH_ANGLE, Profile
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
+Bools = NDArray[np.bool_]
 
 BLOCK = 8192
 CONVERGED = 1e-11
 """Newton stops when its step along the profile is shorter than this, in mm."""
+
+FEW = 2000
+"""As many points are compared themselves; more go by the grid."""
+
+_SAMPLES = 4000
+_GROUP = 32
+_CELLS = 65_000
+_PAIRS = 60_000
+_LAST_STEP = 1e-7
+"""A Newton step shorter than this, in mm, leaves an error of its square over the radius of curvature."""
 
 
 class Place(IntEnum):
@@ -76,6 +90,24 @@ class FootPoints:
         return FootPoints(*arrays)
 
 
+@dataclass(frozen=True, eq=False, slots=True)
+class _Grid:
+    """Cells over the profile's box; a cell's numbers are valid where it is known.
+
+    The seed of a point (x, y) is ``t + tx x + ty y`` on the cell's span. A sure cell belongs to one branch.
+    """
+
+    low: Floats
+    cell: float
+    shape: tuple[int, int]
+    known: Bools
+    sure: Bools
+    span: Ints
+    t: Floats
+    tx: Floats
+    ty: Floats
+
+
 class FootPointSearch:
     """Finds foot points on one profile.
 
@@ -89,13 +121,18 @@ class FootPointSearch:
     def __init__(self, profile: Profile, margin: float = 2.0) -> None:
         self.profile = profile
         size = float(profile.total.sum())
-        self._spacing = max(size / 4000.0, 1e-4)
+        self._spacing = max(size / _SAMPLES, 1e-4)
         span, t = profile.samples(self._spacing)
-        c, _, _ = profile.evaluate(span, t)
-        self._span, self._t, self._c = span, t, c
-        self._s = profile.arc_length(span, t)
+        self._closed = np.array([c.closed for c in profile.contours])
+        # Where spans meet, the start of the later one stands for both.
+        last = np.isin(span, profile.first[1:][~self._closed] - 1)
+        kept = (t < 1.0) | last
+        span, t = span[kept], t[kept]
+        x, y, *_ = profile._derivatives(span, t)
+        self._span, self._t, self._x, self._y = span, t, x, y
         self._margin = margin
-        self._cells: tuple[Floats, float, Ints, NDArray[np.bool_]] | None = None
+        self._grid: _Grid | None = None
+        self._make_groups()
 
     def find(self, points: Floats) -> FootPoints:
         """Foot points of the given points.
@@ -109,34 +146,21 @@ class FootPointSearch:
         -------
         FootPoints
         """
-        x, y = np.ascontiguousarray(points[:, 0]), np.ascontiguousarray(points[:, 1])
+        x = np.array(points[:, 0], dtype=np.float64)
+        y = np.array(points[:, 1], dtype=np.float64)
         n = len(x)
-        span = np.empty(n, dtype=np.int64)
+        span = np.zeros(n, dtype=np.int64)
         t = np.empty(n)
         rival = np.full(n, np.inf)
         out = tuple(np.empty(n) for _ in range(5))
-        whole = n * len(self._span) <= 4_000_000
-        if not whole and self._cells is None:
-            self._cells = self._make_grid()
-        for a in range(0, n, BLOCK):
-            rows = slice(a, min(a + BLOCK, n))
-            px, py = x[rows], y[rows]
-            if whole:
-                doubtful = np.arange(len(px))
-                values = tuple(np.empty(len(px)) for _ in range(5))
-                block_span, block_t = np.zeros(len(px), dtype=np.int64), np.zeros(len(px))
-            else:
-                seed, sure = self._seeds(px, py)
-                block_span, block_t, settled, values = self._newton(px, py, self._span[seed], self._t[seed])
-                doubtful = np.flatnonzero(~(sure & settled))
-            if len(doubtful):
-                qx, qy = px[doubtful], py[doubtful]
-                block_span[doubtful], block_t[doubtful], rival[a + doubtful], exact = self._compare_all(qx, qy)
-                for target, value in zip(values, exact, strict=True):
-                    target[doubtful] = value
-            span[rows], t[rows] = block_span, block_t
-            for target, value in zip(out, values, strict=True):
-                target[rows] = value
+        if n <= FEW:
+            rest = np.arange(n)
+        else:
+            rest = self._by_grid(x, y, span, t, out)
+        if len(rest):
+            span[rest], t[rest], rival[rest], exact = self._compare(x[rest], y[rest])
+            for target, value in zip(out, exact, strict=True):
+                target[rest] = value
         cx, cy, nx, ny, distance = out
         foot, normal = np.stack([cx, cy], axis=1), np.stack([nx, ny], axis=1)
         place = self._resolve_joints(x, y, span, t, foot, normal, distance)
@@ -204,7 +228,8 @@ class FootPointSearch:
             slope = ex * dx + ey * dy
             bend = speed2 + ex * ddx + ey * ddy
             # Away from a minimum the plain gradient of the distance still points the right way.
-            move = -slope / np.where(bend > 0.1 * speed2, bend, speed2)
+            floor = 0.1 if step < 10 else 1e-4
+            move = -slope / np.where(bend > floor * speed2, bend, speed2)
             wanted = at + move
             inside = np.clip(wanted, 0.0, 1.0)
             stuck = inside == at
@@ -243,88 +268,250 @@ class FootPointSearch:
                 rows = rest
         return span, t, settled, values
 
-    def _compare_all(self, x: Floats, y: Floats) -> tuple[Ints, Floats, Floats, tuple[Floats, ...]]:
-        """Foot points by comparing with every sample: the nearest branch, and the distance to the next one."""
-        n, samples = len(x), len(self._span)
-        best_span = np.zeros(n, dtype=np.int64)
-        best_t = np.zeros(n)
-        rival = np.full(n, np.inf)
-        best = tuple(np.empty(n) for _ in range(5))
-        chunk = max(1, 2_000_000 // samples)
+    def _make_groups(self) -> None:
+        """Put neighbouring samples into groups, each with one more sample at either side, and a circle round it."""
+        profile = self.profile
+        members, valid = [], []
+        ends = np.searchsorted(self._span, profile.first)
+        for k, (a, b) in enumerate(zip(ends[:-1], ends[1:], strict=True)):
+            count = -(-(b - a) // _GROUP)
+            index = a + np.arange(count)[:, None] * _GROUP + np.arange(-1, _GROUP + 1)[None, :]
+            valid.append(index[:, 1:-1] < b)
+            left, right = (b - 1, a) if self._closed[k] else (a, b - 1)
+            index = np.where(index < a, left, np.where(index == b, right, np.minimum(index, b - 1)))
+            members.append(index)
+        self._member, self._valid = np.concatenate(members), np.concatenate(valid)
+        self._sample_x, self._sample_y = self._x[self._member], self._y[self._member]
+        self._group_x = (self._sample_x.min(axis=1) + self._sample_x.max(axis=1)) / 2
+        self._group_y = (self._sample_y.min(axis=1) + self._sample_y.max(axis=1)) / 2
+        away = np.hypot(self._sample_x - self._group_x[:, None], self._sample_y - self._group_y[:, None])
+        self._group_r = away.max(axis=1)
+
+    def _compare(self, x: Floats, y: Floats, extra: float = 0.0) -> tuple[Ints, Floats, Floats, tuple[Floats, ...]]:
+        """Foot points by comparing with all groups of samples: the nearest branch, and the gap to the next one.
+
+        Other branches are seen up to twice the distance, or 1 mm more than it, and `extra` beyond.
+        """
+        n, groups = len(x), len(self._group_x)
+        span = np.zeros(n, dtype=np.int64)
+        t, rival = np.empty(n), np.empty(n)
+        values = tuple(np.empty(n) for _ in range(5))
+        chunk = max(1, 500_000 // groups)
         for a in range(0, n, chunk):
             rows = slice(a, min(a + chunk, n))
-            qx, qy = x[rows], y[rows]
-            d2 = (qx[:, None] - self._c[None, :, 0]) ** 2 + (qy[:, None] - self._c[None, :, 1]) ** 2
-            nearest = np.sqrt(d2.min(axis=1))
-            # A branch whose sample is this much farther may still come nearest between samples.
-            slack = nearest + 2 * self._spacing
-            low = d2 <= (slack + np.maximum(slack, 1.0))[:, None] ** 2
-            left, right = np.roll(d2, 1, axis=1), np.roll(d2, -1, axis=1)
-            point, sample = np.nonzero(low & (d2 <= left) & (d2 <= right))
-            span, t, settled, values = self._newton(
-                qx[point], qy[point], self._span[sample], self._t[sample], steps=40
-            )
-            cx, cy, nx, ny, signed = values
-            gap = np.hypot(cx - qx[point], cy - qy[point])
-            gap = np.where(settled, gap, gap + 1e-9)
-            order = np.lexsort((gap, point))
-            head = order[np.searchsorted(point[order], np.arange(len(qx)))]
-            best_span[rows], best_t[rows] = span[head], t[head]
-            for target, value in zip(best, values, strict=True):
-                target[rows] = value[head]
-            # Another branch: a foot at a different place whose way there leads over farther points.
-            s = self.profile.arc_length(span, t)
-            k = self.profile.contour[span]
-            main = head[point]
-            along = np.abs(s - s[main])
-            total = self.profile.total[k]
-            closed = np.array([c.closed for c in self.profile.contours])[k]
-            along = np.where(closed, np.minimum(along, total - along), along)
-            other = (k != k[main]) | (along > 1e-6 + 1e-3 * self._spacing)
-            found = np.full(len(qx), np.inf)
-            np.minimum.at(found, point[other], gap[other] - gap[main][other])
-            rival[rows] = np.maximum(found, 0.0)
-        return best_span, best_t, rival, best
+            px, py = x[rows], y[rows]
+            away = np.hypot(px[:, None] - self._group_x, py[:, None] - self._group_y)
+            nearest = (away + self._group_r).min(axis=1) + 2 * self._spacing
+            limit = nearest + np.maximum(nearest, 1.0) + extra
+            point, group = np.nonzero(away - self._group_r <= limit[:, None])
+            first = np.searchsorted(point, np.arange(len(px) + 1))
+            # Points far away meet every group: take as many at a time as fit the cache.
+            cut = 0
+            while cut < len(px):
+                end = max(cut + 1, int(np.searchsorted(first, first[cut] + _PAIRS, side="right")) - 1)
+                pairs = slice(first[cut], first[end])
+                part = slice(a + cut, a + end)
+                span[part], t[part], rival[part], best = self._compare_groups(
+                    x[part], y[part], point[pairs] - cut, group[pairs], extra
+                )
+                for target, value in zip(values, best, strict=True):
+                    target[part] = value
+                cut = end
+        return span, t, rival, values
 
-    def _make_grid(self) -> tuple[Floats, float, Ints, NDArray[np.bool_]]:
-        """Seed of every cell over the profile's box, and whether a cell is sure of its branch."""
-        from scipy.spatial import cKDTree
+    def _compare_groups(
+        self, x: Floats, y: Floats, point: Ints, group: Ints, extra: float
+    ) -> tuple[Ints, Floats, Floats, tuple[Floats, ...]]:
+        """The same for pairs of a point and a group, sorted by point, at least one pair a point."""
+        d2 = (self._sample_x[group] - x[point, None]) ** 2 + (self._sample_y[group] - y[point, None]) ** 2
+        first = np.searchsorted(point, np.arange(len(x)))
+        nearest = np.sqrt(np.minimum.reduceat(d2.min(axis=1), first))
+        # A branch whose sample is this much farther may still come nearest between samples.
+        slack = nearest + 2 * self._spacing
+        window = (slack + np.maximum(slack, 1.0) + extra) ** 2
+        inner = d2[:, 1:-1]
+        lowest = (inner <= d2[:, :-2]) & (inner <= d2[:, 2:]) & (inner <= window[point, None])
+        pair, column = np.nonzero(lowest & self._valid[group])
+        point, sample = point[pair], self._member[group[pair], column + 1]
+        span, t, settled, values = self._newton(x[point], y[point], self._span[sample], self._t[sample], steps=40)
+        gap = np.hypot(values[0] - x[point], values[1] - y[point])
+        gap = np.where(settled, gap, gap + 1e-9)
+        order = np.lexsort((gap, point))
+        head = order[np.searchsorted(point[order], np.arange(len(x)))]
+        # Another branch: a foot at a different place whose way there leads over farther points.
+        main = head[point]
+        contour = self.profile.contour[span]
+        several = np.flatnonzero(np.bincount(point, minlength=len(x))[point] > 1)
+        rival = np.full(len(x), np.inf)
+        if len(several):
+            s = np.zeros(len(span))
+            s[several] = self.profile.arc_length(span[several], t[several])
+            along = self._way(s, s[main], contour)
+            other = (contour != contour[main]) | (along > 1e-6 + 1e-3 * self._spacing)
+            np.minimum.at(rival, point[other], (gap - gap[main])[other])
+        return span[head], t[head], np.maximum(rival, 0.0), tuple(v[head] for v in values)
 
-        low = self._c.min(axis=0) - self._margin
-        high = self._c.max(axis=0) + self._margin
-        cell = float(np.sqrt(np.prod(high - low) / 40_000))
-        shape = np.ceil((high - low) / cell).astype(int) + 1
-        gx = low[0] + (np.arange(shape[0]) + 0.5) * cell
-        gy = low[1] + (np.arange(shape[1]) + 0.5) * cell
-        centre = np.stack(np.meshgrid(gx, gy, indexing="ij"), axis=-1).reshape(-1, 2)
-        _, seed = cKDTree(self._c).query(centre)
-        seed = seed.astype(np.int64).reshape(shape)
-        s = self._s[seed]
-        contour = self.profile.contour[self._span[seed]]
-        total = self.profile.total[contour]
-        closed = np.array([c.closed for c in self.profile.contours])[contour]
-        sure = np.ones(shape, dtype=bool)
-        reach = 4 * cell + 4 * self._spacing
-        for axis in (0, 1):
-            for step in (1, 2):
-                a = tuple(slice(step, None) if i == axis else slice(None) for i in range(2))
-                b = tuple(slice(None, -step) if i == axis else slice(None) for i in range(2))
-                along = np.abs(s[a] - s[b])
-                along = np.where(closed[a], np.minimum(along, total[a] - along), along)
-                jump = (along > reach * step) | (contour[a] != contour[b])
-                sure[a] &= ~jump
-                sure[b] &= ~jump
-        sure[[0, -1]] = False
-        sure[:, [0, -1]] = False
-        return low, cell, seed, sure
+    def _way(self, a: Floats, b: Floats, contour: Ints) -> Floats:
+        """Distance along the contour between two arc lengths, the short way round."""
+        along = np.abs(a - b)
+        return np.where(self._closed[contour], np.minimum(along, self.profile.total[contour] - along), along)
 
-    def _seeds(self, x: Floats, y: Floats) -> tuple[Ints, NDArray[np.bool_]]:
-        assert self._cells is not None
-        low, cell, seed, sure = self._cells
-        i = np.clip((x - low[0]) / cell, 0, seed.shape[0] - 1).astype(np.int64)
-        j = np.clip((y - low[1]) / cell, 0, seed.shape[1] - 1).astype(np.int64)
-        flat = i * seed.shape[1] + j
-        return seed.ravel()[flat], sure.ravel()[flat]
+    def _make_grid(self) -> _Grid:
+        low = np.array([self._x.min(), self._y.min()]) - self._margin
+        high = np.array([self._x.max(), self._y.max()]) + self._margin
+        cell = float(np.sqrt(np.prod(high - low) / _CELLS))
+        shape = (int((high[0] - low[0]) / cell) + 1, int((high[1] - low[1]) / cell) + 1)
+        n = shape[0] * shape[1] + 1
+        known, sure = np.zeros(n, dtype=bool), np.zeros(n, dtype=bool)
+        # The last cell stands for everything outside: known, and never sure.
+        known[-1] = True
+        return _Grid(
+            low, cell, shape, known, sure, np.zeros(n, dtype=np.int64), np.zeros(n), np.zeros(n), np.zeros(n)
+        )
+
+    def _learn(self, grid: _Grid, cells: Ints) -> None:
+        """Foot points of cell centres, and whether all points of the cell share their branch."""
+        profile = self.profile
+        x = grid.low[0] + (cells // grid.shape[1] + 0.5) * grid.cell
+        y = grid.low[1] + (cells % grid.shape[1] + 0.5) * grid.cell
+        half = grid.cell * np.sqrt(0.5)
+        span, t, rival, values = self._compare(x, y, extra=4 * half)
+        cx, cy, dx, dy, ddx, ddy = profile._derivatives(span, t)
+        speed2 = dx * dx + dy * dy
+        bend = speed2 + (cx - x) * ddx + (cy - y) * ddy
+        # From centre to corner of the cell, either branch's distance changes by half a diagonal at most; other
+        # branches that are farther than twice the distance of the point are nobody's rivals.
+        reach = np.abs(values[4]) + half
+        sure = (rival > 2 * half + np.maximum(reach, 0.02)) & (bend > 0.25 * speed2)
+        bend = np.where(sure, bend, 1.0)
+        grid.span[cells], grid.tx[cells], grid.ty[cells] = span, dx / bend, dy / bend
+        grid.t[cells] = t - (x * dx + y * dy) / bend
+        grid.sure[cells] = sure
+        grid.known[cells] = True
+
+    def _by_grid(self, x: Floats, y: Floats, span: Ints, t: Floats, out: tuple[Floats, ...]) -> Ints:
+        """Foot points by seeds from the grid, in place; returns the points that must be compared themselves."""
+        if self._grid is None:
+            self._grid = self._make_grid()
+        grid = self._grid
+        n = len(x)
+        cell = np.empty(n, dtype=np.int64)
+        for a in range(0, n, BLOCK):
+            rows = slice(a, a + BLOCK)
+            i, j = (x[rows] - grid.low[0]) / grid.cell, (y[rows] - grid.low[1]) / grid.cell
+            outside = (i < 0) | (i >= grid.shape[0]) | (j < 0) | (j >= grid.shape[1])
+            if outside.any():
+                i, j = np.where(outside, 0.0, i), np.where(outside, 0.0, j)
+            flat = i.astype(np.int64) * grid.shape[1] + j.astype(np.int64)
+            if outside.any():
+                flat[outside] = len(grid.known) - 1
+            cell[rows] = flat
+        touched = np.zeros(len(grid.known), dtype=bool)
+        touched[cell] = True
+        new = np.flatnonzero(touched & ~grid.known)
+        if len(new) > n // 2:
+            return np.arange(n)
+        if len(new):
+            self._learn(grid, new)
+        bad = []
+        for a in range(0, n, BLOCK):
+            rows = slice(a, min(a + BLOCK, n))
+            bad.append(a + self._two_steps(grid, cell[rows], x[rows], y[rows], rows, span, t, out))
+        rest = np.concatenate(bad)
+        sure = grid.sure[cell[rest]]
+        unsettled = []
+        for a in range(0, len(rest), BLOCK):
+            some = rest[a : a + BLOCK][sure[a : a + BLOCK]]
+            new_span, new_t, settled, exact = self._newton(x[some], y[some], span[some], t[some], steps=30)
+            back = some[settled]
+            span[back], t[back] = new_span[settled], new_t[settled]
+            for target, value in zip(out, exact, strict=True):
+                target[back] = value[settled]
+            unsettled.append(some[~settled])
+        return np.concatenate([rest[~sure], *unsettled])
+
+    def _two_steps(
+        self,
+        grid: _Grid,
+        cell: Ints,
+        x: Floats,
+        y: Floats,
+        rows: slice,
+        span: Ints,
+        t: Floats,
+        out: tuple[Floats, ...],
+    ) -> Ints:
+        """Newton's method for one block, in place; returns the rows of the block that are not done.
+
+        Those hold a seed.
+        """
+        here = grid.span.take(cell)
+        at = grid.tx.take(cell)
+        at *= x
+        at += grid.ty.take(cell) * y
+        at += grid.t.take(cell)
+        self._carry_over(here, at)
+        step, *_ = self._step(here, at, x, y)
+        at += step
+        step, shaky, cx, cy, dx, dy, ddx, ddy, speed2 = self._step(here, at, x, y)
+        end = at + step
+        # A comparison with NaN is false, so that such points count as bad.
+        good = (end > 0.0) & (end < 1.0) & (step * step * speed2 < _LAST_STEP**2) & ~shaky
+        good &= grid.sure.take(cell)
+        # The last step by Taylor's series.
+        ddx *= step
+        ddy *= step
+        cx += step * (dx + 0.5 * ddx)
+        cy += step * (dy + 0.5 * ddy)
+        dx += ddx
+        dy += ddy
+        speed = np.sqrt(dx * dx + dy * dy)
+        dy /= speed
+        dx /= -speed
+        span[rows], t[rows] = here, end
+        values = (cx, cy, dy, dx, (x - cx) * dy + (y - cy) * dx)
+        for target, value in zip(out, values, strict=True):
+            target[rows] = value
+        bad = np.flatnonzero(~good)
+        t[rows.start + bad] = np.clip(np.nan_to_num(end[bad]), 0.0, 1.0)
+        return bad
+
+    def _carry_over(self, span: Ints, t: Floats) -> None:
+        """Take seeds past the end of their span on into the spans that follow, in place."""
+        past = np.flatnonzero((t < 0.0) | (t > 1.0))
+        if not len(past):
+            return
+        profile = self.profile
+        here = span[past]
+        contour = profile.contour[here]
+        s = profile.begin[here] + t[past] * profile.length[here]
+        total = profile.total[contour]
+        s = np.where(self._closed[contour], np.mod(s, total), np.clip(s, 0.0, total))
+        # Arc lengths count from each contour's start; laid end to end they increase through all spans.
+        before = np.concatenate([[0.0], np.cumsum(profile.total)])
+        begin = profile.begin + before[profile.contour]
+        there = np.searchsorted(begin, s + before[contour], side="right") - 1
+        there = np.clip(there, profile.first[contour], profile.first[contour + 1] - 1)
+        span[past] = there
+        t[past] = np.clip((s - profile.begin[there]) / profile.length[there], 0.0, 1.0)
+
+    def _step(self, span: Ints, t: Floats, x: Floats, y: Floats) -> tuple[Any, ...]:
+        """One Newton step, whether it cannot be trusted, and the curve's derivatives with the squared speed."""
+        cx, cy, dx, dy, ddx, ddy = self.profile._derivatives(span, t)
+        ex, ey = cx - x, cy - y
+        slope = ex * dx
+        slope += ey * dy
+        speed2 = dx * dx
+        speed2 += dy * dy
+        bend = ex
+        bend *= ddx
+        ey *= ddy
+        bend += ey
+        bend += speed2
+        shaky = bend < 0.1 * speed2
+        np.divide(slope, bend, out=slope, where=~shaky)
+        np.negative(slope, out=slope)
+        return slope, shaky, cx, cy, dx, dy, ddx, ddy, speed2
 
     def _resolve_joints(
         self, x: Floats, y: Floats, span: Ints, t: Floats, foot: Floats, normal: Floats, distance: Floats
@@ -340,7 +527,7 @@ class FootPointSearch:
         after = np.where(at_end, profile.neighbour(span[edge], 1), span[edge])
         turn = profile.turn[before]
         free = before == after
-        single = free & np.array([c.closed for c in profile.contours])[profile.contour[before]]
+        single = free & self._closed[profile.contour[before]]
         turn = np.where(free & ~single, np.nan, turn)
         open_end = np.isnan(turn)
         ex, ey = x[edge] - foot[edge, 0], y[edge] - foot[edge, 1]

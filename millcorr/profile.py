@@ -266,14 +266,22 @@ class Profile:
         axes = 2 if self.polynomial else 3
         values = []
         for axis in range(axes):
-            f = coefficient[p, axis][span]
-            d = np.zeros_like(f)
-            dd = np.zeros_like(f)
-            for k in range(p - 1, -1, -1):
-                dd = dd * t + d
-                d = d * t + f
-                f = f * t + coefficient[k, axis][span]
-            values.append((f, d, 2 * dd))
+            # Horner's rule for the value and two derivatives, without the steps that only handle zeros.
+            f = coefficient[p, axis].take(span)
+            d = f.copy() if p > 0 else np.zeros_like(f)
+            f *= t
+            f += coefficient[p - 1, axis].take(span)
+            dd = d.copy() if p > 1 else np.zeros_like(f)
+            for k in range(p - 2, -1, -1):
+                if k < p - 2:
+                    dd *= t
+                    dd += d
+                d *= t
+                d += f
+                f *= t
+                f += coefficient[k, axis].take(span)
+            dd *= 2.0
+            values.append((f, d, dd))
         if self.polynomial:
             (x, dx, ddx), (y, dy, ddy) = values
             return x, y, dx, dy, ddx, ddy
