@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import logging
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -20,7 +20,7 @@ from .measurement import Measurement
 from .profile import Profile
 from .reconstruction import CompensatedContour
 from .regeneration import OUTPUT_MOVES, Regeneration, regenerate
-from .toolpath import Compensation, Toolpath
+from .toolpath import Compensation, Kind, Toolpath
 from .verification import Verification, verify
 
 Floats = NDArray[np.float64]
@@ -212,8 +212,8 @@ def correct(request: Request) -> Result:
     """
     settings, program, measurement = request.settings, request.program, request.measurement
     toolpath = program.toolpath
-    if not request.radius > 0:
-        raise UsageError(f"the tool diameter {2 * request.radius:g} mm must be above 0")
+    if not 0 < request.radius < np.inf:
+        raise UsageError(f"the tool diameter {2 * request.radius:g} mm must be a length above 0")
     warnings: list[str] = []
     carried = provenance.marks(program.comments())
     digests = [] if measurement is None else [measurement.digest]
@@ -229,6 +229,7 @@ def correct(request: Request) -> Result:
         correction, work = Correction.none(nominal), _Work.empty()
     else:
         deviation = deviations(measurement, nominal, cutter_radius=request.radius)
+        _refuse_wrong_unit(measurement, nominal, len(deviation))
         work = _separated(deviation, nominal, commanded, settings, bool(carried), warnings)
         correction = _correction(work, nominal, settings, warnings)
     contour = CompensatedContour(nominal, correction)
@@ -308,6 +309,11 @@ def nominal_from_program(
 def _usable(program: gcode.Program, radius: float, settings: Settings) -> tuple[NDArray[np.bool_], float]:
     """Moves that may be corrected, and the distance from path to contour, mm."""
     usable = ~program.opaque_moves()
+    feeds = program.toolpath.kind != Kind.RAPID
+    if not feeds.any():
+        raise InputError(f"{program.name}: the program has no feed move that could follow a contour")
+    if not (feeds & usable).any():
+        program.require_plain(feeds)
     compensated = program.toolpath.compensation != Compensation.OFF
     if not compensated.any():
         return usable, radius
@@ -350,6 +356,27 @@ class _Work:
         flat = np.zeros((0, 2))
         deviation = Deviation(none, none, none, none, zero, zero, flat, flat, zero, ())
         return _Work(deviation, zero, zero, zero, (), float("nan"))
+
+
+def _refuse_wrong_unit(measurement: Measurement, nominal: Profile, used: int) -> None:
+    """InputError where clearly more points can be used in the other unit.
+
+    A part whose zero is at its corner has half of its points on the profile in either unit.
+    """
+    count = len(measurement.points)
+    if used >= 0.9 * count:
+        return
+    for factor, unit in ((25.4, "inch"), (1 / 25.4, "mm")):
+        other = replace(measurement, points=measurement.points * factor)
+        try:
+            fitting = len(deviations(other, nominal))
+        except InputError:
+            continue
+        if fitting > max(0.5 * count, 1.2 * used):
+            raise InputError(
+                f"{measurement.source}: only {used} of {count} points lie on the profile, but {fitting} do if their "
+                f"unit is {unit}; say --units {unit}"
+            )
 
 
 def _separated(

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -67,8 +68,8 @@ def correct_program(
     """
     if tool_diameter is None:
         raise UsageError("--program needs --tool-diameter: the program does not say how large the cutter is")
-    if output is not None and output.resolve() == program.resolve():
-        raise UsageError(f"--output {output} is the program itself; the original must stay untouched")
+    first = None if nominal is None else Path(nominal.partition("#")[0])
+    refuse_places({"--output": output}, report, {"program": program, "measured file": measured, "nominal": first})
     chosen = pipeline.Settings(**(settings or {}))
     measurement = readers.read(measured, points=points, probe_radius=probe_radius, units=units, format=format)
     text = nc.read(program)
@@ -77,14 +78,14 @@ def correct_program(
     result = pipeline.correct(pipeline.Request(text, radius, measurement, profile, chosen))
     outputs: dict[str, str] = {}
     if output is not None:
-        replace_whole(output, result.text)
         outputs["program"] = str(output)
-    if report is not None:
-        from . import report as reports
+    with replaced_whole(output, result.text):
+        if report is not None:
+            from . import report as reports
 
-        notes = () if output is not None else ("Check only: no program was written.",)
-        reports.write(result, report, outputs=outputs, notes=notes)
-        outputs["report"] = str(report / "report.html")
+            notes = () if output is not None else ("Check only: no program was written.",)
+            reports.write(result, report, outputs=outputs, notes=notes)
+            outputs["report"] = str(report / "report.html")
     return in_words(result.summary(), outputs, checked_only=output is None)
 
 
@@ -123,8 +124,7 @@ def correct_document(
     MillcorrError
         See `pipeline.correct`; nothing is written then.
     """
-    if output is not None and output.resolve() == document.resolve():
-        raise UsageError(f"--output {output} is the document itself; the original must stay untouched")
+    refuse_places({"--output": output, "--gcode": gcode}, report, {"document": document, "measured file": measured})
     places = {"output": output, "gcode": gcode, "report": report}
     summary = freecad_process.call(
         "correct",
@@ -146,9 +146,7 @@ def correct_document(
     return in_words(summary, outputs, checked_only=output is None)
 
 
-def read_nominal(
-    source: str, radius: float, settings: pipeline.Settings, measurement: Measurement | None
-) -> Profile:
+def read_nominal(source: str, radius: float, settings: pipeline.Settings, measurement: Measurement | None) -> Profile:
     """Nominal profile from a file: a profile.json, a CAD file (through FreeCAD), or the first program.
 
     Raises
@@ -171,14 +169,37 @@ def read_nominal(
     return pipeline.nominal_from_program(nc.read(path), radius, settings, measurement)
 
 
-def replace_whole(path: Path, data: bytes) -> None:
-    """Write a file so that it appears, or replaces the old one, only when it is complete."""
+def refuse_places(outputs: Mapping[str, Path | None], report: Path | None, inputs: Mapping[str, Path | None]) -> None:
+    """UsageError where an output would take the place of an input, of a directory or of another output."""
+    taken = {place.resolve(): what for what, place in inputs.items() if place is not None}
+    for option, place in outputs.items():
+        if place is None:
+            continue
+        what = taken.get(place.resolve())
+        if what is not None:
+            raise UsageError(f"{option} {place} is the {what} itself; the original must stay untouched")
+        if place.is_dir():
+            raise UsageError(f"{option} {place} is a directory; name the file to write")
+        taken[place.resolve()] = f"file of {option}"
+    if report is not None and (report.resolve() in taken or (report.exists() and not report.is_dir())):
+        raise UsageError(f"--report {report} is a file; name a directory")
+
+
+@contextmanager
+def replaced_whole(path: Path | None, data: bytes) -> Iterator[None]:
+    """Have a file appear, or replace the old one, when it is complete and all that is done meanwhile succeeded."""
+    if path is None:
+        yield
+        return
+    # A link stays a link; the file it names is replaced.
+    path = path.resolve()
     path.parent.mkdir(parents=True, exist_ok=True)
     handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
     try:
         with os.fdopen(handle, "wb") as file:
             file.write(data)
         os.chmod(temporary, path.stat().st_mode & 0o777 if path.exists() else 0o666 & ~_umask())
+        yield
         os.replace(temporary, path)
     except BaseException:
         os.unlink(temporary)

@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The layers: gui -> app -> core, nouns below steps, and what no file may contain."""
+
+from __future__ import annotations
+
+import ast
+import re
+import sys
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+REPOSITORY = Path(__file__).resolve().parents[2]
+PACKAGE = REPOSITORY / "millcorr"
+CORE = sorted(p for p in PACKAGE.rglob("*.py") if p.relative_to(PACKAGE).parts[0] not in ("app", "gui"))
+APP = sorted(PACKAGE.glob("app/*.py"))
+GUI = sorted(PACKAGE.glob("gui/*.py"))
+
+HOST = {"FreeCAD", "FreeCADGui", "App", "Gui", "Part", "Sketcher", "Path", "PathScripts", "CAM", "Import", "Draft"}
+WINDOW = {"FreeCADGui", "Gui", "PySide", "PySide2", "PySide6", "pivy"}
+NOUNS = {"errors", "nurbs", "toolpath", "profile", "measurement"}
+DOORS = {"gcode", "readers"}
+"""Packages that turn text into nouns and back."""
+FRONTS = {
+    "__main__",
+    "demonstration",
+    "freecad_process",
+    "pipeline",
+    "report",
+    "report_page",
+    "report_plots",
+    "session",
+}
+"""What calls the steps; no step calls them."""
+DEPENDENCIES = {"numpy", "scipy", "shapely", "matplotlib"}
+
+NAMES = {path: ".".join(path.relative_to(REPOSITORY).with_suffix("").parts) for path in [*CORE, *APP, *GUI]}
+
+
+@cache
+def imports(path):
+    """Absolute names of everything a module imports, wherever in it; a package's members under their full name."""
+    package = NAMES[path].removesuffix(".__init__").split(".")
+    if path.name != "__init__.py":
+        package = package[:-1]
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            above = package[: len(package) - node.level + 1] if node.level else []
+            module = ".".join([*above, *([node.module] if node.module else [])])
+            found |= {f"{module}.{alias.name}" for alias in node.names}
+        elif isinstance(node, ast.Call) and ast.unparse(node.func) in ("importlib.import_module", "__import__"):
+            found |= {a.value for a in node.args if isinstance(a, ast.Constant) and isinstance(a.value, str)}
+    return found
+
+
+def tops(path):
+    return {name.partition(".")[0] for name in imports(path)}
+
+
+def own(path):
+    """Modules of millcorr that a module imports, without the package's name."""
+    modules = {name.removeprefix("millcorr.") for name in NAMES.values()}
+    found = set()
+    for name in imports(path):
+        if not name.startswith("millcorr."):
+            continue
+        parts = name.split(".")[1:]
+        for n in range(len(parts), 0, -1):
+            if ".".join(parts[:n]) in modules or ".".join([*parts[:n], "__init__"]) in modules:
+                found.add(".".join(parts[:n]))
+                break
+    return found
+
+
+def name(path):
+    return NAMES[path].removeprefix("millcorr.")
+
+
+@pytest.mark.parametrize("path", CORE, ids=name)
+def test_core_knows_nothing_of_freecad(path):
+    assert not tops(path) & (HOST | WINDOW)
+    assert not {module for module in own(path) if module.partition(".")[0] in ("app", "gui")}
+
+
+@pytest.mark.parametrize("path", CORE, ids=name)
+def test_core_needs_only_its_dependencies(path):
+    # pathlib's Path is a name, not a module: only what is imported from counts.
+    assert tops(path) <= DEPENDENCIES | {"millcorr"} | sys.stdlib_module_names
+
+
+@pytest.mark.parametrize("path", APP, ids=name)
+def test_app_knows_nothing_of_windows(path):
+    # Qt's translations are text; windows, scene graph and the window's own module are not.
+    assert not tops(path) & WINDOW
+    assert not {module for module in own(path) if module.partition(".")[0] == "gui"}
+
+
+@pytest.mark.parametrize("noun", sorted(NOUNS))
+def test_nouns_import_only_nouns(noun):
+    assert own(PACKAGE / f"{noun}.py") <= NOUNS
+
+
+@pytest.mark.parametrize("path", [p for p in CORE if p.parent.name in DOORS], ids=name)
+def test_doors_for_text_know_only_nouns(path):
+    assert {module for module in own(path) if module.partition(".")[0] != path.parent.name} <= NOUNS
+
+
+@pytest.mark.parametrize("path", [p for p in CORE if p.stem not in FRONTS], ids=name)
+def test_steps_do_not_call_the_fronts(path):
+    assert not own(path) & FRONTS
+
+
+def test_pipeline_is_below_session_and_report():
+    assert not own(PACKAGE / "pipeline.py") & (FRONTS - {"pipeline"})
+
+
+def test_no_module_imports_itself_through_others():
+    graph = {name(path): own(path) - {name(path)} for path in [*CORE, *APP, *GUI]}
+    seen: dict[str, str] = {}
+
+    def visit(module, trail):
+        if seen.get(module) == "done" or module not in graph:
+            return
+        assert module not in trail, " -> ".join([*trail[trail.index(module) :], module])
+        for other in sorted(graph[module]):
+            visit(other, [*trail, module])
+        seen[module] = "done"
+
+    for module in sorted(graph):
+        visit(module, [])
+
+
+WRITTEN = {".py", ".md", ".toml", ".xml", ".yml", ".yaml", ".txt", ".nc", ".csv", ".svg", ".ui", ".FCMacro", ""}
+SKIPPED = {".git", "build", "__pycache__", ".hypothesis", ".pytest_cache", ".mypy_cache", ".ruff_cache"}
+
+
+def files():
+    for path in sorted(REPOSITORY.rglob("*")):
+        if path.is_file() and not SKIPPED & set(path.relative_to(REPOSITORY).parts) and path.suffix in WRITTEN:
+            yield path
+
+
+def test_every_source_names_its_licence():
+    sources = [p for p in files() if p.suffix in (".py", ".FCMacro", ".md") or p.parent.name in ("tools", ".ci")]
+    without = [
+        str(path.relative_to(REPOSITORY))
+        for path in sources
+        if "SPDX-License-Identifier: LGPL-2.1-or-later" not in path.read_text(encoding="utf-8")[:300]
+    ]
+    assert not without
+
+
+FORBIDDEN = {
+    # Put together here, so that this file does not contain them.
+    "a directory of one machine": re.compile(
+        r"(?<![\w.\-/$}])/(?:" + "|".join(("work", "root", "home")) + r")(?:/|\b)"
+    ),
+    "a package registry's host": re.compile(
+        "|".join(
+            a + r"\." + b
+            for a, b in (("pypi", "org"), ("pythonhosted", "org"), ("proxy.golang", "org"), ("npmjs", "com"))
+        )
+    ),
+}
+ALLOWED = {
+    # Inside a Debian root the user's home is what it is on every Debian.
+    (".ci/freecad-root", "HOME=/" + "root"),
+    ("tests/freecad_root.py", '"HOME": "/' + 'root"'),
+}
+
+
+@pytest.mark.parametrize("what", FORBIDDEN)
+def test_nothing_belongs_to_one_machine(what):
+    found = []
+    for path in files():
+        where = path.relative_to(REPOSITORY).as_posix()
+        for number, line in enumerate(path.read_text(encoding="utf-8", errors="replace").splitlines(), 1):
+            if FORBIDDEN[what].search(line) and not any(where == w and part in line for w, part in ALLOWED):
+                found.append(f"{where}:{number}: {line.strip()}")
+    assert not found
