@@ -56,19 +56,20 @@ def page(
         Today by default.
     """
     name = PurePath(result.request.program.name).name
+    largest = largest_correction(result)
     day = (date or datetime.date.today()).isoformat()
     body = [
         f"<header><p class=kind>Toolpath correction report</p><h1>{escape(name)}</h1>"
         f"<p class=meta>{day} {DOT} millcorr {escape(__version__)}</p></header>",
         "".join(f"<p class=note>{escape(note)}</p>" for note in notes),
-        _verdict(result),
-        _tiles(result),
+        _verdict(result, largest),
+        _tiles(result, largest),
         _warnings(result),
         _deviations(result),
         *_plots(result),
         _separation(result),
         _own_path_error(result),
-        _correction(result),
+        _correction(result, largest),
         _settings(result),
         _files(result, outputs or {}),
         "<footer><p>Every measured point is in <b>deviations.csv</b>, every number in <b>report.json</b>, the "
@@ -132,7 +133,8 @@ figure{margin:6px 0 14px;break-inside:avoid}
 footer{border-top:1px solid var(--faint);margin-top:28px;padding-top:8px}
 @media (max-width:640px){.tiles{grid-template-columns:repeat(2,1fr)}main{padding:16px 12px}}
 @media print{@page{size:A4;margin:15mm}body{font-size:10.5pt}main{max-width:none;padding:0}
-*{-webkit-print-color-adjust:exact;print-color-adjust:exact}h1{font-size:19pt}h2{margin-top:16pt}.verdict{font-size:11pt}}
+*{-webkit-print-color-adjust:exact;print-color-adjust:exact}h1{font-size:19pt}h2{margin-top:16pt}.verdict{font-size:11pt}
+.hash{font-size:7.5pt}.facts{break-inside:avoid}}
 """
 
 
@@ -154,8 +156,12 @@ def _place(x: float, y: float) -> str:
     return f"X{_mm(x)} Y{_mm(y)}"
 
 
+def _count(count: int) -> str:
+    return f"{count:,}".replace(",", "\N{NARROW NO-BREAK SPACE}")
+
+
 def _plural(count: int, thing: str) -> str:
-    return f"{count:,} {thing}{'' if count == 1 else 's'}".replace(",", "\N{NARROW NO-BREAK SPACE}")
+    return f"{_count(count)} {thing}{'' if count == 1 else 's'}"
 
 
 def _table(head: Sequence[str], rows: Iterable[Sequence[str]], css: str = "numbers") -> str:
@@ -195,20 +201,16 @@ class LargestCorrection:
 
 
 def largest_correction(result: Result) -> LargestCorrection:
-    """The largest correction and its place, on the places that `Correction.largest` looks at."""
-    best = LargestCorrection(0.0, 0, 0.0, (math.nan, math.nan))
-    for stretch, course in zip(result.correction.stretches, result.correction.courses, strict=True):
-        s = np.linspace(0.0, stretch.length, max(33, 4 * len(course.breaks)))
-        value = course(s)[0]
-        i = int(np.argmax(np.abs(value)))
-        if abs(value[i]) > abs(best.value) or math.isnan(best.point[0]):
-            at = stretch.begin + float(s[i])
-            total = float(result.nominal.total[stretch.contour])
-            if result.nominal.contours[stretch.contour].closed:
-                at %= total
-            point, _ = result.nominal.at(stretch.contour, np.array([at]))
-            best = LargestCorrection(float(value[i]), stretch.contour, at, (float(point[0, 0]), float(point[0, 1])))
-    return best
+    """The largest correction and its place."""
+    correction, nominal = result.correction, result.nominal
+    extremes = [course.extreme for course in correction.courses]
+    k = int(np.argmax([abs(value) for _, value in extremes]))
+    stretch, (along_stretch, value) = correction.stretches[k], extremes[k]
+    s = stretch.begin + along_stretch
+    if nominal.contours[stretch.contour].closed:
+        s %= float(nominal.total[stretch.contour])
+    point, _ = nominal.at(stretch.contour, np.array([s]))
+    return LargestCorrection(value, stretch.contour, s, (float(point[0, 0]), float(point[0, 1])))
 
 
 def profile_value(deviation: Floats) -> float:
@@ -236,7 +238,7 @@ def _corrected_before(result: Result) -> bool:
     return bool(provenance.marks(result.request.program.comments()))
 
 
-def _verdict(result: Result) -> str:
+def _verdict(result: Result, largest: LargestCorrection) -> str:
     d, settings, proof = result.deviation, result.request.settings, result.verification
     words = []
     if len(d):
@@ -249,7 +251,6 @@ def _verdict(result: Result) -> str:
         )
     else:
         words.append("No measurement: the path is laid on the exact parallel of the nominal contour.")
-    largest = largest_correction(result)
     moves = result.regeneration
     if not moves.changed:
         words.append("Nothing is to be corrected: <b>the program stays as it is</b>.")
@@ -268,7 +269,7 @@ def _verdict(result: Result) -> str:
     return f"<p class=verdict>{' '.join(words)}</p>"
 
 
-def _tiles(result: Result) -> str:
+def _tiles(result: Result, largest: LargestCorrection) -> str:
     tiles = []
     if len(result.deviation):
         before, after = statistics(result.deviation.value), statistics(result.predicted)
@@ -276,7 +277,6 @@ def _tiles(result: Result) -> str:
         height = f"{_um(before['height'])} {ARROW} {_um(after['height'])}"
         tiles.append((mean, f"mean deviation, {MICRO}, before and predicted"))
         tiles.append((height, f"height (max {MINUS} min), {MICRO}, before and predicted"))
-    largest = largest_correction(result)
     tiles.append((f"{_um(largest.value, True)} {MICRO}", "largest correction of the contour"))
     if len(result.deviation) == 0:
         tiles.append((_plural(result.regeneration.changed, "move"), "changed in the program"))
@@ -320,6 +320,11 @@ def _deviations(result: Result) -> str:
             "The next part brings its own random part: measured the same way, a standard deviation of about "
             f"<b>{_um(again)} {MICRO}</b> is to be expected."
         )
+    else:
+        words.append(
+            "The random part is not known here, so the prediction is too favourable: the next part brings its own, "
+            "and what was random on this part comes on top."
+        )
     return (
         f"<h2>Deviations</h2>{_table(head, rows)}<p class=small>{_SIGN}</p><p class=small>{' '.join(words)}</p>"
         + _points(result)
@@ -333,7 +338,8 @@ def _points(result: Result) -> str:
     kind = "contact points"
     if measurement.ball_radius > 0:
         kind = f"ball centres, ball radius {measurement.ball_radius:g} mm"
-    counts = f"{_plural(len(measurement), 'point')} read ({kind}), {len(d)} used, {len(d.rejected)} rejected"
+    counts = f"{_plural(len(measurement), 'point')} read ({kind}), {_count(len(d))} used, "
+    counts += f"{_count(len(d.rejected))} rejected"
     groups: dict[str, list[int]] = {}
     for r in d.rejected:
         groups.setdefault(r.reason, []).append(int(measurement.lines[r.index]))
@@ -341,24 +347,25 @@ def _points(result: Result) -> str:
     for reason, lines in sorted(groups.items(), key=lambda group: -len(group[1])):
         listed = ", ".join([*map(str, lines[:_MOST_LINES]), *([ELLIPSIS] if len(lines) > _MOST_LINES else [])])
         word = "line" if len(lines) == 1 else "lines"
-        items.append(f"<li>{len(lines)} \N{MULTIPLICATION SIGN} {escape(reason)} ({word} {listed})</li>")
+        items.append(f"<li>{_count(len(lines))} \N{MULTIPLICATION SIGN} {escape(reason)} ({word} {listed})</li>")
     return f"<p>{counts}.</p>" + (f"<ul>{''.join(items)}</ul>" if items else "")
 
 
 def _by_level(result: Result) -> str:
     """Before and predicted for every contour and level, where there are several."""
     d = result.deviation
-    keys = np.unique(np.column_stack([d.contour, d.level]), axis=0)
+    levels = int(d.level.max()) + 1
+    keys = [divmod(int(key), levels) for key in np.unique(d.contour * levels + d.level)]
     if len(keys) < 2:
         return ""
     rows = []
-    for contour, level in keys[:_MOST_ROWS].tolist():
+    for contour, level in keys[:_MOST_ROWS]:
         at = (d.contour == contour) & (d.level == level)
         before, after = statistics(d.value[at]), statistics(result.predicted[at])
         rows.append(
             (
                 f"contour {contour + 1}, Z {_mm(float(d.z[at].mean()))}",
-                str(int(at.sum())),
+                _count(int(at.sum())),
                 _um(before["mean"], True),
                 _um(before["height"]),
                 _um(before["std"]),
@@ -424,7 +431,7 @@ def _separation(result: Result) -> str:
             "goes through the filter into the correction.</p>"
         )
     rows = [
-        (str(i), str(len(part.determined)), _um(part.random_std), f"{part.variance_factor:.3f}", part.description)
+        (str(i), _count(len(part.determined)), _um(part.random_std), f"{part.variance_factor:.3f}", part.description)
         for i, part in enumerate(result.separations[:_MOST_ROWS], 1)
     ]
     head = ("smooth stretch and level", "points", f"random {SIGMA} / {MICRO}", "variance factor", "filter")
@@ -469,16 +476,15 @@ def _own_path_error(result: Result) -> str:
     return f"{title}<p>{words}</p>" + _table((MICRO, "mean", "min", "max", "height", "std", "rms"), [row])
 
 
-def _correction(result: Result) -> str:
+def _correction(result: Result, largest: LargestCorrection) -> str:
     moves, proof, settings = result.regeneration, result.verification, result.request.settings
-    largest = largest_correction(result)
     where = f" at {_place(*largest.point)}, s = {_mm(largest.s)} mm" if largest.value else ""
     if largest.value and len(result.nominal.contours) > 1:
         where += f" on contour {largest.contour + 1}"
     side = "out of the material" if largest.value > 0 else "into the material"
     facts = [
         ("Largest correction", f"{_um(largest.value, True)} {MICRO}{where}" + (f" ({side})" if largest.value else "")),
-        ("Moves", f"{moves.changed} of the program's moves changed, {len(moves.toolpath)} moves written"),
+        ("Moves", f"{_count(moves.changed)} of the program's moves changed, {_count(len(moves.toolpath))} written"),
         ("Largest displacement of a vertex", f"{_um(moves.largest_shift)} {MICRO}"),
     ]
     status = "kept" if proof.path_error_max <= settings.tolerance else "exceeded"

@@ -29,7 +29,7 @@ WIDTH = 760.0
 MOST_MARKERS = 1200
 """Points of one panel beyond which columns of pixels are drawn instead."""
 
-MOST_WHISKERS = 400
+MOST_WHISKERS = 300
 MOST_PANELS = 8
 MAGNIFICATION = 500.0
 
@@ -92,6 +92,7 @@ STYLE = """
 .plot .raw-fill{stroke:var(--raw);fill:var(--raw);fill-opacity:.35}
 .plot .predicted-fill{stroke:var(--predicted);fill:var(--predicted);fill-opacity:.4}
 .plot .spread{stroke:var(--ink);stroke-width:1.4}
+.plot .bell{stroke:var(--ink);stroke-width:1.2;stroke-dasharray:4 3}
 """
 
 
@@ -137,13 +138,14 @@ def along_contour(profile: Profile, deviation: Deviation, filtered: Floats, pred
         shown = np.sort(contours[np.argsort(worst)[-MOST_PANELS:]])
     levels = _levels(deviation)
     height = 250.0 if len(shown) == 1 else 175.0
-    canvas = Canvas(WIDTH, 24 + len(shown) * (height + 44), "Deviation along the contour")
+    top = 30 if len(levels) == 1 else 48
+    canvas = Canvas(WIDTH, top - 6 + len(shown) * (height + 44), "Deviation along the contour")
     dense = max(int((deviation.contour == k).sum()) for k in shown) > MOST_MARKERS
     _along_legend(canvas, levels, dense)
     for i, k in enumerate(shown):
         rows = np.flatnonzero(deviation.contour == k)
         title = f"contour {int(k) + 1}" if len(profile.contours) > 1 else ""
-        panel = _Panel(canvas, 30 + i * (height + 44), height, title, f"along{int(k)}")
+        panel = _Panel(canvas, top + i * (height + 44), height, title, f"along{int(k)}")
         panel.draw(profile, int(k), deviation, rows, filtered, predicted, levels)
     words = [
         f"Deviation in {MICRO} over the arc length of the nominal, from its start; above zero material is left, "
@@ -177,20 +179,23 @@ def _levels(deviation: Deviation) -> list[tuple[int, float]]:
 def _along_legend(canvas: Canvas, levels: list[tuple[int, float]], dense: bool) -> None:
     mark = "m-4-4v8m2-10v9m2-6v8m2-9v9m2-8v8" if dense else MARKERS[0]
     suffix = "-columns" if dense else ""
-    x = canvas.legend(
-        56,
-        14,
-        [
-            (f"raw{suffix}", mark, "before, each point"),
-            ("filtered", "m-9 0h18", "determined part (filtered)"),
-            (f"predicted{suffix}", mark, "predicted after the correction"),
-        ],
-    )
-    if 1 < len(levels) <= len(MARKERS):
-        for i, (_, z) in enumerate(levels):
-            if x > WIDTH - 70:
-                break
-            x = canvas.legend(x, 14, [(f"raw{suffix}", MARKERS[i], f"Z {number(round(z, 3))}")])
+    entries = [
+        ("before, range of the points" if dense else "before, each point", [(f"raw{suffix}", mark)]),
+        ("determined part (filtered)", [("filtered", "m-9 0h18")]),
+        ("predicted after the correction", [(f"predicted{suffix}", mark)]),
+    ]
+    canvas.legend(56, 14, entries)
+    if len(levels) > 1:
+        # More do not fit; the table by level has them.
+        entries = [
+            (f"Z {number(round(z, 3))}", [(f"filtered dash{i % 4}", "m-12 0h24"), *_level_mark(i, dense)])
+            for i, (_, z) in enumerate(levels[:8])
+        ]
+        canvas.legend(56, 32, entries)
+
+
+def _level_mark(level: int, dense: bool) -> list[tuple[str, str]]:
+    return [] if dense else [("raw", MARKERS[level % len(MARKERS)])]
 
 
 @dataclass(slots=True)
@@ -218,7 +223,9 @@ class _Panel:
         x = Axis(0.0, total, 56.0, WIDTH - 12.0)
         values = np.concatenate([deviation.value[rows], predicted[rows], filtered[rows]]) * UM
         y = _value_axis(values, bottom, self.top)
-        _frame(canvas, x, y, f"s / mm{'   ' + self.title if self.title else ''}", f"deviation / {MICRO}")
+        _frame(canvas, x, y, "s / mm", f"deviation / {MICRO}")
+        if self.title:
+            canvas.text(x.end, self.top - 5, self.title, "strong", "end")
         canvas.clip(self.name, x.start, self.top, x.end - x.start, self.height)
         for s in corners(profile, contour):
             canvas.line(x.at(s), self.top, x.at(s), bottom, "corner")
@@ -348,32 +355,34 @@ def on_contour(
     levels = _levels(deviation) or [(0, math.nan)]
     shown = levels[:MOST_PANELS]
     left, bottom, right, top = _extent(profile, times * largest)
-    scale = min((WIDTH - 68) / (right - left), 620 / (top - bottom))
+    scale = min((WIDTH - 68) / (right - left), (620 if len(levels) == 1 else 400) / (top - bottom))
     inner = (top - bottom) * scale
     height = inner + 70
-    canvas = Canvas(WIDTH, 24 + len(shown) * height, "Deviations on the contour")
+    canvas = Canvas(WIDTH, 30 + len(shown) * height, "Deviations on the contour")
     near = f"within \N{PLUS-MINUS SIGN}{number(round(within * UM, 2))} {MICRO}"
     entries = [
-        ("excess tip", MARKERS[0], "excess material"),
-        ("within", "m-6 0h12", near),
-        ("undercut tip", MARKERS[2], "undercut"),
+        ("excess material", [("excess", "m-10 0h10"), ("excess tip", MARKERS[0])]),
+        (near, [("within", "m-8 0h16")]),
+        ("undercut", [("undercut", "m-10 0h10"), ("undercut tip", MARKERS[2])]),
+        ("determined part", [("course", "m-9 0h18")]),
     ]
     if rejected is not None and len(rejected):
-        entries.append(("rejected", MARKERS[5], "rejected"))
+        entries.append(("rejected", [("rejected", MARKERS[5])]))
     if len(deviation):
-        canvas.legend(56, 14, [*entries, ("course", "m-9 0h18", "determined part")])
+        canvas.legend(56, 14, entries)
     outline = _Outline.of(profile)
     spare = 0.5 * (WIDTH - 68 - (right - left) * scale)
     thinned = False
     for i, (level, z) in enumerate(shown):
-        y0 = 30 + i * height
+        y0 = 36 + i * height
         x = Axis(left, right, 56 + spare, 56 + spare + (right - left) * scale)
         y = Axis(bottom, top, y0 + inner, y0)
         _draw_outline(canvas, outline, profile, x, y)
         at = np.flatnonzero(deviation.level == level)
         thinned |= _draw_whiskers(canvas, profile, deviation, at, filtered, times, within, x, y)
-        if rejected is not None and len(rejected) and i == 0:
-            px, py = x(rejected[:, 0]), y(rejected[:, 1])
+        if rejected is not None and len(rejected):
+            here = np.argmin(np.abs(rejected[:, 2:] - [[height for _, height in levels]]), axis=1) == i
+            px, py = x(rejected[here, 0]), y(rejected[here, 1])
             inside = (px > x.start) & (px < x.end) & (py < y.start) & (py > y.end)
             canvas.path(markers(px[inside][:300], py[inside][:300], 5), "rejected")
         _draw_start(canvas, profile, x, y)
@@ -517,7 +526,7 @@ def _draw_start(canvas: Canvas, profile: Profile, x: Axis, y: Axis) -> None:
         canvas.path(f"M{ax:.1f} {ay:.1f}L{bx:.1f} {by:.1f}{head}", "arrow")
         canvas.add(f'<circle class="start" cx="{px:.1f}" cy="{py:.1f}" r="4"/>')
         if len(profile.contours) > 1:
-            canvas.text(px - 22 * nx, py - 22 * ny + 4, str(k + 1), "strong", "middle")
+            canvas.text(bx + 10 * tx, by + 10 * ty + 4, str(k + 1), "strong", "middle")
 
 
 def _coordinate_frame(canvas: Canvas, x: Axis, y: Axis) -> None:
@@ -577,14 +586,18 @@ def histogram(before: Floats, predicted: Floats, random_std: float) -> Plot:
         56,
         14,
         [
-            ("raw-fill", "m-8-4h16v8h-16z", "before"),
-            ("predicted-fill", "m-8-4h16v8h-16z", "predicted after the correction"),
-            ("spread", "m-9-4v8m0-4h18m0-4v8", "mean \N{PLUS-MINUS SIGN} standard deviation"),
+            ("before", [("raw-fill", "m-8-4h16v8h-16z")]),
+            ("predicted after the correction", [("predicted-fill", "m-8-4h16v8h-16z")]),
+            ("mean \N{PLUS-MINUS SIGN} standard deviation", [("spread", "m-9-4v8m0-4h18m0-4v8")]),
+            *([("normal law of the random part", [("bell", "m-9 0h18")])] if random_std > 0 else []),
         ],
     )
     top, bottom = 48.0, 226.0
     x = Axis(float(edges[0]) - width, float(edges[-1]) + width, 56, WIDTH - 12)
-    y = Axis(0.0, max(float(max(c.max() for c in counts)) * 1.05, 1.0), bottom, top)
+    tallest = float(max(c.max() for c in counts))
+    if random_std > 0:
+        tallest = max(tallest, len(b) * width / (random_std * UM * math.sqrt(2 * math.pi)))
+    y = Axis(0.0, 1.05 * tallest, bottom, top)
     for value in y.ticks(5):
         if value == int(value):
             canvas.line(x.start, y.at(value), x.end, y.at(value), "grid")
@@ -603,6 +616,11 @@ def histogram(before: Floats, predicted: Floats, random_std: float) -> Plot:
         canvas.path(f"M{x.at(mean):.1f} {level:.1f}{MARKERS[3]}", css)
         for end in (mean - std, mean + std):
             canvas.line(x.at(end), level - 3, x.at(end), level + 3, "spread")
+    if math.isfinite(random_std) and random_std > 0:
+        sigma, mean = random_std * UM, float(b.mean())
+        at = np.linspace(max(x.low, mean - 4 * sigma), min(x.high, mean + 4 * sigma), 161)
+        bell = len(b) * width / (sigma * math.sqrt(2 * math.pi)) * np.exp(-0.5 * ((at - mean) / sigma) ** 2)
+        canvas.path(polyline(x(at), y(bell)), "bell")
     canvas.text((x.start + x.end) / 2, bottom + 32, f"deviation / {MICRO}", anchor="middle")
     canvas.text(13, (top + bottom) / 2, "points", anchor="middle", turn=-90)
     words = f"Classes of {number(width)} {MICRO}; bars above: mean \N{PLUS-MINUS SIGN} standard deviation."
@@ -615,14 +633,14 @@ def histogram(before: Floats, predicted: Floats, random_std: float) -> Plot:
 
 
 def _bin_width(a: Floats, b: Floats, span: float) -> float:
-    """Round class width after Freedman and Diaconis, with 8 to 60 classes."""
+    """Round class width after Freedman and Diaconis, with 14 to 60 classes."""
     wide = []
     for v in (a, b):
         quarter = float(np.subtract(*np.percentile(v, [75, 25])))
         if quarter > 1e-9:
             wide.append(2 * quarter / len(v) ** (1 / 3))
     width = min(wide, default=span / 20)
-    return round_step(float(np.clip(width, max(span / 60, 1e-3), max(span / 8, 1e-3))))
+    return round_step(float(np.clip(width / 2, max(span / 60, 1e-3), max(span / 30, 1e-3))))
 
 
 def _steps(edges: Floats, tops: Floats, base: float) -> str:

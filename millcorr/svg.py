@@ -73,13 +73,13 @@ class Canvas:
         size = f'width="{_n(width)}" height="{_n(height)}"'
         self.add(f'<clipPath id="{name}"><rect x="{_n(x)}" y="{_n(y)}" {size}/></clipPath>')
 
-    def legend(self, x: float, y: float, entries: Iterable[tuple[str, str, str]]) -> float:
-        """Row of (class, path data round its middle, text); returns the x after it."""
-        for css, data, text in entries:
-            self.add(f'<path class="{css}" d="M{_n(x + 10)} {_n(y - 4)}{data}"/>')
+    def legend(self, x: float, y: float, entries: Iterable[tuple[str, Sequence[tuple[str, str]]]]) -> None:
+        """Row of entries: text, and what stands before it as (class, path data round its middle)."""
+        for text, shapes in entries:
+            for css, data in shapes:
+                self.add(f'<path class="{css}" d="M{_n(x + 10)} {_n(y - 4)}{data}"/>')
             self.text(x + 24, y, text, "legend")
-            x += 24 + 6.0 * len(text) + 18
-        return x
+            x += 24 + 5.7 * len(text) + 18
 
     def __str__(self) -> str:
         size = f"0 0 {_n(self.width)} {_n(self.height)}"
