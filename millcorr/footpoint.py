@@ -68,7 +68,8 @@ class FootPoints:
     place : (n,) int64
         `Place` of the foot.
     rival : (n,) float64
-        How much farther, in mm, the nearest other branch of the profile is; inf where none competes.
+        How much farther, in mm, the nearest other branch of the profile is; inf where it is farther than the
+        point's own distance from the profile or the search's margin, whichever is less.
     """
 
     span: Ints
@@ -115,7 +116,8 @@ class FootPointSearch:
     ----------
     profile : Profile
     margin : float
-        Band in mm around the profile's box that the seed grid covers.
+        Band in mm around the profile's box that the seed grid covers; other branches that are farther by more
+        than this need not be found.
     """
 
     def __init__(self, profile: Profile, margin: float = 2.0) -> None:
@@ -379,10 +381,9 @@ class FootPointSearch:
         cx, cy, dx, dy, ddx, ddy = profile._derivatives(span, t)
         speed2 = dx * dx + dy * dy
         bend = speed2 + (cx - x) * ddx + (cy - y) * ddy
-        # From centre to corner of the cell, either branch's distance changes by half a diagonal at most; other
-        # branches that are farther than twice the distance of the point are nobody's rivals.
-        reach = np.abs(values[4]) + half
-        sure = (rival > 2 * half + np.maximum(reach, 0.02)) & (bend > 0.25 * speed2)
+        # From centre to corner of the cell, either branch's distance changes by half a diagonal at most.
+        reach = np.clip(np.abs(values[4]) + half, 0.02, self._margin)
+        sure = (rival > 2 * half + reach) & (bend > 0.25 * speed2)
         bend = np.where(sure, bend, 1.0)
         grid.span[cells], grid.tx[cells], grid.ty[cells] = span, dx / bend, dy / bend
         grid.t[cells] = t - (x * dx + y * dy) / bend
