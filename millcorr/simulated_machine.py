@@ -557,15 +557,19 @@ class _Envelope:
                 if high[rows[0]]:
                     continue
                 side = int(toolpath.compensation[rows[0]])
+                i = int(rows[0])
                 start = rows
+                previous = int(toolpath.compensation[i - 1]) if i else int(Compensation.OFF)
+                if offset and previous != side:
+                    # During its first move with G41 or G42 the control comes up to the contour, during the
+                    # first one with G40 it leaves: neither is a cut along it.
+                    start = rows[1:]
+                if not len(start):
+                    continue
                 if offset and side != Compensation.OFF:
-                    i = int(rows[0])
-                    if i == 0 or toolpath.compensation[i - 1] != side:
-                        # During its first compensated move the control only comes up to the contour.
-                        start = rows[1:]
-                    curves = _offset_by_control(toolpath, start, radius * side) if len(start) else []
+                    curves = _offset_by_control(toolpath, start, radius * side)
                 else:
-                    curves = _centre_path(toolpath, rows)
+                    curves = _centre_path(toolpath, start)
                 if curves:
                     contours.append(Contour(tuple(curves), False))
                     before.append(float(cut[start[0]]))
