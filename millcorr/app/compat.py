@@ -178,6 +178,32 @@ def path_of(obj: DocumentObject) -> Any:
     return obj.Path if placed is None else placed(obj)
 
 
+def give_views(job: DocumentObject) -> None:
+    """Give a job and its Profile operations FreeCAD's own view providers where they have none.
+
+    A document written without a window holds none; without them the tree falls apart when it is opened with
+    one: the job shows neither operations nor tools below it.
+    """
+    if not has_window() or job.ViewObject is None or getattr(job.ViewObject, "Proxy", None):
+        return
+    gui = _first("Path.Main.Gui.Job", "PathScripts.PathJobGui")
+    job.ViewObject.Proxy = gui.ViewProvider(job.ViewObject)
+    job.ViewObject.addExtension("Gui::ViewProviderGroupExtensionPython")
+    job.ViewObject.Proxy.deleteOnReject = False
+    job.Stock.ViewObject.Visibility = False
+    controllers = _first("Path.Tool.Gui.Controller", "PathScripts.PathToolControllerGui")
+    for controller in job.Tools.Group:
+        if not getattr(controller.ViewObject, "Proxy", None):
+            controllers.ViewProvider(controller.ViewObject)
+    page = _first("Path.Op.Gui.Profile", "PathScripts.PathProfileGui").Command.res
+    base = _first("Path.Op.Gui.Base", "PathScripts.PathOpGui")
+    for operation in operations(job):
+        operation = bottom_operation(operation)
+        if hasattr(operation, "processPerimeter") and not getattr(operation.ViewObject, "Proxy", None):
+            operation.ViewObject.Proxy = base.ViewProvider(operation.ViewObject, page)
+            operation.ViewObject.Proxy.deleteOnReject = False
+
+
 # Making a job, for the demonstration and for tests ---------------------------------------------------
 
 

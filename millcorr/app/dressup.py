@@ -177,7 +177,13 @@ class DressupMillcorr:
     def onDocumentRestored(self, obj: Any) -> None:
         """Add the properties that an earlier version did not have; the path stays as it was saved."""
         complete(obj, PROPERTIES)
-        views.attach(obj, "dressup")
+        if views.attach(obj, "dressup"):
+            job = compat.parent_job(obj)
+            if job is not None:
+                compat.give_views(job)
+            obj.ViewObject.Visibility = True
+            if obj.Base is not None:
+                obj.Base.ViewObject.Visibility = False
 
     def execute(self, obj: Any) -> None:
         """Correct the path; on any failure the path is empty and the object is invalid."""
@@ -205,8 +211,7 @@ class DressupMillcorr:
             if job is not None:
                 compat.replace_operation(job, obj, base)
             obj.Base = None
-            if compat.has_window() and base.ViewObject:
-                base.ViewObject.Visibility = True
+            base.Visibility = True
         return True
 
     def dumps(self) -> None:
@@ -297,6 +302,5 @@ def create(base: Any, measurement: Any = None, **settings: Any) -> Any:
     compat.replace_operation(job, base, obj)
     obj.Label = f"{base.Label} corrected"
     views.attach(obj, "dressup")
-    if compat.has_window():
-        base.ViewObject.Visibility = False
+    base.Visibility = False
     return obj

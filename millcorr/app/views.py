@@ -20,7 +20,7 @@ MAKERS: dict[str, Callable[[Any], Any]] = {}
 _STATE = "GuiDocument.xml"
 
 
-def attach(obj: Any, kind: str) -> None:
+def attach(obj: Any, kind: str) -> bool:
     """Give an object its view if FreeCAD has a window and the object has no view yet.
 
     Documents written without a window hold no views; opened with one, their objects get them here.
@@ -30,12 +30,19 @@ def attach(obj: Any, kind: str) -> None:
     obj : document object
     kind : str
         Key of `MAKERS`.
+
+    Returns
+    -------
+    bool
+        Whether it got one now.
     """
     if not compat.has_window() or kind not in MAKERS:
-        return
+        return False
     vobj = obj.ViewObject
-    if vobj is not None and not getattr(vobj, "Proxy", None):
-        MAKERS[kind](vobj)
+    if vobj is None or getattr(vobj, "Proxy", None):
+        return False
+    MAKERS[kind](vobj)
+    return True
 
 
 def carry_over(source: Path, written: Path) -> None:

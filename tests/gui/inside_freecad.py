@@ -26,6 +26,8 @@ def wait(milliseconds):
 def shot(name):
     wait(400)
     FreeCADGui.getMainWindow().grab().save(os.path.join(SHOTS, f"{VERSION}-{name}.png"))
+    # The grabbed window lacks the drawing in 0.20.
+    FreeCADGui.ActiveDocument.ActiveView.saveImage(os.path.join(SHOTS, f"{VERSION}-{name}-view.png"), 900, 600)
 
 
 def tree():
@@ -61,6 +63,10 @@ def smoke():
     document = FreeCAD.openDocument(os.path.join(WORK, "corrected.FCStd"))
     obj = document.getObject("DressupMillcorr")
     before = obj.Path.toGCode()
+    found["visible"] = [obj.Visibility, obj.Base.Visibility]
+    for dock in FreeCADGui.getMainWindow().findChildren(QtGui.QDockWidget):
+        if dock.objectName() in ("Combo View", "Model", "Tree view"):
+            dock.show()
     FreeCADGui.activateWorkbench("MillcorrWorkbench")
     wait(500)
     FreeCADGui.ActiveDocument.ActiveView.viewTop()

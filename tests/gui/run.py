@@ -133,6 +133,7 @@ def check(found: dict) -> list[str]:
     expected = {
         "workbench": True,
         "commands": ["Millcorr_Dressup", "Millcorr_Measurement", "Millcorr_Profile", "Millcorr_Report"],
+        "visible": [True, False],
         "proxy": "DressupMillcorr",
         "view": "DressupView",
         "children": ["Profile"],
@@ -152,7 +153,7 @@ def check(found: dict) -> list[str]:
         wrong.append(f"commands are not usable: {found['active']}")
     if found["tree"].get("Profile corrected") != ["Profile"]:
         wrong.append("the tree does not show the operation below the dressup")
-    if not any("Profile corrected" in below for below in found["tree"].values()):
+    if not any("Profile corrected" in found["tree"].get(child, []) for child in found["tree"].get("Job", [])):
         wrong.append("the tree does not show the dressup in the job")
     if found["posted"][:2] != [1, True] or not found["posted"][2]:
         wrong.append(f"posting: {found['posted']}")
