@@ -101,6 +101,8 @@ def fit_moves(
     corner = intervals.piece < 0
     if corner.any():
         moves += _about_corners(intervals.take(corner), tolerance)
+        if (intervals.kind[corner] == Kind.LINE).any():
+            largest = tolerance
     rest = intervals.take(~corner)
     for round_ in range(ROUNDS):
         if not len(rest.owner):

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .footpoint import FootPointSearch, Place
+from .profile import GAP
 from .reconstruction import CompensatedContour
 from .theoretical_contour import cutting_runs
 from .toolpath import Toolpath
@@ -229,7 +230,7 @@ def _joint_at(contour: CompensatedContour, foot: Floats) -> Ints:
     from scipy.spatial import cKDTree
 
     distance, which = cKDTree(contour.joints.point).query(foot)
-    return np.where(distance < 1e-6, which, -1).astype(np.int64)
+    return np.where(distance < GAP, which, -1).astype(np.int64)
 
 
 def _steady(label: Ints, sigma: Floats, contour: CompensatedContour) -> NDArray[np.bool_]:

@@ -107,7 +107,7 @@ def regenerate(
             f"{parts.distance:.3f} mm off; check --tool-diameter, --side, stock to leave and the work frame"
         )
     start, end, sigma0, sigma1 = _vertices(toolpath, contour, radius, parts)
-    keep = _kept(toolpath, contour, radius, parts, start, end, KEEP_SHARE * tolerance)
+    keep = _kept(toolpath, contour, radius, parts, KEEP_SHARE * tolerance)
     _hold_kept_vertices(toolpath, parts, keep, start, end)
     shift0, shift1 = _shifts(toolpath, parts, keep, start, end)
     return _assemble(
@@ -257,8 +257,6 @@ def _kept(
     contour: CompensatedContour,
     radius: float,
     parts: Following,
-    start: Floats,
-    end: Floats,
     allowed: float,
 ) -> Bools:
     """Rows whose every part already lies on the exact path within `allowed` mm, ends included."""
@@ -296,10 +294,8 @@ def _kept(
             before = contour.joints.before[j : j + 1]
             corner = contour.evaluate(before, contour.high[before])[0][0]
             off[i] = np.hypot(*(points[i] - corner).T) - radius
-        moved = np.maximum(
-            np.hypot(*(points[:, 0] - start[group]).T), np.hypot(*(points[:, -1] - end[group]).T)
-        )
-        bad = (np.abs(off).max(axis=1) > allowed) | (moved > 2 * allowed)
+        # A vertex is checked across both its parts; along the path it may lie where it likes.
+        bad = np.abs(off).max(axis=1) > allowed
         keep[rows[bad]] = False
     return keep
 

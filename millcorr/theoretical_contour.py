@@ -270,7 +270,7 @@ def _trimmed(pieces: list[_Piece], radius: float, closed: bool) -> list[_Piece]:
             continue
         # A convex corner is cut back however far the path ran past it; a concave one is continued so far only.
         reach = 4 * radius if turn < 0 else np.inf
-        if (adjacent or gap > SAME_POINT) and not _trim_to_each_other(a, b, reach):
+        if (adjacent or gap > 1e-9) and not _trim_to_each_other(a, b, reach):
             if gap < GAP / 2:
                 continue
             if turn >= 0 or not adjacent:
