@@ -22,6 +22,9 @@ Ints = NDArray[np.int64]
 CONSTANT = 1e-7
 """A correction that varies by less than this along a stretch, in mm, is one number there."""
 
+NEAR = 0.01
+"""Points nearer to each other than this, in mm, are averaged: no machine follows waves so short."""
+
 GAP_SPACINGS = 10.0
 """A gap between points longer than this many typical spacings is bridged by a straight line and reported."""
 
@@ -51,18 +54,18 @@ class Course:
 
     @staticmethod
     def through(s: Floats, value: Floats, length: float, closed: bool) -> Course:
-        """Cubic spline through values at increasing arc lengths within one stretch (at least one)."""
+        """Cubic spline through values at increasing arc lengths within one stretch (at least one).
+
+        On an open stretch it runs out level at the first and the last value, so that holding them beyond makes
+        no kink.
+        """
         if len(s) == 1 or np.ptp(value) == 0.0:
             return Course.constant(float(value[0]), length, closed)
         from scipy.interpolate import CubicSpline
 
         if closed:
             spline = CubicSpline(np.append(s, s[0] + length), np.append(value, value[0]), bc_type="periodic")
-        elif len(s) == 2:
-            slope = (value[1] - value[0]) / (s[1] - s[0])
-            return Course(s.copy(), np.array([[value[0]], [slope], [0.0], [0.0]]))
         else:
-            # Level ends go over smoothly into the values held beyond them.
             spline = CubicSpline(s, value, bc_type="clamped")
         return Course(np.array(spline.x), np.array(spline.c[::-1]), length if closed else 0.0)
 
@@ -76,6 +79,11 @@ class Course:
 
     def __call__(self, s: Floats) -> tuple[Floats, Floats]:
         """Correction in mm and its slope at arc lengths from the stretch's start."""
+        value, slope, _ = self.derivatives(s)
+        return value, slope
+
+    def derivatives(self, s: Floats) -> tuple[Floats, Floats, Floats]:
+        """Correction in mm and its first two derivatives over arc length, at arc lengths from the start."""
         x = s
         if self.period:
             x = self.breaks[0] + np.mod(s - self.breaks[0], self.period)
@@ -86,7 +94,23 @@ class Course:
         i = np.clip(np.searchsorted(self.breaks, x, side="right") - 1, 0, self.coefficient.shape[1] - 1)
         h = x - self.breaks[i]
         a, b, c, d = self.coefficient[:, i]
-        return a + h * (b + h * (c + h * d)), np.where(held, 0.0, b + h * (2 * c + 3 * h * d))
+        slope, bend = b + h * (2 * c + 3 * h * d), 2 * c + 6 * h * d
+        return a + h * (b + h * (c + h * d)), np.where(held, 0.0, slope), np.where(held, 0.0, bend)
+
+    @property
+    def extreme(self) -> tuple[float, float]:
+        """Arc length and value of the largest absolute correction, mm each; exact."""
+        a, b, c, d = self.coefficient
+        h = np.diff(self.breaks)
+        # Roots of b + 2 c x + 3 d x^2, in the form that stays exact where d or c vanish.
+        root = np.sqrt(np.maximum(c * c - 3 * b * d, 0.0))
+        q = -(c + np.where(c < 0, -root, root))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            inner = np.nan_to_num(np.stack([np.zeros_like(h), h, q / (3 * d), b / q]))
+        x = np.clip(inner, 0.0, h)
+        value = a + x * (b + x * (c + x * d))
+        k, i = np.unravel_index(int(np.argmax(np.abs(value))), value.shape)
+        return float(self.breaks[i] + x[k, i]), float(value[k, i])
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -112,11 +136,7 @@ class Correction:
     @property
     def largest(self) -> float:
         """Largest absolute correction in mm."""
-        out = 0.0
-        for stretch, course in zip(self.stretches, self.courses, strict=True):
-            s = np.linspace(0.0, stretch.length, max(33, 4 * len(course.breaks)))
-            out = max(out, float(np.abs(course(s)[0]).max()))
-        return out
+        return max((abs(course.extreme[1]) for course in self.courses), default=0.0)
 
     def at(self, number: Ints, s: Floats, profile: Profile) -> Floats:
         """Correction in mm at arc lengths of the contour on the numbered stretches; (n,)."""
@@ -181,16 +201,16 @@ def correction_from(
     Raises
     ------
     LimitError
-        If a value exceeds the limit; names the place.
+        If a value, or the correction between two points, exceeds the limit; names the place.
     """
-    worst = int(np.argmax(np.abs(value)))
-    if abs(value[worst]) > limit:
-        point, _ = profile.at(int(profile.stretches()[int(number[worst])].contour), np.array([s[worst]]))
+    stretches = tuple(profile.stretches())
+    worst = int(np.argmax(np.abs(value))) if len(value) else 0
+    if len(value) and abs(value[worst]) > limit:
+        point, _ = profile.at(stretches[int(number[worst])].contour, np.array([s[worst]]))
         raise LimitError(
             f"a correction of {value[worst]:+.4f} mm is needed at X{point[0, 0]:.3f} Y{point[0, 1]:.3f} "
             f"({int((np.abs(value) > limit).sum())} points), more than --limit {limit:g} mm; nothing was corrected"
         )
-    stretches = tuple(profile.stretches())
     courses: list[Course | None] = []
     warnings: list[str] = []
     for k, stretch in enumerate(stretches):
@@ -200,8 +220,12 @@ def correction_from(
             continue
         local = along(stretch, s[rows], profile)
         x, y = _merged(local, value[rows], stretch)
+        if len(x) == 1:
+            warnings.append(_one_place(profile, stretch, float(x[0]), float(y[0])))
         x, y, gaps = _bridged(x, y, stretch)
-        courses.append(Course.through(x, y, stretch.length, stretch.closed))
+        course = Course.through(x, y, stretch.length, stretch.closed)
+        _refuse_swing(profile, stretch, course, limit)
+        courses.append(course)
         if gaps:
             a, b = max(gaps, key=lambda gap: gap[1] - gap[0])
             p, _ = profile.at(stretch.contour, np.array([stretch.begin + a, stretch.begin + b]))
@@ -214,19 +238,78 @@ def correction_from(
     return Correction(stretches, tuple(c for c in courses if c is not None)), tuple(warnings)
 
 
+def _one_place(profile: Profile, stretch: Stretch, at: float, value: float) -> str:
+    p, _ = profile.at(stretch.contour, np.array([stretch.begin + at]))
+    return (
+        f"the stretch of {stretch.length:.3f} mm through X{p[0, 0]:.3f} Y{p[0, 1]:.3f} was measured at that place "
+        f"only: {value:+.4f} mm hold all along it"
+    )
+
+
+def _refuse_swing(profile: Profile, stretch: Stretch, course: Course, limit: float) -> None:
+    at, value = course.extreme
+    if abs(value) > limit * (1 + 1e-9):
+        p, _ = profile.at(stretch.contour, np.array([stretch.begin + at]))
+        raise LimitError(
+            f"between the points the correction swings to {value:+.4f} mm at X{p[0, 0]:.3f} Y{p[0, 1]:.3f}, more than "
+            f"--limit {limit:g} mm: use a stronger --filter; nothing was corrected"
+        )
+
+
 def _merged(s: Floats, value: Floats, stretch: Stretch) -> tuple[Floats, Floats]:
-    """Sort by arc length and average points that nearly coincide, so that noise is not made into slope."""
+    """Sort by arc length and average points that nearly coincide, so that noise is not made into slope.
+
+    Nearly means nearer than `NEAR`, or than a quarter of the spacing there: a scan repeated gives pairs, a place
+    scanned more finely than the rest keeps its detail. The seam of a closed stretch makes no difference.
+    """
+    if len(s) < 2:
+        return s, value
     order = np.argsort(s, kind="stable")
     s, value = s[order], value[order]
-    if len(s) < 3:
-        close = stretch.length * 1e-9
-    else:
-        close = max(0.4 * float(np.median(np.diff(s))), 0.25 * stretch.length / len(s))
-    group = np.floor((s - s[0]) / close).astype(np.int64) if close > 0 else np.arange(len(s))
-    if len(s) > 2 and np.diff(s).min() >= close:
-        return s, value
-    _, inverse, count = np.unique(group, return_inverse=True, return_counts=True)
-    return np.bincount(inverse, s) / count, np.bincount(inverse, value) / count
+    origin = 0.0
+    if stretch.closed:
+        # Count from behind the widest gap: no points that belong together lie on both sides of the start.
+        step = np.diff(s, append=s[0] + stretch.length)
+        widest = int(np.argmax(step)) + 1
+        origin = float(s[widest % len(s)])
+        s = np.concatenate([s[widest:], s[:widest] + stretch.length]) - origin
+        value = np.roll(value, -widest)
+    count = np.ones(len(s))
+    if np.diff(s).min() < NEAR:
+        s, value, count = _averaged(np.floor((s - s[0]) / NEAR), s, value, count)
+        # Means of neighbouring cells may still nearly coincide, but never three in a row.
+        s, value, count = _averaged(_apart(s, NEAR / 2), s, value, count)
+    if len(s) > 1:
+        s, value, count = _averaged(_apart(s, 0.25 * _spacing(s, stretch.length)), s, value, count)
+    s = s + origin
+    if stretch.closed:
+        turned = int(np.searchsorted(s, stretch.length))
+        s = np.concatenate([s[turned:] - stretch.length, s[:turned]])
+        value = np.roll(value, -turned)
+    return s, value
+
+
+def _spacing(s: Floats, length: float, reach: int = 8) -> Floats:
+    """Mean spacing about each interval between increasing `s`, over up to `reach` points to either side."""
+    if len(s) < 4:
+        return np.full(len(s) - 1, length / len(s))
+    i = np.arange(len(s) - 1)
+    low, high = np.maximum(i - reach + 1, 0), np.minimum(i + reach, len(s) - 1)
+    out: Floats = (s[high] - s[low]) / (high - low)
+    return out
+
+
+def _apart(s: Floats, least: Floats | float) -> Ints:
+    """Number of the group of each of increasing `s`; a new one starts behind an interval of at least `least`."""
+    out: Ints = np.cumsum(np.append(True, np.diff(s) >= least)).astype(np.int64)
+    return out
+
+
+def _averaged(group: Floats | Ints, s: Floats, value: Floats, count: Floats) -> tuple[Floats, Floats, Floats]:
+    """Means of the groups and their counts."""
+    _, inverse = np.unique(group, return_inverse=True)
+    total: Floats = np.bincount(inverse, count).astype(np.float64)
+    return np.bincount(inverse, s * count) / total, np.bincount(inverse, value * count) / total, total
 
 
 def _bridged(s: Floats, value: Floats, stretch: Stretch) -> tuple[Floats, Floats, list[tuple[float, float]]]:
@@ -251,7 +334,8 @@ def _bridged(s: Floats, value: Floats, stretch: Stretch) -> tuple[Floats, Floats
             room = abs(at - end)
             if room > GAP_SPACINGS * typical:
                 gaps.append((min(end, float(at)), max(end, float(at))))
-            if room > 1e-9:
+            # Where no room is left the course itself runs out level at its last point.
+            if room > 0.25 * typical:
                 count = int(min(room / typical, 200)) + 1
                 extra_s.append(at + (end - at) * np.arange(1, count + 1) / count)
                 extra_v.append(np.full(count, inner))
@@ -267,7 +351,7 @@ def _bridged(s: Floats, value: Floats, stretch: Stretch) -> tuple[Floats, Floats
 def _fill_unmeasured(
     profile: Profile, stretches: Sequence[Stretch], courses: list[Course | None], warnings: list[str]
 ) -> None:
-    """Stretches without a point take a straight line between their neighbours' ends. In place."""
+    """Stretches without a point lead from one measured neighbour's end to the other's. In place."""
     with_points = [i for i, course in enumerate(courses) if course is not None]
     for k, stretch in enumerate(stretches):
         if courses[k] is not None:
@@ -295,6 +379,8 @@ def _fill_unmeasured(
         first = before or after
         last = after or before
         assert first is not None and last is not None
+        # Several such stretches in a row share one straight line from neighbour to neighbour.
         x = np.array([0.0, stretch.length])
-        courses[k] = Course.through(x, np.array([first[1], last[1]]), stretch.length, False)
-        warnings.append(f"{where}: it follows its neighbours, {first[1]:+.4f} to {last[1]:+.4f} mm")
+        y = np.interp(x - stretch.length / 2, [first[0], last[0]], [first[1], last[1]])
+        courses[k] = Course.through(x, y, stretch.length, False)
+        warnings.append(f"{where}: it follows its neighbours, {y[0]:+.4f} to {y[1]:+.4f} mm")
