@@ -292,7 +292,8 @@ class FootPointSearch:
     def _compare(self, x: Floats, y: Floats, extra: float = 0.0) -> tuple[Ints, Floats, Floats, tuple[Floats, ...]]:
         """Foot points by comparing with all groups of samples: the nearest branch, and the gap to the next one.
 
-        Other branches are seen up to twice the distance, or 1 mm more than it, and `extra` beyond.
+        Other branches are seen up to twice the distance (1 mm at least and the search's margin at most beyond
+        it), and `extra` farther.
         """
         n, groups = len(x), len(self._group_x)
         span = np.zeros(n, dtype=np.int64)
@@ -304,7 +305,7 @@ class FootPointSearch:
             px, py = x[rows], y[rows]
             away = np.hypot(px[:, None] - self._group_x, py[:, None] - self._group_y)
             nearest = (away + self._group_r).min(axis=1) + 2 * self._spacing
-            limit = nearest + np.maximum(nearest, 1.0) + extra
+            limit = nearest + np.clip(nearest, 1.0, max(1.0, self._margin)) + extra
             point, group = np.nonzero(away - self._group_r <= limit[:, None])
             first = np.searchsorted(point, np.arange(len(px) + 1))
             # Points far away meet every group: take as many at a time as fit the cache.
@@ -330,7 +331,7 @@ class FootPointSearch:
         nearest = np.sqrt(np.minimum.reduceat(d2.min(axis=1), first))
         # A branch whose sample is this much farther may still come nearest between samples.
         slack = nearest + 2 * self._spacing
-        window = (slack + np.maximum(slack, 1.0) + extra) ** 2
+        window = (slack + np.clip(slack, 1.0, max(1.0, self._margin)) + extra) ** 2
         inner = d2[:, 1:-1]
         lowest = (inner <= d2[:, :-2]) & (inner <= d2[:, 2:]) & (inner <= window[point, None])
         pair, column = np.nonzero(lowest & self._valid[group])

@@ -306,7 +306,10 @@ class Profile:
     def arc_length(self, span: Ints, t: Floats) -> Floats:
         """Arc length in mm from the contour's start; outside 0..1 it goes on at the end's speed."""
         inside = np.clip(t, 0.0, 1.0)
-        s = self.begin[span] + _chebyshev_sum(self.arc[span], inside)
+        s = self.begin[span]
+        # In blocks, for the series of a million points would fill the memory.
+        for a in range(0, len(s), 8192):
+            s[a : a + 8192] += _chebyshev_sum(self.arc[span[a : a + 8192]], inside[a : a + 8192])
         out = t - inside
         beyond = np.flatnonzero(out)
         if len(beyond):
