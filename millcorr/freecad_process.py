@@ -134,11 +134,9 @@ def call(function: str, arguments: dict[str, Any], timeout: float | None = None)
             encoding="utf-8",
         )
         script.write_text(_SCRIPT.format(request=str(request), answer=str(answer)), encoding="utf-8")
-        settings = here / "settings"
-        settings.mkdir()
         environment = dict(os.environ)
+        # The user's own settings hold: they say where post processors lie. Without a home there are none.
         environment.setdefault("HOME", directory)
-        environment.setdefault("FREECAD_USER_DATA", str(settings))
         # Without a screen FreeCAD's Qt must not look for one.
         environment.setdefault("QT_QPA_PLATFORM", "offscreen")
         # A virtual environment of this Python must not decide where FreeCAD's looks for its own library.

@@ -130,8 +130,9 @@ def correct_document(
                 new.recompute()
         _require_valid(obj)
         text = None if gcode is None else _posted(obj)
-        proof = None if text is None else prove(obj, text, corrected)
-        _write(here, source, corrected, text, proof, output, gcode, report)
+        if text is not None:
+            corrected = proved(obj, text, corrected)
+        _write(here, source, corrected, text, output, gcode, report)
         return corrected.result
 
 
@@ -152,7 +153,7 @@ def export_report(obj: Any, directory: str | Path) -> None:
     """
     corrected = correction.correct(obj)
     text = _posted(obj)
-    _write(obj.Document, None, corrected, text, prove(obj, text, corrected), None, None, directory)
+    _write(obj.Document, None, proved(obj, text, corrected), text, None, None, directory)
 
 
 @contextmanager
@@ -239,7 +240,7 @@ def _posted(obj: Any) -> str:
     return compat.post(job, arguments)
 
 
-def prove(obj: Any, text: str, corrected: correction.Correction) -> Any:
+def proved(obj: Any, text: str, corrected: correction.Correction) -> correction.Correction:
     """Read a posted program back and compare it with the compensated profile.
 
     Parameters
@@ -252,8 +253,8 @@ def prove(obj: Any, text: str, corrected: correction.Correction) -> Any:
 
     Returns
     -------
-    verification.Verification
-        For the stretch of the program that the dressup made.
+    Correction
+        With the verification of the stretch of the program that the dressup made.
 
     Raises
     ------
@@ -266,13 +267,14 @@ def prove(obj: Any, text: str, corrected: correction.Correction) -> Any:
     emitted = posted.toolpath.take(_stretch(posted, obj.Label))
     result = corrected.result
     planned = result.regeneration
-    return verification.verify(
+    proof = verification.verify(
         emitted,
         result.compensated,
         result.path_radius,
         following=verification.following_by_place(emitted, planned.toolpath, planned.following),
         tolerance=corrected.request.settings.tolerance,
     )
+    return replace(corrected, result=replace(result, verification=proof))
 
 
 def _stretch(posted: nc.Program, label: str) -> Any:
@@ -294,7 +296,6 @@ def _write(
     source: Path | None,
     corrected: correction.Correction,
     text: str | None,
-    proof: Any,
     output: str | Path | None,
     gcode: str | Path | None,
     directory: str | Path | None,
@@ -319,11 +320,10 @@ def _write(
             # Imported when it is wanted: the plots take their time to load.
             from millcorr import report
 
-            result = corrected.result if proof is None else replace(corrected.result, verification=proof)
             notes = [] if written else ["Check only: no program was written."]
-            if proof is not None:
+            if text is not None:
                 notes.append("The path error is that of the program as FreeCAD posted it, read back.")
-            report.write(result, directory, outputs=written, notes=notes)
+            report.write(corrected.result, directory, outputs=written, notes=notes)
         for beside, place in ready:
             os.replace(beside, place)
 

@@ -95,6 +95,33 @@ def test_without_measurement_the_path_becomes_exact(part_files):
     assert np.abs(FootPointSearch(nominal, margin=7.0).find(points).distance - 5.0).max() < 1e-3
 
 
+@pytest.mark.parametrize("case", ["inside", "control holds the radius", "several depths", "stock to leave", "climb"])
+def test_kinds_of_operation(document, case):
+    job = demonstration.build(document, side="Inside" if case == "inside" else "Outside")
+    operation = compat.operations(job)[0]
+    distance, inward = 5.0, -1.0 if case == "inside" else 1.0
+    if case == "control holds the radius":
+        operation.UseComp, distance = False, 0.0
+    elif case == "several depths":
+        operation.StepDown = 4.0
+    elif case == "stock to leave":
+        operation.OffsetExtra, distance = 0.25, 5.25
+    elif case == "climb":
+        operation.Direction = "CCW" if operation.Direction == "CW" else "CW"
+    document.recompute()
+    assert operation.Path.Commands
+    obj = dressup.create(operation)
+    document.recompute()
+    assert valid(obj), obj.getStatusString() if hasattr(obj, "getStatusString") else ""
+    nominal = convert.profile_of_shape(demonstration.contour_curve().toShape())
+    toolpath = motion.program_of_path(obj.Path, case).toolpath
+    arcs = toolpath.take(toolpath.kind == Kind.ARC)
+    assert len(arcs) and (case != "several depths" or len(np.unique(arcs.end[:, 2].round(3))) == 4)
+    points = arcs.position(np.linspace(0, 1, 21))[:, :, :2].reshape(-1, 2)
+    off = FootPointSearch(nominal, margin=7.0).find(points).distance - inward * distance
+    assert np.abs(off).max() < 1e-3
+
+
 def test_survives_saving(corrected, tmp_path):
     doc, obj, _ = corrected
     before, digest = words(obj), obj.Digest
