@@ -200,14 +200,10 @@ class Commanded:
                 f"{parts.distance:.3f} mm off; check --tool-diameter, --side, stock to leave and the work frame"
             )
         contours: list[Contour] = []
-        step = np.nan_to_num(parts.last - parts.first)
-        safe = np.maximum(parts.piece, 0)
-        length = nominal.length[safe]
-        step = np.where(nominal.closed[safe], (step + length / 2) % length - length / 2, step)
         for number in np.unique(parts.chain):
             mine = np.flatnonzero(parts.chain == number)
             rows = np.unique(parts.row[mine])
-            backward = bool(step[mine].sum() < 0)
+            backward = bool(parts.way[mine].sum() < 0)
             contours += path_profile(toolpath, rows, backward).contours
         following = np.zeros(len(toolpath), dtype=bool)
         following[parts.row] = True

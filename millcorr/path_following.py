@@ -40,6 +40,8 @@ class Following:
         Arc length on the piece, mm, at the part's first and last sample; NaN about a joint.
     begin, end : (e,) float64
         Fractions of the move between which the part lies.
+    way : (e,) float64
+        1 where the part runs in the profile's direction, -1 against it; 0 about a joint.
     chain : (e,) int64
         Parts of connected moves share a number.
     error : (n,) float64
@@ -55,6 +57,7 @@ class Following:
     last: Floats
     begin: Floats
     end: Floats
+    way: Floats
     chain: Ints
     error: Floats
     distance: float
@@ -94,7 +97,7 @@ def follow(
     none = np.zeros(0, dtype=np.int64)
     if not len(index):
         empty = np.zeros(0)
-        return Following(none, none, empty, empty, empty, empty, none, error, np.inf)
+        return Following(none, none, empty, empty, empty, empty, empty, none, error, np.inf)
     points = toolpath.take(index).position(SAMPLES)[:, :, :2].reshape(-1, 2)
     label, sigma, off = _label(points, contour, radius, band)
     k = len(SAMPLES)
@@ -103,7 +106,8 @@ def follow(
     _prefer_one_piece(label, sigma, off, points.reshape(-1, k, 2), contour, radius, band)
     good = (label[:, inner] != NOWHERE).all(axis=1) & _steady(label, sigma, contour)
     ends_on_piece = _ends_on_their_piece(label, sigma, points.reshape(-1, k, 2), contour, radius)
-    row, piece, first, last, begin, end = [], [], [], [], [], []
+    advance = _advance(label, sigma, contour)
+    row, piece, first, last, begin, end, way = [], [], [], [], [], [], []
     for i in np.flatnonzero(good):
         names = label[i, inner]
         cuts = np.flatnonzero(np.diff(names)) + 1
@@ -113,6 +117,7 @@ def follow(
             piece.append(names[a])
             first.append(ends_on_piece[i, 0] if a == 0 else sigma[i, a + 1])
             last.append(ends_on_piece[i, 1] if b == k - 2 else sigma[i, b])
+            way.append(np.sign(advance[i, a + 1 : b].sum()))
             begin.append(0.0 if a == 0 else float(SAMPLES[a] + SAMPLES[a + 1]) / 2)
             end.append(1.0 if b == k - 2 else float(SAMPLES[b] + SAMPLES[b + 1]) / 2)
         seen = label[i] != NOWHERE
@@ -135,6 +140,7 @@ def follow(
         np.array(last),
         np.array(begin),
         np.array(end),
+        np.array(way),
         np.cumsum(~joined) - 1,
         error,
         float(apart.min()) if len(apart) else np.inf,
@@ -233,13 +239,20 @@ def _joint_at(contour: CompensatedContour, foot: Floats) -> Ints:
     return np.where(distance < GAP, which, -1).astype(np.int64)
 
 
+def _advance(label: Ints, sigma: Floats, contour: CompensatedContour) -> Floats:
+    """Arc length gained from sample to sample on the same piece, mm; 0 elsewhere; (m, k - 1)."""
+    same = (label[:, 1:] == label[:, :-1]) & (label[:, 1:] >= 0)
+    piece = np.maximum(label[:, 1:], 0)
+    step = np.diff(sigma, axis=1)
+    length = contour.length[piece]
+    step = np.where(contour.closed[piece], (step + length / 2) % length - length / 2, step)
+    return np.where(same, step, 0.0)
+
+
 def _steady(label: Ints, sigma: Floats, contour: CompensatedContour) -> NDArray[np.bool_]:
     """Rows that run along their pieces one way: no move across the contour passes for one along it."""
+    step = _advance(label, sigma, contour)
     same = (label[:, 1:] == label[:, :-1]) & (label[:, 1:] >= 0)
-    step = np.diff(sigma, axis=1)
-    length = np.where(label[:, 1:] >= 0, contour.length[np.maximum(label[:, 1:], 0)], 1.0)
-    closed = np.where(label[:, 1:] >= 0, contour.closed[np.maximum(label[:, 1:], 0)], False)
-    step = np.where(closed, (step + length / 2) % length - length / 2, step)
     inner = slice(1, same.shape[1] - 1)
     forward = ((step > 0) | ~same)[:, inner].all(axis=1)
     backward = ((step < 0) | ~same)[:, inner].all(axis=1)

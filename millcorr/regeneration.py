@@ -25,7 +25,7 @@ Bools = NDArray[np.bool_]
 BAND = 0.1
 """A following move is at most this far, in mm, from the exact parallel of the nominal."""
 
-KEEP_SHARE = 0.5
+KEEP_SHARE = 0.95
 """A move already this share of the tolerance from where it should be stays as it is."""
 
 FIT_SHARE = 0.4
@@ -283,7 +283,7 @@ def _kept(
             # A full turn ends at the foot point where it starts.
             meets = np.hypot(*(points[side, 0] - points[side, -1]).T) < 1e-9
             full = contour.closed[piece[side]] & plain[side] & meets
-            way = np.sign(_middle_way(toolpath, contour, rows[side], piece[side], first))
+            way = parts.way[group][side]
             step = np.where(full, way * contour.length[piece[side]], step)
             guess = first[:, None] + step[:, None] * samples
             names = np.repeat(piece[side], len(samples))
@@ -443,7 +443,7 @@ def _intervals(
     safe = np.maximum(piece, 0)
     closed = (piece >= 0) & contour.closed[safe]
     length = contour.length[safe]
-    way = np.sign(_middle_way(toolpath, contour, row, piece, sigma0[pick]))
+    way = parts.way[pick]
     turned = np.where(way > 0, np.mod(step, length), -np.mod(-step, length))
     turned = np.where(whole & closed, way * length, turned)
     step = np.where(closed, turned, step)
@@ -465,17 +465,6 @@ def _intervals(
         whole=whole,
         sweep_sign=np.sign(toolpath.sweep[row]),
     )
-
-
-def _middle_way(
-    toolpath: Toolpath, contour: CompensatedContour, row: Ints, piece: Ints, sigma: Floats
-) -> Floats:
-    """Positive where a move runs along the profile's direction, judged at its start."""
-    t = np.array([0.0, 1e-3])
-    p = toolpath.take(row).position(t)[:, :, :2]
-    normal = contour.nominal_normal(np.maximum(piece, 0), np.nan_to_num(sigma))
-    step = p[:, 1] - p[:, 0]
-    return step[:, 1] * normal[:, 0] - step[:, 0] * normal[:, 1]
 
 
 def _dressed(fitted: Toolpath, toolpath: Toolpath, row: Ints) -> Toolpath:

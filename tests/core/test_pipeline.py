@@ -349,3 +349,16 @@ def test_order_and_direction_of_the_points_do_not_matter() -> None:
         for m in (measurement, shuffled)
     }
     assert len(texts) == 1
+
+
+@pytest.mark.parametrize(("word", "side"), [("G2", "left"), ("G3", "right")])
+@pytest.mark.parametrize("halves", [False, True])
+def test_full_circles_both_ways(word: str, side: str, halves: bool) -> None:
+    turn = f"{word} X25 Y0 I-25 J0\n" if not halves else f"{word} X-25 Y0 I-25 J0\n{word} X25 Y0 I25 J0\n"
+    program = gcode.parse(f"G0 X35 Y0\nG1 Z-5 F200\nG1 X25 F400\n{turn}G1 X35\nG0 Z20\n", "circle.nc")
+    nominal = pipeline.nominal_from_program(program, 5.0, pipeline.Settings(side=side), None)
+    assert nominal.signed_areas() == pytest.approx([np.pi * 400])
+    measurement = programs.measured(nominal, lambda k, s: 0.01 + 0.004 * np.sin(s / 20.0))
+    result = pipeline.correct(pipeline.Request(program, 5.0, measurement, None, pipeline.Settings(filter="none")))
+    assert result.verification.path_error_max <= 0.001
+    assert np.abs(result.predicted).max() < 1e-9
