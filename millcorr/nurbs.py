@@ -196,6 +196,30 @@ class NurbsCurve:
             self.periodic,
         )
 
+    def clamped(self) -> NurbsCurve:
+        """The same curve not periodic, its ends interpolated, by knot insertion at the seam (Boehm)."""
+        if not self.periodic:
+            return self
+        p = self.degree
+        flat = self.flat_knots
+        poles = np.column_stack([self.poles * self.weights[:, None], self.weights])
+        poles = poles[np.arange(len(flat) - p - 1) % len(poles)]
+        for end, side in ((self.knots[0], 1), (self.knots[-1], 0)):
+            for _ in range(p - int((flat == end).sum())):
+                # The span on the curve's side of the knot.
+                k = int(np.searchsorted(flat, end, side="right" if side else "left")) - 1
+                i = np.arange(k - p + 1, k + 1)
+                share = ((end - flat[i]) / (flat[i + p] - flat[i]))[:, None]
+                new = (1 - share) * poles[i - 1] + share * poles[i]
+                poles = np.vstack([poles[: k - p + 1], new, poles[k:]])
+                flat = np.insert(flat, k + 1, end)
+        first = int(np.searchsorted(flat, self.knots[0], side="left"))
+        inner = int(np.sum((self.multiplicities[1:-1]))) if len(self.knots) > 2 else 0
+        kept = poles[first - 1 : first + inner + p]
+        mult = self.multiplicities.copy()
+        mult[[0, -1]] = p + 1
+        return NurbsCurve(p, kept[:, :2] / kept[:, 2:], kept[:, 2], self.knots, mult)
+
     def as_dict(self) -> dict[str, object]:
         """The curve as plain numbers for JSON."""
         return {

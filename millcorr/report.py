@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from . import step
 from .errors import UsageError
 from .pipeline import Result
 from .report_page import page
@@ -35,7 +36,7 @@ def write(
     notes: Sequence[str] = (),
     date: datetime.date | None = None,
 ) -> list[Path]:
-    """Write report.html, report.json, deviations.csv and profile.json.
+    """Write report.html, report.json, deviations.csv, profile.json and profile.step.
 
     Everything is written beside its place first, so a failure leaves no half report; files of the same
     names are replaced, others in the directory stay.
@@ -93,6 +94,9 @@ def _write_files(
         file.writelines(deviation_lines(result))
     _write_text(stage / "report.json", _json(summary(result, outputs=outputs, notes=notes)))
     _write_text(stage / "profile.json", _json(result.compensated.as_dict()))
+    midnight = datetime.datetime.combine(date, datetime.time())
+    name = Path(result.request.program.name).stem + " compensated"
+    _write_text(stage / "profile.step", step.text(result.compensated, name, date=midnight))
     _write_text(stage / "report.html", page(result, outputs=outputs, notes=notes, date=date))
 
 

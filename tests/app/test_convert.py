@@ -208,3 +208,17 @@ def test_profile_goes_to_a_shape_and_back():
             assert a.degree == b.degree and a.periodic == b.periodic
             assert np.abs(a.poles - b.poles).max() < 1e-12 or len(source) > 1
         assert again.total == pytest.approx(profile.total, abs=1e-9)
+
+
+def test_occt_reads_the_step_file_of_a_profile(tmp_path):
+    from millcorr import step
+
+    given = convert.profile_of_edges([periodic_rational().toShape()])
+    file = tmp_path / "profile.step"
+    file.write_text(step.text(given, "part"), encoding="utf-8")
+    shape = Part.Shape()
+    shape.read(str(file))
+    read = convert.profile_of_shape(shape)
+    assert read.total == pytest.approx(given.total, abs=1e-9)
+    places, _ = given.at(0, np.linspace(0, given.total[0], 101))
+    assert np.abs(FootPointSearch(read).find(places).distance).max() < 1e-9

@@ -142,7 +142,7 @@ def disc():
 # --- files -------------------------------------------------------------------------------------------------
 
 
-def test_writes_the_four_files_and_nothing_else(disc, tmp_path):
+def test_writes_its_files_and_nothing_else(disc, tmp_path):
     files = report.write(disc, tmp_path / "deep" / "report")
     names = {"report.html", "report.json", "deviations.csv", "profile.json"}
     assert {f.name for f in files} == names
@@ -156,7 +156,7 @@ def test_replaces_a_report_and_leaves_other_files(disc, tmp_path):
     report.write(disc, tmp_path)
     assert "old" != (tmp_path / "report.html").read_text(encoding="utf-8")
     assert (tmp_path / "mine.txt").read_text() == "mine"
-    assert len(list(tmp_path.iterdir())) == 5
+    assert len(list(tmp_path.iterdir())) == 6
 
 
 @pytest.mark.parametrize("there", [True, False])
