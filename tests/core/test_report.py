@@ -144,7 +144,7 @@ def disc():
 
 def test_writes_its_files_and_nothing_else(disc, tmp_path):
     files = report.write(disc, tmp_path / "deep" / "report")
-    names = {"report.html", "report.json", "deviations.csv", "profile.json"}
+    names = {"report.html", "report.json", "deviations.csv", "profile.json", "profile.step"}
     assert {f.name for f in files} == names
     assert {f.name for f in (tmp_path / "deep" / "report").iterdir()} == names
     assert [f.name for f in (tmp_path / "deep").iterdir()] == ["report"]
