@@ -31,8 +31,14 @@ CONVERGED = 1e-11
 FEW = 2000
 """As many points are compared themselves; more go by the grid."""
 
+FACET_ANGLE = 0.02
+"""Joints that turn less, in rad, are facets: only points right beside them have two feet."""
+
+RIVAL = 0.1
+"""Another branch that is no more than this farther, in mm, is always told."""
+
 _SAMPLES = 4000
-_GROUP = 32
+_GROUP = 16
 _CELLS = 65_000
 _PAIRS = 60_000
 _LAST_STEP = 1e-7
@@ -68,8 +74,8 @@ class FootPoints:
     place : (n,) int64
         `Place` of the foot.
     rival : (n,) float64
-        How much farther, in mm, the nearest other branch of the profile is; inf where it is farther than the
-        point's own distance from the profile or the search's margin, whichever is less.
+        How much farther, in mm, the nearest other branch of the profile is; inf where that is more than the
+        point's own distance from the profile or the search's margin, and more than `RIVAL`.
     """
 
     span: Ints
@@ -126,12 +132,10 @@ class FootPointSearch:
         self._spacing = max(size / _SAMPLES, 1e-4)
         span, t = profile.samples(self._spacing)
         self._closed = np.array([c.closed for c in profile.contours])
-        # Where spans meet, the start of the later one stands for both.
-        last = np.isin(span, profile.first[1:][~self._closed] - 1)
-        kept = (t < 1.0) | last
-        span, t = span[kept], t[kept]
-        x, y, *_ = profile._derivatives(span, t)
-        self._span, self._t, self._x, self._y = span, t, x, y
+        span, t = profile.samples(self._spacing)
+        # Steps from each sample to the next one of its span.
+        step = t < 1.0
+        self._span, self._t, self._t_end = span[step], t[step], t[np.flatnonzero(step) + 1]
         self._margin = margin
         self._grid: _Grid | None = None
         self._make_groups()
@@ -271,41 +275,61 @@ class FootPointSearch:
         return span, t, settled, values
 
     def _make_groups(self) -> None:
-        """Put neighbouring samples into groups, each with one more sample at either side, and a circle round it."""
+        """Put neighbouring steps into groups with a circle round each; a group may be filled up at its end."""
         profile = self.profile
-        members, valid = [], []
+        x, y, dx, dy, ddx, ddy = profile._derivatives(self._span, self._t)
+        speed = np.hypot(dx, dy)
+        self._x, self._y, self._dx, self._dy = x, y, dx / speed, dy / speed
+        bend = (dx * ddy - dy * ddx) / speed**3
+        x1, y1, dx, dy, *_ = profile._derivatives(self._span, self._t_end)
+        speed = np.hypot(dx, dy)
+        self._x_end, self._y_end, self._dx_end, self._dy_end = x1, y1, dx / speed, dy / speed
+        before = np.arange(-1, len(x) - 1)
         ends = np.searchsorted(self._span, profile.first)
-        for k, (a, b) in enumerate(zip(ends[:-1], ends[1:], strict=True)):
-            count = -(-(b - a) // _GROUP)
-            index = a + np.arange(count)[:, None] * _GROUP + np.arange(-1, _GROUP + 1)[None, :]
-            valid.append(index[:, 1:-1] < b)
-            left, right = (b - 1, a) if self._closed[k] else (a, b - 1)
-            index = np.where(index < a, left, np.where(index == b, right, np.minimum(index, b - 1)))
-            members.append(index)
-        self._member, self._valid = np.concatenate(members), np.concatenate(valid)
-        self._sample_x, self._sample_y = self._x[self._member], self._y[self._member]
-        self._group_x = (self._sample_x.min(axis=1) + self._sample_x.max(axis=1)) / 2
-        self._group_y = (self._sample_y.min(axis=1) + self._sample_y.max(axis=1)) / 2
-        away = np.hypot(self._sample_x - self._group_x[:, None], self._sample_y - self._group_y[:, None])
+        before[ends[:-1]] = np.where(self._closed, ends[1:] - 1, ends[:-1])
+        self._dx_before, self._dy_before = self._dx_end[before], self._dy_end[before]
+        # Where an open contour opens and closes.
+        self._opens, self._closes = np.zeros(len(x), dtype=bool), np.zeros(len(x), dtype=bool)
+        self._opens[ends[:-1][~self._closed]] = True
+        self._closes[ends[1:][~self._closed] - 1] = True
+        # How sharply the contour bends, in 1/mm, positive to the left; a corner has no radius at all.
+        turn = np.where(self._t == 0.0, np.nan_to_num(profile.turn[self._span[before]]), 0.0)
+        turn = np.where(self._opens, 0.0, turn)
+        self._bend = np.where(np.abs(turn) > FACET_ANGLE, np.copysign(np.inf, turn), bend)
+        self._faceted = bool(((np.abs(turn) > SMOOTH_ANGLE) & (np.abs(turn) <= FACET_ANGLE)).any())
+        rows = []
+        for a, b in zip(ends[:-1], ends[1:], strict=True):
+            index = np.arange(a, a + -(-(b - a) // _GROUP) * _GROUP).reshape(-1, _GROUP)
+            rows.append(np.where(index < b, index, -1))
+        member = np.concatenate(rows)
+        self._filled = member >= 0
+        self._member = np.where(self._filled, member, member[:, :1])
+        m = self._member
+        self._step_x, self._step_y = x[m], y[m]
+        all_x, all_y = np.concatenate([x[m], x1[m]], axis=1), np.concatenate([y[m], y1[m]], axis=1)
+        self._group_x = (all_x.min(axis=1) + all_x.max(axis=1)) / 2
+        self._group_y = (all_y.min(axis=1) + all_y.max(axis=1)) / 2
+        away = np.hypot(all_x - self._group_x[:, None], all_y - self._group_y[:, None])
         self._group_r = away.max(axis=1)
 
     def _compare(self, x: Floats, y: Floats, extra: float = 0.0) -> tuple[Ints, Floats, Floats, tuple[Floats, ...]]:
         """Foot points by comparing with all groups of samples: the nearest branch, and the gap to the next one.
 
-        Other branches are seen up to twice the distance (1 mm at least and the search's margin at most beyond
-        it), and `extra` farther.
+        Other branches are seen up to twice the distance (at least `RIVAL` and at most the search's margin
+        beyond it), and `extra` farther. With `extra`, the values end with the sharpest bends to the left and to
+        the right so far.
         """
         n, groups = len(x), len(self._group_x)
         span = np.zeros(n, dtype=np.int64)
         t, rival = np.empty(n), np.empty(n)
-        values = tuple(np.empty(n) for _ in range(5))
+        values = tuple(np.empty(n) for _ in range(7 if extra else 5))
         chunk = max(1, 500_000 // groups)
         for a in range(0, n, chunk):
             rows = slice(a, min(a + chunk, n))
             px, py = x[rows], y[rows]
             away = np.hypot(px[:, None] - self._group_x, py[:, None] - self._group_y)
             nearest = (away + self._group_r).min(axis=1) + 2 * self._spacing
-            limit = nearest + np.clip(nearest, 1.0, max(1.0, self._margin)) + extra
+            limit = nearest + np.clip(nearest, RIVAL, max(RIVAL, self._margin)) + extra
             point, group = np.nonzero(away - self._group_r <= limit[:, None])
             first = np.searchsorted(point, np.arange(len(px) + 1))
             # Points far away meet every group: take as many at a time as fit the cache.
@@ -325,18 +349,36 @@ class FootPointSearch:
     def _compare_groups(
         self, x: Floats, y: Floats, point: Ints, group: Ints, extra: float
     ) -> tuple[Ints, Floats, Floats, tuple[Floats, ...]]:
-        """The same for pairs of a point and a group, sorted by point, at least one pair a point."""
-        d2 = (self._sample_x[group] - x[point, None]) ** 2 + (self._sample_y[group] - y[point, None]) ** 2
+        """The same for pairs of a point and a group, sorted by point, at least one pair a point.
+
+        A minimum lies within a step if the distance falls at its start and rises at its end, or at its start if
+        the distance falls before and rises after.
+        """
+        d2 = (self._step_x[group] - x[point, None]) ** 2 + (self._step_y[group] - y[point, None]) ** 2
         first = np.searchsorted(point, np.arange(len(x)))
         nearest = np.sqrt(np.minimum.reduceat(d2.min(axis=1), first))
         # A branch whose sample is this much farther may still come nearest between samples.
         slack = nearest + 2 * self._spacing
-        window = (slack + np.clip(slack, 1.0, max(1.0, self._margin)) + extra) ** 2
-        inner = d2[:, 1:-1]
-        lowest = (inner <= d2[:, :-2]) & (inner <= d2[:, 2:]) & (inner <= window[point, None])
-        pair, column = np.nonzero(lowest & self._valid[group])
-        point, sample = point[pair], self._member[group[pair], column + 1]
-        span, t, settled, values = self._newton(x[point], y[point], self._span[sample], self._t[sample], steps=40)
+        window = slack + np.clip(slack, RIVAL, max(RIVAL, self._margin)) + extra
+        pair, column = np.nonzero((d2 <= (window**2)[point, None]) & self._filled[group])
+        step = self._member[group[pair], column]
+        curved = self._bends_at(step, point[pair], len(x)) if extra else None
+        px, py = x[point[pair]], y[point[pair]]
+        ex, ey = self._x[step] - px, self._y[step] - py
+        # Both sides of a joint must not be missed for rounding; found twice is found once.
+        little = 1e-9 * (1.0 + nearest)[point[pair]]
+        slope = ex * self._dx[step] + ey * self._dy[step]
+        slope_before = ex * self._dx_before[step] + ey * self._dy_before[step]
+        slope_end = (self._x_end[step] - px) * self._dx_end[step] + (self._y_end[step] - py) * self._dy_end[step]
+        at_start = (slope >= -little) & ((slope_before <= little) | self._opens[step])
+        at_end = (slope_end <= little) & self._closes[step]
+        kept = np.flatnonzero(((slope < 0) & (slope_end > 0)) | at_start | at_end)
+        step = step[kept]
+        seed = (self._t[step] + self._t_end[step]) / 2
+        seed = np.where(at_start[kept], self._t[step], seed)
+        seed = np.where(at_end[kept], self._t_end[step], seed)
+        point = point[pair][kept]
+        span, t, settled, values = self._newton(x[point], y[point], self._span[step], seed, steps=40)
         gap = np.hypot(values[0] - x[point], values[1] - y[point])
         gap = np.where(settled, gap, gap + 1e-9)
         order = np.lexsort((gap, point))
@@ -352,7 +394,18 @@ class FootPointSearch:
             along = self._way(s, s[main], contour)
             other = (contour != contour[main]) | (along > 1e-6 + 1e-3 * self._spacing)
             np.minimum.at(rival, point[other], (gap - gap[main])[other])
-        return span[head], t[head], np.maximum(rival, 0.0), tuple(v[head] for v in values)
+        best = tuple(v[head] for v in values)
+        if curved is not None:
+            best += curved
+        return span[head], t[head], np.maximum(rival, 0.0), best
+
+    def _bends_at(self, step: Ints, point: Ints, count: int) -> tuple[Floats, Floats]:
+        """Sharpest bends to the left and to the right, both positive in 1/mm, among the steps of each point."""
+        first = np.searchsorted(point, np.arange(count))
+        bend = self._bend[step]
+        left: Floats = np.maximum.reduceat(np.maximum(bend, 0.0), first)
+        right: Floats = np.maximum.reduceat(np.maximum(-bend, 0.0), first)
+        return left, right
 
     def _way(self, a: Floats, b: Floats, contour: Ints) -> Floats:
         """Distance along the contour between two arc lengths, the short way round."""
@@ -360,8 +413,9 @@ class FootPointSearch:
         return np.where(self._closed[contour], np.minimum(along, self.profile.total[contour] - along), along)
 
     def _make_grid(self) -> _Grid:
-        low = np.array([self._x.min(), self._y.min()]) - self._margin
-        high = np.array([self._x.max(), self._y.max()]) + self._margin
+        x, y = [self._x, self._x_end], [self._y, self._y_end]
+        low = np.array([np.min(x), np.min(y)]) - self._margin
+        high = np.array([np.max(x), np.max(y)]) + self._margin
         cell = float(np.sqrt(np.prod(high - low) / _CELLS))
         shape = (int((high[0] - low[0]) / cell) + 1, int((high[1] - low[1]) / cell) + 1)
         n = shape[0] * shape[1] + 1
@@ -383,8 +437,12 @@ class FootPointSearch:
         speed2 = dx * dx + dy * dy
         bend = speed2 + (cx - x) * ddx + (cy - y) * ddy
         # From centre to corner of the cell, either branch's distance changes by half a diagonal at most.
-        reach = np.clip(np.abs(values[4]) + half, 0.02, self._margin)
+        reach = np.clip(np.abs(values[4]) + half, RIVAL, max(RIVAL, self._margin))
         sure = (rival > 2 * half + reach) & (bend > 0.25 * speed2)
+        # No point of the cell may come near the centre of a bend towards it: there branches divide.
+        distance, left, right = values[4:]
+        far = np.abs(distance) + 2 * half + reach
+        sure &= ~((distance < half) & (left * far > 0.75)) & ~((distance > -half) & (right * far > 0.75))
         bend = np.where(sure, bend, 1.0)
         grid.span[cells], grid.tx[cells], grid.ty[cells] = span, dx / bend, dy / bend
         grid.t[cells] = t - (x * dx + y * dy) / bend
@@ -421,7 +479,7 @@ class FootPointSearch:
             bad.append(a + self._two_steps(grid, cell[rows], x[rows], y[rows], rows, span, t, out))
         rest = np.concatenate(bad)
         sure = grid.sure[cell[rest]]
-        unsettled = []
+        again = [rest[~sure]]
         for a in range(0, len(rest), BLOCK):
             some = rest[a : a + BLOCK][sure[a : a + BLOCK]]
             new_span, new_t, settled, exact = self._newton(x[some], y[some], span[some], t[some], steps=30)
@@ -429,8 +487,23 @@ class FootPointSearch:
             span[back], t[back] = new_span[settled], new_t[settled]
             for target, value in zip(out, exact, strict=True):
                 target[back] = value[settled]
-            unsettled.append(some[~settled])
-        return np.concatenate([rest[~sure], *unsettled])
+            again.append(some[~settled])
+        if self._faceted:
+            beside = self._beside_facets(span, t, out[4])
+            beside[np.concatenate(again)] = False
+            again.append(np.flatnonzero(beside))
+        return np.concatenate(again)
+
+    def _beside_facets(self, span: Ints, t: Floats, distance: Floats) -> Bools:
+        """Whether a foot is so near to a joint turning towards the point that the next facet may be nearer."""
+        profile = self.profile
+        turn = np.nan_to_num(profile.turn)
+        before = turn[profile.neighbour(np.arange(profile.spans), -1)]
+        reach = 0.51 * np.abs(distance)
+        length = profile.length[span]
+        out: Bools = (-distance * before[span] > 0) & (t * length <= reach * np.abs(before[span]))
+        out |= (-distance * turn[span] > 0) & ((1 - t) * length <= reach * np.abs(turn[span]))
+        return out
 
     def _two_steps(
         self,
