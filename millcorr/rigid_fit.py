@@ -1,0 +1,428 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rigid fit of points to a profile: coarse, robust least squares, minimum zone, and what is determined at all.
+
+The gradient of a deviation over a motion of its point is the profile's normal at the foot point, exactly. So
+Gauss-Newton steps and linear programmes need no more than foot points.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .deviation import BRANCH_GAP
+from .errors import FitError, InputError
+from .footpoint import FootPoints, FootPointSearch, Place
+from .measurement import Measurement
+from .profile import CORNER_ANGLE, Profile
+from .transform import Transform
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Bools = NDArray[np.bool_]
+
+BELONGS = 2.0
+"""When most points lie farther than this from the profile after the fit, in mm, they are not its points."""
+
+OUTLIER = (4.5, 7.0)
+"""Residuals below the first multiple of the robust standard deviation have weight 1, above the second none."""
+
+FINEST = 1e-4
+"""No measurement is taken to scatter by less than this, in mm."""
+
+TRIAL = 1.0
+"""A direction of the motion is tried by a move of this many mm (for a turn: at the points' mean lever)."""
+
+VISIBLE = 1e-3
+"""A trial move must change the deviations by this much, in mm root mean square, and ..."""
+
+CERTAIN = 10.0
+"""... by this many standard uncertainties; otherwise the direction is undetermined."""
+
+_COARSE = 500
+_COARSE_FLOOR = 0.01
+_GOOD = 0.1
+_CLOSE = 1e-9
+_ROUNDS = 80
+_TURN = 0.3
+"""An undetermined direction with a larger part of turning counts as a turn, with a smaller one as a slide."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Look:
+    """Deviations at one pose: value (n,), slope (n, 3) over the motion in mm, feet and moved points."""
+
+    value: Floats
+    slope: Floats
+    feet: FootPoints
+    xy: Floats
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Weights:
+    """Weights and points of a least squares fit."""
+
+    weight: Floats
+    taking_part: Bools
+    iterations: int
+
+
+class RigidFit:
+    """One fit: the points, the profile, and the coordinates q of the motion, three lengths in mm.
+
+    With both shifts free, ``p' = Rot(q3 / lever) (p + (q1, q2) - centre) + centre``, centre being the profile's
+    centroid: on a round profile the turn then leaves the deviations alone, and only the turn. Otherwise
+    ``p' = Rot(q3 / lever) p + (q1, q2)``, so that a locked shift is 0.
+    """
+
+    def __init__(
+        self, measurement: Measurement, profile: Profile, free: tuple[bool, bool, bool], robust: bool = True
+    ) -> None:
+        self.source = measurement.source
+        self.profile = profile
+        self.robust = robust
+        self.radius = measurement.ball_radius
+        self.points = measurement.points[:, :2]
+        self.normals = None if measurement.normals is None else measurement.normals[:, :2]
+        self.search = FootPointSearch(profile, margin=5.0 + self.radius)
+        self.free = np.eye(3)[:, np.flatnonzero(free)]
+        self.central = (free[0] and free[1]) or not free[2]
+        self.centre = _centroid(profile)
+        pivot = self.centre if self.central else np.zeros(2)
+        lever = float(np.median(np.hypot(*(self.points - pivot).T))) if len(self.points) else 0.0
+        self.lever = max(lever, 1e-3)
+        # The same points whenever the same measurement is fitted, without regard to their order along the contour.
+        order = np.random.default_rng(0).permutation(len(self.points))
+        self.few = np.sort(order[:_COARSE])
+
+    def require(self, count: int, what: str) -> None:
+        """InputError where so many points are too few for the free degrees of freedom."""
+        needed = self.free.shape[1] + 1
+        if count < needed:
+            raise InputError(
+                f"{self.source}: alignment with {needed - 1} free degrees of freedom needs at least {needed} points, "
+                f"{count} {what}"
+            )
+
+    def transform(self, q: Floats) -> Transform:
+        """The motion of the coordinates q."""
+        rotation = float(q[2] / self.lever) + 0.0
+        if not self.central:
+            return Transform((float(q[0]), float(q[1])), rotation)
+        turn = Transform((0.0, 0.0), rotation)
+        x, y = turn._turned(q[0], q[1])
+        a, b = turn._turned(*self.centre)
+        return Transform((float(x + (self.centre[0] - a)), float(y + (self.centre[1] - b))), rotation)
+
+    def jacobian(self, q: Floats) -> Floats:
+        """Derivative of shift X, shift Y and rotation over q, (3, 3)."""
+        out = np.diag([1.0, 1.0, 1.0 / self.lever])
+        if self.central:
+            matrix = self.transform(q).matrix
+            x, y = matrix @ (q[:2] - self.centre)
+            out[:2, :2] = matrix
+            out[:2, 2] = np.array([-y, x]) / self.lever
+        return out
+
+    def pivot(self, q: Floats) -> Floats:
+        """Point about which a change of q3 turns, after the motion, mm."""
+        return self.centre if self.central else q[:2]
+
+    def push(self, q: Floats) -> Floats:
+        """Derivative of the shift of the moved points over q1 and q2, (2, 2)."""
+        return self.transform(q).matrix if self.central else np.eye(2)
+
+    def look(self, q: Floats, rows: Ints | None = None) -> Look:
+        """Deviations of the points, or of some rows, at a pose."""
+        transform = self.transform(q)
+        points = self.points if rows is None else self.points[rows]
+        xy = transform.points(points)
+        feet = self.search.find(xy)
+        if self.normals is not None:
+            normals = transform.directions(self.normals if rows is None else self.normals[rows])
+            feet = self.search.on_the_side_of(xy, normals, feet)
+        return Look(feet.distance - self.radius, self.slope(q, xy, feet.normal), feet, xy)
+
+    def slope(self, q: Floats, xy: Floats, normal: Floats) -> Floats:
+        """Derivative of the deviations over q, (n, 3)."""
+        arm = xy - self.pivot(q)
+        turn = (normal[:, 1] * arm[:, 0] - normal[:, 0] * arm[:, 1]) / self.lever
+        return np.column_stack([normal @ self.push(q), turn])
+
+    def usable(self, look: Look) -> Bools:
+        """Points with one certain normal: not at a corner, beyond an open end or between two branches."""
+        feet, profile = look.feet, self.profile
+        before = np.where(feet.t == 1.0, feet.span, profile.neighbour(feet.span, -1))
+        corner = (feet.place == Place.JOINT) & (np.abs(np.nan_to_num(profile.turn[before])) > CORNER_ANGLE)
+        unsure = feet.rival < np.maximum(BRANCH_GAP, np.abs(look.value))
+        out: Bools = ~corner & ~unsure & (feet.place != Place.END)
+        return out
+
+    def coarse(self) -> Floats:
+        """Pose near the best one, from few points; several starts where the first leads nowhere.
+
+        Raises
+        ------
+        FitError
+            If most points stay far from the profile.
+        """
+        q, spread = self._descend(np.zeros(3))
+        if spread > _GOOD:
+            for start in self._starts():
+                other, wider = self._descend(start)
+                if wider < 0.7 * spread:
+                    q, spread = other, wider
+        look = self.look(q, self.few)
+        gap = np.hypot(*(look.xy - look.feet.foot).T) - self.radius
+        far = float(np.mean(np.abs(gap) > BELONGS))
+        if far > 0.5:
+            raise FitError(
+                f"{self.source}: alignment: {100 * far:.0f} % of the points stay farther than {BELONGS:g} mm from the "
+                "profile; check unit, work frame, --points and --nominal"
+            )
+        return q
+
+    def _descend(self, q: Floats) -> tuple[Floats, float]:
+        """Reweighted Gauss-Newton from a start, with Tukey's biweight; the pose and the spread left, mm."""
+        e = np.zeros(0)
+        for _ in range(40):
+            look = self.look(q, self.few)
+            e, slope = self._pulled(q, look)
+            a = slope @ self.free
+            cut = 4.685 * max(1.4826 * float(np.median(np.abs(e))), _COARSE_FLOOR)
+            weight = _guarded(np.abs(e) / cut, 0.0, 1.0, a)
+            values, vectors = np.linalg.eigh(a.T @ (weight[:, None] * a))
+            seen = values > (VISIBLE / TRIAL) ** 2 * max(float(weight.sum()), 1e-9)
+            right = vectors[:, seen].T @ (a.T @ (weight * e))
+            step = -self.free @ (vectors[:, seen] @ (right / values[seen]))
+            step /= max(1.0, float(np.hypot(*step[:2])) / 5.0, abs(float(step[2])) / self.lever / 0.1)
+            q = q + step
+            if np.abs(step).max() < 1e-4:
+                break
+        return q, float(np.quantile(np.abs(e - np.median(e)), 0.8))
+
+    def _pulled(self, q: Floats, look: Look) -> tuple[Floats, Floats]:
+        """Deviations and slopes in which points beyond an open end are drawn back to that end."""
+        beyond = np.flatnonzero(look.feet.place == Place.END)
+        if not len(beyond):
+            return look.value, look.slope
+        away = look.xy[beyond] - look.feet.foot[beyond]
+        gap = np.hypot(*away.T)
+        value, slope = look.value.copy(), look.slope.copy()
+        value[beyond] = gap - self.radius
+        slope[beyond] = self.slope(q, look.xy[beyond], away / np.maximum(gap, 1e-12)[:, None])
+        return value, slope
+
+    def _starts(self) -> list[Floats]:
+        """The most promising of many turns and shifts."""
+        angles = np.radians([0.0, -2.0, 2.0, -5.0, 5.0, -10.0, 10.0]) if self.free[2].any() else np.zeros(1)
+        moves = np.array([0.0, -2.0, 2.0, -4.0, 4.0])
+        xs = moves if self.free[0].any() else np.zeros(1)
+        ys = moves if self.free[1].any() else np.zeros(1)
+        poses = np.stack(np.meshgrid(xs, ys, angles * self.lever, indexing="ij"), axis=-1).reshape(-1, 3)
+        rows = self.few[:: max(1, len(self.few) // 150)]
+        xy = np.concatenate([self.transform(q).points(self.points[rows]) for q in poses])
+        feet = self.search.find(xy)
+        gap = np.abs(np.hypot(*(xy - feet.foot).T) - self.radius).reshape(len(poses), -1)
+        score = np.quantile(gap, 0.8, axis=1)
+        return [poses[i] for i in np.argsort(score, kind="stable")[:6]]
+
+    def determined(self, q: Floats) -> tuple[Floats, tuple[str, ...]]:
+        """Basis (3, k) of the directions of q that the points determine, and the others in words.
+
+        The eigenvectors of the normal matrix are tried one by one: the foot points, which lie on the profile, are
+        moved along by `TRIAL`, the other directions may compensate, and the deviations that are left must be seen
+        (`VISIBLE`) and certain (`CERTAIN`). A finite move sees through the facets of a rounded profile, which a
+        derivative takes for shape.
+        """
+        look = self.look(q, self.few)
+        used = np.flatnonzero(self.usable(look))
+        self.require(len(used), "can be used")
+        foot, value = look.feet.foot[used], look.value[used]
+        noise = max(1.4826 * float(np.median(np.abs(value - np.median(value)))), FINEST)
+        a = self.slope(q, foot, look.feet.normal[used]) @ self.free
+        _, vectors = np.linalg.eigh(a.T @ a)
+        share = len(self.points) / len(self.few)
+        keep, words = [], []
+        for i in range(vectors.shape[1]):
+            others = a @ np.delete(vectors, i, axis=1)
+            direction = self.free @ vectors[:, i]
+            change = min(self._change(q, foot, sign * TRIAL * direction, others) for sign in (-1.0, 1.0))
+            if change <= VISIBLE**2 * len(used) or change * share <= (CERTAIN * noise) ** 2:
+                words.append(self._name(q, direction))
+            else:
+                keep.append(i)
+        basis = self.free @ vectors[:, keep]
+        return _without_turn(basis, self.free @ np.delete(vectors, keep, axis=1)), tuple(words)
+
+    def _change(self, q: Floats, foot: Floats, move: Floats, others: Floats) -> float:
+        """Sum of squared deviations, mm2, that a move of points of the profile leaves whatever the others do."""
+        pivot = self.pivot(q)
+        x, y = self.push(q) @ move[:2]
+        moved = Transform.about(move[2] / self.lever, (pivot[0], pivot[1]), (x, y)).points(foot)
+        feet = self.search.find(moved)
+        inside = feet.place != Place.END
+        e, others = feet.distance[inside], others[inside]
+        if others.shape[1] and len(e):
+            e = e - others @ np.linalg.lstsq(others, e, rcond=1e-9)[0]
+        return float(e @ e)
+
+    def _name(self, q: Floats, direction: Floats) -> str:
+        """A direction of q in words."""
+        x, y = self.push(q) @ direction[:2]
+        if abs(direction[2]) > 0.01:
+            turn = direction[2] / self.lever
+            cx, cy = np.round(self.pivot(q) + np.array([-y, x]) / turn, 1) + 0.0
+            return f"{'turn about' if abs(direction[2]) > _TURN else 'slide round'} X{cx:.1f} Y{cy:.1f}"
+        angle = round(math.degrees(math.atan2(y, x)), 1) % 180.0
+        return {0.0: "shift along X", 90.0: "shift along Y"}.get(angle, f"shift along {angle:.1f} deg to X")
+
+    def weights(self, look: Look, taking_part: Bools, basis: Floats) -> Floats:
+        """Weight of each point: 1 up to the first limit of `OUTLIER`, then falling as Tukey's biweight to 0."""
+        weight = taking_part.astype(np.float64)
+        value = look.value[taking_part]
+        # Few points do not tell which of them is wrong.
+        if not self.robust or len(value) < 5 * self.free.shape[1]:
+            return weight
+        away = np.abs(value - np.median(value))
+        scale = max(1.4826 * float(np.median(away)), FINEST)
+        weight[taking_part] = _guarded(away / scale, *OUTLIER, look.slope[taking_part] @ basis)
+        return weight
+
+    def least_squares(self, q: Floats, basis: Floats) -> tuple[Floats, Look, Weights]:
+        """Pose of the least sum of weighted squares.
+
+        Raises
+        ------
+        InputError
+            If too few points can be used.
+        FitError
+            If the steps do not become small.
+        """
+        weight, taking_part = np.zeros(len(self.points)), np.zeros(len(self.points), dtype=bool)
+        fixed, size, damping = False, math.inf, 1.0
+        for iteration in range(1, _ROUNDS + 1):
+            look = self.look(q)
+            if not fixed:
+                taking_part = self.usable(look)
+                self.require(int(taking_part.sum()), "can be used")
+                new = self.weights(look, taking_part, basis)
+                fixed = size < 1e-3 and (np.abs(new - weight).max() < 1e-9 or iteration > _ROUNDS // 3)
+                weight = new
+                self.require(int((weight > 0).sum()), "can be used")
+            a = look.slope @ basis
+            normal = a.T @ (weight[:, None] * a)
+            try:
+                step = -damping * (basis @ np.linalg.solve(normal, a.T @ (weight * look.value)))
+            except np.linalg.LinAlgError:
+                raise FitError(f"{self.source}: alignment: the usable points do not determine the motion") from None
+            before, size = size, float(np.abs(step).max()) if len(basis.T) else 0.0
+            if fixed and size < _CLOSE:
+                return q, look, Weights(weight, taking_part, iteration)
+            if fixed and size > 0.7 * before:
+                damping *= 0.5
+                if size < 1e-6 and damping < 0.01:
+                    return q, look, Weights(weight, taking_part, iteration)
+            q = q + step
+        raise FitError(f"{self.source}: alignment: no end after {_ROUNDS} steps, the last one {size:.2g} mm")
+
+    def minimum_zone(self, q: Floats, basis: Floats, inside: Bools) -> tuple[Floats, Look, int]:
+        """Pose of the least largest absolute deviation, by linear programmes within a trust region.
+
+        Raises
+        ------
+        FitError
+            If the steps do not become small.
+        """
+        rows = np.flatnonzero(inside).astype(np.int64)
+        look = self.look(q, rows)
+        height = float(np.abs(look.value).max())
+        reach = 10 * height
+        for iteration in range(1, _ROUNDS + 1):
+            if height < _CLOSE or not basis.shape[1]:
+                return q, self.look(q), iteration
+            z, expected = _chebyshev_step(look.value, look.slope @ basis, reach)
+            step = basis @ z
+            if height - expected < _CLOSE or np.abs(step).max() < _CLOSE:
+                return q, self.look(q), iteration
+            trial = self.look(q + step, rows)
+            reached = float(np.abs(trial.value).max())
+            gain = (height - reached) / (height - expected)
+            if gain > 0.1:
+                q, look, height = q + step, trial, reached
+                reach *= 2.0 if gain > 0.75 else 1.0
+            else:
+                reach = float(np.abs(z).max()) / 4
+            if reach < _CLOSE:
+                return q, self.look(q), iteration
+        raise FitError(f"{self.source}: alignment: no minimum zone after {_ROUNDS} steps")
+
+
+def _guarded(away: Floats, low: float, high: float, slope: Floats) -> Floats:
+    """Weights 1 up to `low`, falling as Tukey's biweight to 0 at `high`; wider where that would lose a direction.
+
+    A short side may be all that holds a direction of the motion. Its few points look like outliers until the fit
+    has come near; so the limits grow until every direction keeps half of what all points tell about it.
+    """
+    values, vectors = np.linalg.eigh(slope.T @ slope)
+    seen = values > (VISIBLE / TRIAL) ** 2 * len(slope)
+    a = slope @ (vectors[:, seen] / np.sqrt(values[seen]))
+    for widening in 2.0 ** np.arange(40):
+        over = np.clip((away / widening - low) / (high - low), 0.0, 1.0)
+        weight: Floats = (1 - over**2) ** 2
+        if not seen.any() or np.linalg.eigvalsh(a.T @ (weight[:, None] * a))[0] >= 0.5:
+            return weight
+    return np.ones(len(slope))
+
+
+def _chebyshev_step(value: Floats, slope: Floats, reach: float) -> tuple[Floats, float]:
+    """Step z, no component above `reach`, that makes max |value + slope z| least, and that maximum.
+
+    A linear programme over the points that matter: solved for the largest ones, then again with the worst offenders
+    added until no point exceeds the programme's own maximum.
+    """
+    from scipy.optimize import linprog
+
+    unit = float(np.abs(value).max())
+    d, k = value / unit, slope.shape[1]
+    chosen = np.zeros(len(d), dtype=bool)
+    chosen[np.argsort(-np.abs(d), kind="stable")[:100]] = True
+    cost = np.append(np.zeros(k), 1.0)
+    bounds = [(-reach / unit, reach / unit)] * k + [(0.0, None)]
+    while True:
+        a, b = slope[chosen], d[chosen]
+        ones = np.ones((len(b), 1))
+        found = linprog(
+            cost, np.block([[a, -ones], [-a, -ones]]), np.concatenate([-b, b]), bounds=bounds, method="highs"
+        )
+        if found.x is None:
+            raise FitError(f"minimum zone: the linear programme failed: {found.message}")
+        z = found.x[:k]
+        all_of = np.abs(d + slope @ z)
+        excess = np.where(chosen, -1.0, all_of - all_of[chosen].max())
+        if excess.max() <= 1e-10:
+            return z * unit, float(all_of.max()) * unit
+        worst = np.argsort(-excess, kind="stable")[:100]
+        chosen[worst[excess[worst] > 0]] = True
+
+
+def _without_turn(basis: Floats, lost: Floats) -> Floats:
+    """Basis without any turn where a turn is lost, so that shifts alone make up what is determined."""
+    if lost.shape[1] and np.abs(lost[2]).max() > _TURN and basis.shape[1]:
+        flat = basis.copy()
+        flat[2] = 0.0
+        return np.linalg.qr(flat)[0]
+    return basis
+
+
+def _centroid(profile: Profile) -> Floats:
+    """Centre of gravity of the profile's line, (2,) mm."""
+    nodes, weights = np.polynomial.legendre.leggauss(16)
+    span = np.repeat(np.arange(profile.spans), 16)
+    c, d1, _ = profile.evaluate(span, np.tile((nodes + 1) / 2, profile.spans))
+    mass = np.hypot(*d1.T) * np.tile(weights, profile.spans)
+    out: Floats = mass @ c / mass.sum()
+    return out
