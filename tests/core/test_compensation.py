@@ -372,7 +372,8 @@ def test_rounding_at_the_start_of_a_stretch_is_no_whole_turn():
 
 
 def test_limit_names_the_place():
-    with pytest.raises(LimitError, match=r"-0\.6000 mm is needed at X30\.000 Y0\.000 \(2 points\), more than --limit 0\.5"):
+    said = r"-0\.6000 mm is needed at X30\.000 Y0\.000 \(2 points\), more than --limit 0\.5"
+    with pytest.raises(LimitError, match=said):
         corrected(line(), [10.0, 20.0, 30.0, 40.0], [0.1, 0.51, -0.6, 0.2], limit=0.5)
     corrected(line(), [10.0, 20.0, 30.0], [0.5, 0.5, 0.5], limit=0.5)
 
