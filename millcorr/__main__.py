@@ -100,7 +100,11 @@ def _add_inputs(verb: argparse.ArgumentParser) -> None:
         default="contour",
         help="what a program with G41/G42 gives: the contour, or the centre path",
     )
-    verb.add_argument("--align", choices=("none",), default="none", help="best fit before comparing")
+    fits = "best fit before comparing: none, shift, rigid, or some of x, y, turn joined by +; then :zone or :all"
+    verb.add_argument("--align", default="none", metavar="FIT", help=fits)
+    verb.add_argument(
+        "--accept", action="append", default=[], metavar="NAME", help="accept a finding that would stop the correction"
+    )
     filters = "none, mean:5, mean:1,2,3,2,1, gauss:MM, robust:MM, auto"
     verb.add_argument("--filter", default="auto", metavar="F", help=filters)
     verb.add_argument("--method", choices=("mirror",), default="mirror", help="how to correct")
@@ -144,6 +148,7 @@ def _run(arguments: argparse.Namespace, output: Path | None) -> None:
             "cutter_compensation",
         )
     }
+    options["accept"] = tuple(arguments.accept)
     common: dict[str, Any] = {
         "measured": arguments.measured,
         "format": arguments.format,

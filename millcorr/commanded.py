@@ -97,7 +97,6 @@ def _paths(toolpath: Toolpath, usable: Bools) -> list[Contour]:
 
 
 def nominal_of(
-    given: Profile | None,
     toolpath: Toolpath,
     usable: Bools,
     path_radius: float,
@@ -105,15 +104,13 @@ def nominal_of(
     measurement: Measurement | None,
     name: str,
 ) -> Profile:
-    """The nominal profile: the given one, turned the way the path says, or the contour that the program cuts.
+    """The nominal profile that a program shows: the contours it cuts near the measured points.
 
     Raises
     ------
     InputError
         If no contour of the program is near the measured points.
     """
-    if given is not None:
-        return given
     found: list[CutContour] = []
     trouble: list[str] = []
     for run in cutting_runs(toolpath):

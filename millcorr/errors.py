@@ -40,6 +40,10 @@ class FormatError(InputError):
         super().__init__(f"{where}: {message}" if where else message)
 
 
+class DistrustError(InputError):
+    """The measurement does not look like what it is said to be; an option or --accept resolves it."""
+
+
 class RefusedError(MillcorrError):
     """The correction would be wrong or unsafe and is refused; nothing is written."""
 

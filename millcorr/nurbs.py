@@ -214,7 +214,7 @@ class NurbsCurve:
                 poles = np.vstack([poles[: k - p + 1], new, poles[k:]])
                 flat = np.insert(flat, k + 1, end)
         first = int(np.searchsorted(flat, self.knots[0], side="left"))
-        inner = int(np.sum((self.multiplicities[1:-1]))) if len(self.knots) > 2 else 0
+        inner = int(self.multiplicities[1:-1].sum()) if len(self.knots) > 2 else 0
         kept = poles[first - 1 : first + inner + p]
         mult = self.multiplicities.copy()
         mult[[0, -1]] = p + 1

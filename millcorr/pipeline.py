@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from . import __version__, gcode, provenance
+from . import __version__, alignment, distrust, gcode, provenance
 from .commanded import Commanded, beside_the_path, choose_side, commanded_offset, nominal_of
 from .compensation import Correction, along, correction_from, dead_band
 from .deviation import Deviation, deviations, statistics
@@ -43,11 +43,11 @@ class Settings:
     tolerance: float = 0.001
     output_moves: str = "keep"
     cutter_compensation: str = "contour"
+    accept: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         choices = {
             "side": ("auto", "left", "right"),
-            "align": ("none",),
             "method": ("mirror",),
             "output_moves": OUTPUT_MOVES,
             "cutter_compensation": ("contour", "wear"),
@@ -56,6 +56,7 @@ class Settings:
             if getattr(self, name) not in legal:
                 option = "--" + name.replace("_", "-")
                 raise UsageError(f"{option} {getattr(self, name)}: choose one of {', '.join(legal)}")
+        alignment.Freedom.parse(self.align)
         Filter.parse(self.filter)
         if not 0 < self.gain <= 2:
             raise UsageError(f"--gain {self.gain:g}: must be above 0 and at most 2")
@@ -69,7 +70,8 @@ class Settings:
         """The settings that shape a correction, in one line."""
         return (
             f"method {self.method} filter {self.filter} gain {self.gain:g} dead band {self.dead_band:g} "
-            f"limit {self.limit:g} tolerance {self.tolerance:g} moves {self.output_moves}"
+            f"limit {self.limit:g} tolerance {self.tolerance:g} moves {self.output_moves} align {self.align}"
+            + (f" accepted {' '.join(self.accept)}" if self.accept else "")
         )
 
 
@@ -106,6 +108,8 @@ class Result:
     request : Request
     nominal, compensated : Profile
     correction : Correction
+    alignment : Alignment or None
+        What the best fit moved; None without one.
     deviation : Deviation
         Against the nominal; empty without a measurement.
     filtered : (n,) float64
@@ -133,6 +137,7 @@ class Result:
     nominal: Profile
     compensated: Profile
     correction: Correction
+    alignment: alignment.Alignment | None
     deviation: Deviation
     filtered: Floats
     predicted: Floats
@@ -166,7 +171,7 @@ class Result:
             "path_error_of_program": self.regeneration.original_error,
             "predicted": statistics(self.predicted),
             "correction": {"max": self.correction.largest, "limited": 0},
-            "alignment": {"shift": [0.0, 0.0], "rotation_deg": 0.0},
+            "alignment": self._alignment_summary(),
             "profile": {k: first[k] for k in keys} | {"curves": curves, "fit_residual": self.fit_residual},
             "verification": {
                 "path_error_max": self.verification.path_error_max,
@@ -177,6 +182,22 @@ class Result:
             "inputs": self.inputs(),
             "settings": {name: getattr(self.request.settings, name) for name in Settings.__slots__},
             "warnings": list(self.warnings),
+        }
+
+    def _alignment_summary(self) -> dict[str, Any]:
+        fit = self.alignment
+        if fit is None:
+            return {"shift": [0.0, 0.0], "rotation_deg": 0.0}
+        return {
+            "shift": list(fit.transform.shift),
+            "rotation_deg": float(np.degrees(fit.transform.rotation)),
+            "free": list(fit.free),
+            "undetermined": list(fit.undetermined),
+            "mean_before": fit.before.mean,
+            "mean_after": fit.after.mean,
+            "rms_before": fit.before.rms,
+            "rms_after": fit.after.rms,
+            "scale": fit.scale,
         }
 
     def inputs(self) -> dict[str, Any]:
@@ -220,17 +241,23 @@ def correct(request: Request) -> Result:
     provenance.refuse_second_use(carried, digests, program.name, request.nominal is not None)
 
     usable, path_radius = _usable(program, request.radius, settings)
-    material_right = choose_side(toolpath, usable, settings.side, measurement, request.radius, path_radius)
-    nominal = nominal_of(request.nominal, toolpath, usable, path_radius, material_right, measurement, program.name)
+    nominal = request.nominal
+    if nominal is None:
+        nominal = _own_contour(program, settings, measurement, request.radius, path_radius, usable)
     nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, request.nominal is not None)
     program.require_plain(beside_the_path(toolpath, commanded.following))
 
+    aligned: alignment.Alignment | None = None
     if measurement is None:
         correction, work = Correction.none(nominal), _Work.empty()
     else:
+        measurement, aligned = _believed(measurement, nominal, request, warnings)
         deviation = deviations(measurement, nominal, cutter_radius=request.radius)
         _refuse_wrong_unit(measurement, nominal, len(deviation))
-        work = _separated(deviation, nominal, commanded, settings, bool(carried), warnings)
+        lowest = _lowest_cut(toolpath, commanded) if measurement.has_z else None
+        work = _separated(
+            deviation, nominal, commanded, settings, bool(carried), warnings, measurement.source, lowest
+        )
         correction = _correction(work, nominal, settings, warnings)
     contour = CompensatedContour(nominal, correction)
     _refuse_crossing(nominal, contour)
@@ -242,6 +269,7 @@ def correct(request: Request) -> Result:
         tolerance=settings.tolerance,
         output_moves=settings.output_moves,
         rows=usable,
+        nominal_from_path=request.nominal is None,
     )
     text = _written(request, regeneration)
     emitted = gcode.parse(text, program.name).toolpath
@@ -261,6 +289,7 @@ def correct(request: Request) -> Result:
         nominal=nominal,
         compensated=compensated,
         correction=correction,
+        alignment=aligned,
         deviation=work.deviation,
         filtered=work.filtered,
         predicted=work.deviation.value - work.commanded + applied,
@@ -302,8 +331,20 @@ def nominal_from_program(
             f"{program.name}:{carried[-1].line}: --nominal names a corrected program; give the first, uncorrected one"
         )
     usable, path_radius = _usable(program, radius, settings)
+    return _own_contour(program, settings, measurement, radius, path_radius, usable)
+
+
+def _own_contour(
+    program: gcode.Program,
+    settings: Settings,
+    measurement: Measurement | None,
+    radius: float,
+    path_radius: float,
+    usable: NDArray[np.bool_],
+) -> Profile:
+    """The contour that the program cuts near the measured points."""
     right = choose_side(program.toolpath, usable, settings.side, measurement, radius, path_radius)
-    return nominal_of(None, program.toolpath, usable, path_radius, right, measurement, program.name)
+    return nominal_of(program.toolpath, usable, path_radius, right, measurement, program.name)
 
 
 def _usable(program: gcode.Program, radius: float, settings: Settings) -> tuple[NDArray[np.bool_], float]:
@@ -379,6 +420,28 @@ def _refuse_wrong_unit(measurement: Measurement, nominal: Profile, used: int) ->
             )
 
 
+def _believed(
+    measurement: Measurement, nominal: Profile, request: Request, warnings: list[str]
+) -> tuple[Measurement, alignment.Alignment | None]:
+    """The measurement, aligned if that is asked for, after looking whether it can be what it is said to be."""
+    settings = request.settings
+    freedom = alignment.Freedom.parse(settings.align)
+    findings = distrust.examine_points(measurement, nominal, request.radius)
+    warnings += distrust.refuse_dangerous(findings, settings.accept, measurement.source)
+    if not any(freedom.free):
+        return measurement, None
+    measurement, aligned = alignment.align(measurement, nominal, freedom)
+    warnings += aligned.warnings
+    return measurement, aligned
+
+
+def _lowest_cut(toolpath: Toolpath, commanded: Commanded) -> float | None:
+    """Lowest known height of the following moves, mm."""
+    heights = np.concatenate([toolpath.start[commanded.following, 2], toolpath.end[commanded.following, 2]])
+    known = heights[np.isfinite(heights)]
+    return float(known.min()) if len(known) else None
+
+
 def _separated(
     deviation: Deviation,
     nominal: Profile,
@@ -386,10 +449,14 @@ def _separated(
     settings: Settings,
     corrected_before: bool,
     warnings: list[str],
+    source: str,
+    lowest: float | None,
 ) -> _Work:
     """Take the program's own contour out, filter what the machine added, and say where to move the profile."""
     offset = commanded_offset(commanded, deviation)
     machine = deviation.value - offset
+    findings = distrust.examine_deviations(deviation, machine, nominal, lowest)
+    warnings += distrust.refuse_dangerous(findings, settings.accept, source)
     filter_ = Filter.parse(settings.filter)
     determined = np.empty(len(deviation))
     separations: list[Separation] = []

@@ -25,8 +25,11 @@ Bools = NDArray[np.bool_]
 BAND = 0.1
 """A following move is at most this far, in mm, from the exact parallel of the nominal."""
 
-KEEP_SHARE = 0.95
-"""A move already this share of the tolerance from where it should be stays as it is."""
+KEEP_SHARE = 0.4
+"""A move already within this share of the tolerance from where it should be stays as it is."""
+
+OWN_SHARE = 0.95
+"""Share of the tolerance up to which a move may keep the rounding that the nominal was taken from."""
 
 FIT_SHARE = 0.4
 """Share of the tolerance that replacing the exact path by lines and arcs may use; rounding needs the rest."""
@@ -73,6 +76,7 @@ def regenerate(
     tolerance: float = 0.001,
     output_moves: str = "keep",
     rows: Bools | None = None,
+    nominal_from_path: bool = False,
 ) -> Regeneration:
     """Lay the following moves of a toolpath on the compensated contour's parallel.
 
@@ -88,6 +92,9 @@ def regenerate(
         Kinds of move to write; 'keep' uses the kind each move has, 'nurbs' cubic splines (G5).
     rows : (n,) bool, optional
         Moves that may be changed; all by default.
+    nominal_from_path : bool
+        True where the nominal was taken from this toolpath: what a move is off it by is rounding, and no reason
+        to change the move.
 
     Returns
     -------
@@ -107,7 +114,11 @@ def regenerate(
             f"{parts.distance:.3f} mm off; check --tool-diameter, --side, stock to leave and the work frame"
         )
     start, end, sigma0, sigma1 = _vertices(toolpath, contour, radius, parts)
-    keep = _kept(toolpath, contour, radius, parts, KEEP_SHARE * tolerance)
+    allowed = np.full(len(toolpath), KEEP_SHARE * tolerance)
+    if nominal_from_path:
+        own = np.minimum(np.nan_to_num(parts.error) + 1e-7, OWN_SHARE * tolerance)
+        allowed = np.maximum(allowed, own)
+    keep = _kept(toolpath, contour, radius, parts, allowed)
     _hold_kept_vertices(toolpath, parts, keep, start, end)
     shift0, shift1 = _shifts(toolpath, parts, keep, start, end)
     return _assemble(
@@ -257,9 +268,9 @@ def _kept(
     contour: CompensatedContour,
     radius: float,
     parts: Following,
-    allowed: float,
+    allowed: Floats,
 ) -> Bools:
-    """Rows whose every part already lies on the exact path within `allowed` mm, ends included."""
+    """Rows whose every part already lies on the exact path within their `allowed` mm, ends included."""
     keep = np.zeros(len(toolpath), dtype=bool)
     keep[parts.row] = True
     samples = np.linspace(0.0, 1.0, 9)
@@ -295,7 +306,7 @@ def _kept(
             corner = contour.evaluate(before, contour.high[before])[0][0]
             off[i] = np.hypot(*(points[i] - corner).T) - radius
         # A vertex is checked across both its parts; along the path it may lie where it likes.
-        bad = np.abs(off).max(axis=1) > allowed
+        bad = np.abs(off).max(axis=1) > allowed[rows]
         keep[rows[bad]] = False
     return keep
 

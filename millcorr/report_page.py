@@ -73,7 +73,8 @@ def page(
         _settings(result),
         _files(result, outputs or {}),
         "<footer><p>Every measured point is in <b>deviations.csv</b>, every number in <b>report.json</b>, the "
-        f"compensated profile as NURBS in <b>profile.json</b> and <b>profile.step</b>. Made by millcorr {escape(__version__)}.</p></footer>",
+        f"compensated profile as NURBS in <b>profile.json</b> and "
+        f"<b>profile.step</b>. Made by millcorr {escape(__version__)}.</p></footer>",
     ]
     return (
         "<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8>"

@@ -34,6 +34,7 @@ _PROPERTIES = {
     "tool_diameter": "ToolDiameter",
     "side": "Side",
     "align": "Align",
+    "accept": "Accept",
     "filter": "Filter",
     "method": "Method",
     "gain": "Gain",
@@ -92,7 +93,7 @@ def correct_document(
     report : str or Path, optional
         Directory for the report.
     **settings
-        ``tool_diameter, side, align, filter, method, gain, limit, dead_band, tolerance, output_moves,
+        ``tool_diameter, side, align, accept, filter, method, gain, limit, dead_band, tolerance, output_moves,
         cutter_compensation`` as in `pipeline.Settings`.
 
     Returns

@@ -46,6 +46,7 @@ def settings_of(obj: Any) -> pipeline.Settings:
     return pipeline.Settings(
         side=obj.Side,
         align=obj.Align,
+        accept=tuple(obj.Accept),
         filter=obj.Filter,
         method=obj.Method,
         gain=obj.Gain,

@@ -45,11 +45,21 @@ PROPERTIES = (
         ("auto", "left", "right"),
     ),
     Property(
-        "Enumeration",
+        "String",
         "Align",
         "Correction",
-        _text("App::Property", "How the measured points are laid on the profile before they are compared"),
-        ("none",),
+        _text(
+            "App::Property",
+            "Best fit of the measured points before comparing: none, shift, rigid, or some of x, y, turn joined by +",
+        ),
+        "none",
+    ),
+    Property(
+        "StringList",
+        "Accept",
+        "Correction",
+        _text("App::Property", "Findings about the measurement that are accepted by name"),
+        [],
     ),
     Property(
         "String",

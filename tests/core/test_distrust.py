@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Findings about measurements that do not mean what they seem to: each stops the correction, or says so."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from millcorr import gcode, pipeline
+from millcorr.distrust import NAMES
+from millcorr.errors import DistrustError, InputError, UsageError
+from millcorr.measurement import Measurement
+from millcorr.simulated_machine import reference_contour
+from tests.core.loop_programs import measured
+from tests.core.test_pipeline import PROGRAM
+
+NOMINAL = reference_contour()
+
+
+def wave(k: int, s: np.ndarray) -> np.ndarray:
+    return 0.01 + 0.004 * np.sin(6 * np.pi * s / NOMINAL.total[0])
+
+
+def changed(points: np.ndarray, ball: float = 0.0) -> Measurement:
+    return Measurement(points, None, ball, np.arange(1, len(points) + 1), "part.csv", "ab" * 32)
+
+
+def run(measurement: Measurement, **settings: object) -> pipeline.Result:
+    chosen = pipeline.Settings(**({"filter": "mean:5"} | settings))  # type: ignore[arg-type]
+    return pipeline.correct(pipeline.Request(PROGRAM, 5.0, measurement, NOMINAL, chosen))
+
+
+PLAIN = measured(NOMINAL, wave).points
+CENTRES = measured(NOMINAL, lambda k, s: wave(k, s) + 1.0).points
+
+DANGEROUS = {
+    "unit": (changed(PLAIN / 25.4), "--units inch"),
+    "mirrored": (changed(PLAIN * [-1, 1, 1]), "x reversed"),
+    "ball-not-compensated": (changed(CENTRES), r"--points centre --probe-radius 1\.01"),
+    "compensated-twice": (changed(PLAIN, 1.0), "--points contact"),
+    "diameter-for-radius": (changed(CENTRES, 2.0), "--probe-radius 1"),
+    "radius-for-diameter": (changed(CENTRES, 0.5), "--probe-radius 1"),
+    "wrong-side": (changed(measured(NOMINAL, lambda k, s: wave(k, s) + 10.0).points), "--side"),
+    "constant-offset": (changed(measured(NOMINAL, lambda k, s: wave(k, s) - 0.3).points), "-0.290 mm"),
+    "misalignment": (changed(PLAIN + [0.12, -0.05, 0.0]), r"X\+1[12]\d Y-[45]\d um"),
+}
+
+
+@pytest.mark.parametrize("name", DANGEROUS)
+def test_dangerous_findings_stop_the_correction_and_name_the_remedy(name: str) -> None:
+    measurement, remedy = DANGEROUS[name]
+    with pytest.raises(DistrustError, match=remedy) as caught:
+        run(measurement)
+    assert f"--accept {name}" in str(caught.value)
+    assert str(caught.value).startswith("part.csv: ")
+
+
+@pytest.mark.parametrize("name", ["constant-offset", "misalignment"])
+def test_accepted_findings_are_recorded(name: str) -> None:
+    result = run(DANGEROUS[name][0], accept=(name,))
+    assert any(w.startswith(f"accepted {name}: ") for w in result.warnings)
+    assert name in result.request.settings.in_words()
+
+
+def test_the_units_the_other_way() -> None:
+    with pytest.raises(DistrustError, match="divided by 25.4"):
+        run(changed(PLAIN * 25.4))
+
+
+def test_an_honest_measurement_raises_nothing() -> None:
+    assert [w for w in run(changed(PLAIN)).warnings if "elastic" not in w] == []
+
+
+def test_zero_deviations_are_noticed() -> None:
+    result = run(measured(NOMINAL, lambda k, s: np.zeros(len(s))))
+    assert any("nominal was probably exported" in w for w in result.warnings)
+
+
+def test_points_below_the_cut_are_noticed() -> None:
+    points = PLAIN.copy()
+    points[:, 2] = -7.5
+    assert any("deepest pass at Z-5.000" in w for w in run(changed(points)).warnings)
+
+
+def test_outliers_are_counted() -> None:
+    points = PLAIN.copy()
+    _, normal = NOMINAL.at(0, (np.arange(len(points)) + 0.3) * NOMINAL.total[0] / len(points))
+    points[[20, 90], :2] += 0.08 * normal[[20, 90]]
+    assert any("2 outliers" in w for w in run(changed(points), filter="auto").warnings)
+
+
+def test_a_small_shift_is_only_a_warning() -> None:
+    result = run(changed(PLAIN + [0.02, 0.0, 0.0]))
+    assert any("shift of X+2" in w for w in result.warnings)
+
+
+def test_names_to_accept_must_exist() -> None:
+    with pytest.raises(UsageError, match="no such finding"):
+        run(changed(PLAIN), accept=("everything",))
+    assert set(DANGEROUS) <= set(NAMES)
+
+
+def test_alignment_takes_a_shift_out_and_says_so() -> None:
+    turned = np.radians(0.3)
+    rotation = np.array([[np.cos(turned), -np.sin(turned), 0], [np.sin(turned), np.cos(turned), 0], [0, 0, 1]])
+    moved = changed(PLAIN @ rotation.T + [0.4, -0.2, 0.0])
+    with pytest.raises((DistrustError, InputError)):
+        run(moved)
+    plain, aligned = run(changed(PLAIN)), run(moved, align="rigid")
+    assert aligned.alignment is not None
+    # A rigid fit also takes up what looks like a motion in the deviations themselves.
+    own = run(changed(PLAIN), align="rigid")
+    assert aligned.deviation.value == pytest.approx(own.deviation.value, abs=1e-6)
+    assert np.abs(own.deviation.value - plain.deviation.value).max() < 0.004
+    summary = aligned.summary()["alignment"]
+    assert summary["rotation_deg"] == pytest.approx(-0.3, abs=0.01)
+    assert gcode.parse(aligned.text)
