@@ -292,10 +292,14 @@ class FootPointSearch:
         self._opens, self._closes = np.zeros(len(x), dtype=bool), np.zeros(len(x), dtype=bool)
         self._opens[ends[:-1][~self._closed]] = True
         self._closes[ends[1:][~self._closed] - 1] = True
-        # How sharply the contour bends, in 1/mm, positive to the left; a corner has no radius at all.
+        # How sharply the contour bends to either side, in 1/mm; a corner has no radius at all. Past an acute one
+        # a point sees both sides from anywhere.
         turn = np.where(self._t == 0.0, np.nan_to_num(profile.turn[self._span[before]]), 0.0)
         turn = np.where(self._opens, 0.0, turn)
-        self._bend = np.where(np.abs(turn) > FACET_ANGLE, np.copysign(np.inf, turn), bend)
+        bend = np.where(np.abs(turn) > FACET_ANGLE, np.copysign(np.inf, turn), bend)
+        acute = np.abs(turn) > np.pi / 2
+        self._bend_left = np.where(acute, np.inf, np.maximum(bend, 0.0))
+        self._bend_right = np.where(acute, np.inf, np.maximum(-bend, 0.0))
         self._faceted = bool(((np.abs(turn) > SMOOTH_ANGLE) & (np.abs(turn) <= FACET_ANGLE)).any())
         rows = []
         for a, b in zip(ends[:-1], ends[1:], strict=True):
@@ -402,9 +406,8 @@ class FootPointSearch:
     def _bends_at(self, step: Ints, point: Ints, count: int) -> tuple[Floats, Floats]:
         """Sharpest bends to the left and to the right, both positive in 1/mm, among the steps of each point."""
         first = np.searchsorted(point, np.arange(count))
-        bend = self._bend[step]
-        left: Floats = np.maximum.reduceat(np.maximum(bend, 0.0), first)
-        right: Floats = np.maximum.reduceat(np.maximum(-bend, 0.0), first)
+        left: Floats = np.maximum.reduceat(self._bend_left[step], first)
+        right: Floats = np.maximum.reduceat(self._bend_right[step], first)
         return left, right
 
     def _way(self, a: Floats, b: Floats, contour: Ints) -> Floats:

@@ -336,3 +336,45 @@ def test_a_hundred_thousand_facets():
         assert time.perf_counter() - start < 20
         # The facets leave the circle by R (1 - cos(pi / n)) = 2.5e-8 mm.
         np.testing.assert_allclose(feet.distance, r - 50, atol=2.6e-8)
+
+
+@settings(max_examples=25, deadline=None)
+@given(seed=st.integers(0, 10**6), closed=st.booleans(), spread=st.sampled_from([0.01, 0.3, 2.0]))
+def test_sharp_corners_hide_nothing(seed, closed, spread):
+    # Random polygons with acute spikes and wedges of both kinds, and random open polylines that cross themselves.
+    rng = np.random.default_rng(seed)
+    if closed:
+        count = int(rng.integers(3, 20))
+        angle = np.sort(rng.uniform(0, 2 * np.pi, count))
+        if np.diff(angle).min() < 0.02:
+            return
+        corners = rng.uniform(10, 50, (count, 1)) * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    else:
+        corners = np.cumsum(rng.normal(0, 10, (10, 2)), axis=0)
+    profile = polygon(corners, closed=closed)
+    s = rng.uniform(0, profile.total[0], 6000)
+    point, normal = profile.at(0, s)
+    points = point + rng.normal(0, spread, (6000, 1)) * normal
+    many = FootPointSearch(profile).find(points)
+    line = shapely.LinearRing(corners) if closed else shapely.LineString(corners)
+    wanted = shapely.distance(line, shapely.points(points))
+    np.testing.assert_allclose(np.abs(many.distance)[many.place != Place.END],
+                               wanted[many.place != Place.END], atol=EXACT)  # fmt: skip
+    np.testing.assert_allclose(np.hypot(*(points - many.foot).T), wanted, atol=EXACT)
+    search = FootPointSearch(profile)
+    few = [search.find(points[a : a + 1500]) for a in range(0, 6000, 1500)]
+    rival = np.concatenate([f.rival for f in few])
+    limit = np.clip(wanted, 0.02, 2.0)
+    np.testing.assert_array_equal(many.rival < limit, rival < limit)
+
+
+@pytest.mark.parametrize("count", [60, 400, 3000])
+def test_facets_from_inside(count):
+    angle = 2 * np.pi * np.arange(count) / count + np.random.default_rng(0).uniform(0, 0.5 / count, count)
+    ring = 30 * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    rng = np.random.default_rng(1)
+    theta, r = rng.uniform(0, 2 * np.pi, 10_000), 30 - rng.uniform(0, 2, 10_000)
+    points = r[:, None] * np.stack([np.cos(theta), np.sin(theta)], axis=1)
+    wanted = shapely.distance(shapely.LinearRing(ring), shapely.points(points))
+    feet = FootPointSearch(polygon(ring)).find(points)
+    np.testing.assert_allclose(np.abs(feet.distance), wanted, atol=EXACT)
