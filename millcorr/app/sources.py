@@ -39,9 +39,11 @@ def profile_of_file(path: str | Path) -> Profile:
 
 
 def shape_of_file(path: Path) -> Any:
-    """Shape of a STEP, IGES or BREP file, or of a profile.json; FormatError if it is none."""
+    """Shape of a STEP, IGES, BREP or DXF file, or of a profile.json; FormatError if it is none."""
     if not path.is_file():
         raise FormatError("no such file", path)
+    if path.suffix.lower() == ".dxf":
+        return _shape_of_dxf(path)
     if path.suffix.lower() == ".json":
         return convert.shape_of_profile(Profile.read_json(path))
     shape = Part.Shape()
@@ -54,6 +56,28 @@ def shape_of_file(path: Path) -> Any:
     return shape
 
 
+def _shape_of_dxf(path: Path) -> Any:
+    """All edges of a DXF file as one shape."""
+    import Import
+
+    active = FreeCAD.ActiveDocument
+    document = FreeCAD.newDocument("DrawingExchange", hidden=True)
+    try:
+        Import.readDXF(str(path), document.Name)
+        edges = [edge for obj in document.Objects if hasattr(obj, "Shape") for edge in obj.Shape.Edges]
+        shape = Part.makeCompound([edge.copy() for edge in edges])
+    except (Part.OCCError, OSError, RuntimeError, SystemError) as error:
+        # FreeCAD 1.0 fails on every DXF file when it runs without a window.
+        raise FormatError("this FreeCAD cannot read the DXF file; save the contour as STEP", path) from error
+    finally:
+        FreeCAD.closeDocument(document.Name)
+        if active is not None:
+            FreeCAD.setActiveDocument(active.Name)
+    if not edges:
+        raise FormatError("the file holds no line or curve", path)
+    return shape
+
+
 def nominal_object(document: Any, source: Any) -> Any:
     """Object that holds a nominal profile, made in the document where it comes from a file.
 
@@ -61,7 +85,7 @@ def nominal_object(document: Any, source: Any) -> Any:
     ----------
     document : FreeCAD document
     source : document object, str or Path
-        An object; its label or name, with or without ``#`` before it; a .json, STEP, IGES or BREP file; or
+        An object; its label or name, with or without ``#`` before it; a .json, STEP, IGES, BREP or DXF file; or
         an object of another document as ``FILE.FCStd#Label``.
 
     Returns
@@ -85,7 +109,7 @@ def nominal_object(document: Any, source: Any) -> Any:
     if suffix == ".fcstd":
         with documents.opened(path) as other:
             shape = documents.find_object(other, label).Shape.copy()
-    elif suffix in (".json", ".step", ".stp", ".iges", ".igs", ".brep", ".brp"):
+    elif suffix in (".json", ".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".dxf"):
         shape = shape_of_file(path)
     else:
         raise UsageError(f"{path}: the nominal of a document comes from an object, a CAD file or a profile.json")

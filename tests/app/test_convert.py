@@ -8,8 +8,8 @@ import numpy as np
 import Part
 import pytest
 
-from millcorr.app import convert, demonstration
-from millcorr.errors import InputError
+from millcorr.app import convert, demonstration, sources
+from millcorr.errors import FormatError, InputError
 from millcorr.footpoint import FootPointSearch
 
 V = FreeCAD.Vector
@@ -222,3 +222,27 @@ def test_occt_reads_the_step_file_of_a_profile(tmp_path):
     assert read.total == pytest.approx(given.total, abs=1e-9)
     places, _ = given.at(0, np.linspace(0, given.total[0], 101))
     assert np.abs(FootPointSearch(read).find(places).distance).max() < 1e-9
+
+
+def dxf_of(entities: str) -> str:
+    """A DXF file of the oldest kind with one layer."""
+    layer = "0 SECTION 2 TABLES 0 TABLE 2 LAYER 70 1 0 LAYER 2 0 70 0 62 7 6 CONTINUOUS 0 ENDTAB 0 ENDSEC"
+    words = f"{layer} 0 SECTION 2 ENTITIES {entities} 0 ENDSEC 0 EOF".split()
+    return "".join(f"{code}\n{value}\n" for code, value in zip(words[::2], words[1::2], strict=True))
+
+
+def test_dxf_file_as_nominal(tmp_path):
+    line = "0 LINE 8 0 10 {} 20 {} 30 0 11 {} 21 {} 31 0 "
+    arc = "0 ARC 8 0 10 90 20 40 30 0 40 10 50 0 51 90 "
+    sides = [(0, 0, 100, 0), (100, 0, 100, 40), (90, 50, 0, 50), (0, 50, 0, 0)]
+    file = tmp_path / "part.dxf"
+    file.write_text(dxf_of("".join(line.format(*side) for side in sides) + arc), encoding="ascii")
+    try:
+        profile = sources.profile_of_file(file)
+    except FormatError as error:
+        assert FreeCAD.Version()[:2] == ["1", "0"], error
+        pytest.skip("FreeCAD 1.0 reads no DXF file without a window")
+    assert profile.signed_areas() == pytest.approx([5000 - 100 + 25 * np.pi], abs=1e-6)
+    file.write_text(dxf_of(""), encoding="ascii")
+    with pytest.raises(FormatError, match="part.dxf"):
+        sources.profile_of_file(file)
