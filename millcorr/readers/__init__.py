@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Files of measured points. `read` goes by the content, not by the suffix.
 
-One module a format. Each offers ``recognises(data)`` and ``read(data, name, ...)``; so far only
-`millcorr.readers.text`, which takes what no other module claims.
+One module a format. Each offers ``recognises(data)`` and ``read(source)``; the last, `millcorr.readers.text`,
+takes what no other module claims.
 """
 
 from __future__ import annotations
@@ -16,7 +16,8 @@ from typing import Protocol
 from millcorr.errors import FormatError, UsageError
 from millcorr.measurement import Measurement
 
-from . import text
+from . import msr, text
+from .source import Source
 
 
 class Format(Protocol):
@@ -25,15 +26,21 @@ class Format(Protocol):
     def recognises(self, data: bytes) -> bool:
         """Whether the bytes of a file are of this format."""
 
-    def read(
-        self, data: bytes, name: str, *, digest: str, ball_radius: float, units: str | None
-    ) -> Measurement:
-        """Measured points, as `millcorr.readers.text.read` does."""
+    def read(self, source: Source) -> Measurement:
+        """Measured points of the file.
+
+        Raises
+        ------
+        FormatError
+            If anything in the file cannot be trusted.
+        UsageError
+            If the caller contradicts the file, or does not say what the file leaves open.
+        """
 
 
-__all__ = ["FORMATS", "read"]
+__all__ = ["FORMATS", "Source", "read", "recognised"]
 
-FORMATS: dict[str, Format] = {"text": text}
+FORMATS: dict[str, Format] = {"msr": msr, "text": text}
 """Module of each format by the name that ``--format`` takes; the last one takes whatever is left."""
 
 _POINTS = ("contact", "centre")
@@ -47,6 +54,7 @@ def read(
     probe_radius: float | None = None,
     units: str | None = None,
     format: str | None = None,
+    work_offset: tuple[float, float, float] | None = None,
 ) -> Measurement:
     """Measured points from a file.
 
@@ -57,11 +65,14 @@ def read(
         Whether the coordinates are contact points or centres of the probe ball. Has no default where the file
         does not say.
     probe_radius : float, optional
-        Radius of the probe ball in mm, whatever the file's unit; needed for ball centres.
+        Radius of the probe ball in mm, whatever the file's unit; needed for ball centres where the file does not
+        say it.
     units : {"mm", "inch"}, optional
-        Unit of the coordinates. By default what the file's header says, else mm.
+        Unit of the coordinates. By default what the file says, else mm.
     format : str, optional
         Name from `FORMATS`; by default recognised from the content.
+    work_offset : tuple of 3 float, optional
+        Origin of the work frame in the machine frame, in mm, for files in the machine frame.
 
     Returns
     -------
@@ -71,17 +82,12 @@ def read(
     Raises
     ------
     UsageError
-        If `points` is missing, ball centres come without their radius, an argument has no such value, or
-        `units` contradicts the header.
+        If `points` or `probe_radius` is missing and the file does not say it, an argument has no such value, or
+        contradicts the file.
     FormatError
         If the file cannot be read or trusted; names the file, the line where there is one, and the remedy.
     """
-    if points is None:
-        raise UsageError(
-            "say --points contact or --points centre: the file does not say whether its coordinates are "
-            "contact points or centres of the probe ball"
-        )
-    if points not in _POINTS:
+    if points is not None and points not in _POINTS:
         raise UsageError(f"--points is contact or centre, not {points!r}")
     if units is not None and units not in _UNITS:
         raise UsageError(f"--units is mm or inch, not {units!r}")
@@ -89,14 +95,17 @@ def read(
         raise UsageError(f"--format is one of {', '.join(FORMATS)}, not {format!r}")
     if probe_radius is not None and not (math.isfinite(probe_radius) and probe_radius > 0):
         raise UsageError(f"--probe-radius {probe_radius:g} is no radius in mm")
-    if points == "centre" and probe_radius is None:
-        raise UsageError("--points centre needs --probe-radius MM, the radius of the probe ball")
+    if work_offset is not None and not all(map(math.isfinite, work_offset)):
+        raise UsageError(f"--work-offset {work_offset} is no place")
     data = _content(path)
-    name = format or next((n for n, m in FORMATS.items() if m.recognises(data)), list(FORMATS)[-1])
-    radius = float(probe_radius) if points == "centre" and probe_radius is not None else 0.0
-    return FORMATS[name].read(
-        data, str(path), digest=sha256(data).hexdigest(), ball_radius=radius, units=units
-    )
+    name = format or recognised(data)
+    source = Source(data, str(path), sha256(data).hexdigest(), points, probe_radius, units, work_offset)
+    return FORMATS[name].read(source)
+
+
+def recognised(data: bytes) -> str:
+    """Name of the format of a file's bytes; the last of `FORMATS` where no other claims them."""
+    return next((name for name, module in FORMATS.items() if module.recognises(data)), list(FORMATS)[-1])
 
 
 def _content(path: str | Path) -> bytes:

@@ -20,15 +20,10 @@ from numpy.typing import NDArray
 from millcorr.errors import FormatError, UsageError
 from millcorr.measurement import Measurement
 
-from .decoding import decode
+from .source import MM_PER_INCH, Source, unit_normals
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-MM_PER_INCH = 25.4
-
-NORMAL_TOLERANCE = 0.01
-"""A normal whose length differs from 1 by more than this is no unit vector."""
 
 _NAMES = {
     **{n: n for n in "xyzijk"},
@@ -82,22 +77,13 @@ def recognises(data: bytes) -> bool:
     return True
 
 
-def read(
-    data: bytes, name: str, *, digest: str, ball_radius: float = 0.0, units: str | None = None
-) -> Measurement:
-    """Measured points from the bytes of a text file.
+def read(source: Source) -> Measurement:
+    """Measured points from a text file.
 
     Parameters
     ----------
-    data : bytes
-    name : str
-        File name for messages and for the measurement's source.
-    digest : str
-        SHA-256 of the bytes.
-    ball_radius : float
-        Radius in mm between the points and the surface; 0 for contact points.
-    units : {"mm", "inch"}, optional
-        Unit of the coordinates; by default what the header says, else mm.
+    source : Source
+        Its unit is what the header says, else mm; text never says whether points are contact points.
 
     Returns
     -------
@@ -109,14 +95,17 @@ def read(
     FormatError
         If anything in the file cannot be trusted.
     UsageError
-        If `units` contradicts the header.
+        If the caller contradicts the header, or does not say what the points are.
     """
-    text = decode(data, name)
+    ball_radius = source.ball_radius()
+    name = source.name
+    text = source.text()
     if '"' in text:
         text = _unquoted(text, name)
     layout = _find_layout(text, name)
-    if units is not None and layout.unit is not None and units != layout.unit:
-        raise UsageError(f"--units {units} contradicts {name}, whose header says {layout.unit}")
+    if source.units is not None and layout.unit is not None and source.units != layout.unit:
+        raise UsageError(f"--units {source.units} contradicts {name}, whose header says {layout.unit}")
+    unit = source.unit(layout.unit)
     values, lines = _read_whole(text, layout) or _read_lines(text, layout, name)
     _check_last_number(text, layout, name, int(lines[-1]))
     column = {c: values[:, n] for n, c in enumerate(layout.columns)}
@@ -124,7 +113,7 @@ def read(
     for axis, c in enumerate("xyz"):
         if c in column:
             points[:, axis] = column[c]
-    if (units or layout.unit) == "inch":
+    if unit == "inch":
         points *= MM_PER_INCH
     if not np.isfinite(points).all():
         row = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
@@ -132,8 +121,10 @@ def read(
     normals = None
     if "i" in column:
         k = column.get("k", np.zeros(len(values)))
-        normals = _unit_normals(np.stack([column["i"], column["j"], k], axis=1), lines, name)
-    return Measurement(points, normals, ball_radius, lines, name, digest, has_z="z" in column)
+        normals = unit_normals(np.stack([column["i"], column["j"], k], axis=1), lines, name)
+    return Measurement(
+        points, normals, ball_radius, lines, name, source.digest, "z" in column, unit=unit, format="text"
+    )
 
 
 def write(path: str | Path, measurement: Measurement, *, comments: Sequence[str] = ()) -> Path:
@@ -510,18 +501,3 @@ def _check_last_number(text: str, layout: _Layout, name: str, last: int) -> None
     end = ends[-1]
     if len(decimals) == 1 and (end is None or len(end[1]) < max(decimals)):
         raise FormatError("the file ends within a number: it was cut off, export it again", name, last)
-
-
-def _unit_normals(normals: Floats, lines: Ints, name: str) -> Floats:
-    length = np.sqrt((normals**2).sum(axis=1))
-    wrong = np.flatnonzero(~(np.abs(length - 1.0) <= NORMAL_TOLERANCE))
-    if len(wrong):
-        row = int(wrong[0])
-        what = "zero" if length[row] == 0 else f"{length[row]:.4g}"
-        raise FormatError(
-            f"the normal i,j,k has length {what}, not 1: export unit normals or leave the columns out",
-            name,
-            int(lines[row]),
-        )
-    out: Floats = normals / length[:, None]
-    return out

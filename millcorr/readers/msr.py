@@ -1,0 +1,252 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""MSR files of on-machine inspection: ``G800`` nominal point, ``G801`` ball centre, ``G330`` orientation.
+
+Written by the inspection macros of PowerInspect and Fusion through DPRNT, hence words that run together. The
+surface point is the ball centre less R times the nominal normal. After ``G330 A B C X Y Z`` points, normals and
+nominals p are those of a turned workplane; ``Rz(C) Ry(B) Rx(A) p + (X, Y, Z)``, about fixed axes and with angles
+in degrees, brings them back.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from array import array
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr.errors import FormatError
+from millcorr.measurement import Measurement
+
+from .source import MM_PER_INCH, Source, shown
+
+Floats = NDArray[np.float64]
+
+_RECOGNISED = re.compile(rb"(?:^|[\r\n\x00])[ \t]*(?:START[ \t]*[\r\n]|G80[01][ \t]*N[ \t]*\d)", re.IGNORECASE)
+_WORD = re.compile(r"([A-Z])[ \t]*([+-]?(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?)[ \t]*", re.ASCII)
+_CODE = re.compile(r"G[ \t]*(800|801|330|331)(?!\d)[ \t]*", re.ASCII)
+_REMARK = re.compile(r"[A-Z]{4,}(?![A-Z])", re.ASCII)
+_COMMENT = re.compile(r";.*|\([^()]*\)")
+_CONTROLS = b"\x00\x11\x12\x13\x14\x1a"
+"""What serial lines put around a print-out: device controls, fill bytes, end of file."""
+
+_LARGEST = 1e9
+_MEANINGS = {
+    "N": "number of the point",
+    "X": "coordinate",
+    "Y": "coordinate",
+    "Z": "coordinate",
+    "I": "normal",
+    "J": "normal",
+    "K": "normal",
+    "R": "radius of the ball",
+}
+
+
+def recognises(data: bytes) -> bool:
+    """Whether a file holds G800 or G801 lines, or begins with START."""
+    head = data[:65536]
+    found = _RECOGNISED.search(head)
+    return bool(found and (re.search(rb"G\s*(?:800|801|330)", head, re.IGNORECASE) or b"MODELVERSION" in head))
+
+
+def read(source: Source) -> Measurement:
+    """Ball centres, nominal points and nominal normals of an MSR file, in the frame that G330 leads back to.
+
+    Parameters
+    ----------
+    source : Source
+        The file says that its points are ball centres and gives the radius; its unit is mm unless the caller says
+        otherwise.
+
+    Returns
+    -------
+    Measurement
+
+    Raises
+    ------
+    FormatError
+        If a line is spoilt, or G800 and G801 do not come in pairs of one number; names the line.
+    UsageError
+        If the caller contradicts the file.
+    """
+    _refuse_foreign_bytes(source)
+    reading = _Reading(source)
+    for number, raw in enumerate(source.text(drop=_CONTROLS).split("\n"), 1):
+        reading.line(number, raw)
+    return reading.measurement()
+
+
+def _refuse_foreign_bytes(source: Source) -> None:
+    """Name the line of numbers in which a byte is not ASCII: it was spoilt on the way."""
+    data = source.data
+    if data.isascii() or data[:2] in (b"\xff\xfe", b"\xfe\xff") or data[:3] == b"\xef\xbb\xbf" or b"\x00" in data:
+        return
+    for number, line in enumerate(re.split(rb"\r\n|\r|\n", data), 1):
+        if not line.isascii() and re.match(rb"\s*\W{0,3}G\W*[38]\W*[03]", line, re.IGNORECASE):
+            spoilt = next(b for b in line if b > 127)
+            raise source.error(f"byte 0x{spoilt:02X} among the numbers: transmission has spoilt the line", number)
+
+
+class _Reading:
+    """State of reading: the transform in force, the nominal that waits for its measured point, what was read."""
+
+    def __init__(self, source: Source) -> None:
+        self.source = source
+        self.waiting: tuple[int, int, list[float]] | None = None
+        self.numbers = array("q")
+        self.lines = array("q")
+        self.values = array("d")
+        self.blocks: list[tuple[int, Floats | None, Floats]] = [(0, None, np.zeros(3))]
+        self.offsets = 0
+        self.ended = False
+
+    def line(self, number: int, raw: str) -> None:
+        text = _COMMENT.sub("", raw).strip().upper() if ";" in raw or "(" in raw else raw.strip().upper()
+        if not text or text == "%":
+            return
+        code = _CODE.match(text)
+        if code is None:
+            self._other(number, text)
+        elif code[1] == "800":
+            self._nominal(number, text[code.end() :])
+        elif code[1] == "801":
+            self._measured(number, text[code.end() :])
+        else:
+            self._refuse_waiting(number)
+            if code[1] == "330":
+                self._transform(number, text[code.end() :])
+
+    def _other(self, number: int, text: str) -> None:
+        self._refuse_waiting(number)
+        if text == "END":
+            self.ended = True
+        elif text == "START":
+            self.ended = False
+            self._turn(None, np.zeros(3))
+        elif not _REMARK.match(text):
+            raise self._error(f"{shown(text)} is no line of an MSR file: transmission may have spoilt it", number)
+
+    def _nominal(self, number: int, text: str) -> None:
+        self._refuse_waiting(number)
+        words = self._words(number, text, "G800", "NXYZIJK")
+        self.offsets += words.get("O", 0.0) != 0.0
+        self.waiting = (number, self._index(number, words), [words[c] for c in "XYZIJK"])
+
+    def _measured(self, number: int, text: str) -> None:
+        if self.waiting is None:
+            raise self._error("G801 without its G800 line: a line was lost, send the results again", number)
+        words = self._words(number, text, "G801", "NXYZR")
+        index = self._index(number, words)
+        nominal_line, nominal_index, nominal = self.waiting
+        if index != nominal_index:
+            raise self._error(
+                f"G801 of point {index} follows G800 of point {nominal_index} in line {nominal_line}: lines were lost",
+                number,
+            )
+        if words["R"] < 0:
+            raise self._error(f"ball radius R{words['R']:g} is negative", number)
+        self.values.extend(nominal)
+        self.values.extend([words[c] for c in "XYZR"])
+        self.numbers.append(index)
+        self.lines.append(number)
+        self.waiting = None
+
+    def _transform(self, number: int, text: str) -> None:
+        words = self._words(number, text, "G330", "ABC")
+        shift = np.array([words.get(c, 0.0) for c in "XYZ"])
+        self._turn(_fixed_axes(words["A"], words["B"], words["C"]), shift)
+
+    def _turn(self, rotation: Floats | None, shift: Floats) -> None:
+        self.blocks.append((len(self.lines), rotation, shift))
+
+    def _words(self, number: int, text: str, code: str, needed: str) -> dict[str, float]:
+        words: dict[str, float] = {}
+        position = 0
+        while position < len(text):
+            found = _WORD.match(text, position)
+            if found is None:
+                raise self._error(f"{code}: {shown(text[position:])} is no letter with a number", number)
+            if found[1] in words:
+                raise self._error(f"{code} has the letter {found[1]} twice: two lines ran together", number)
+            words[found[1]] = float(found[2])
+            if abs(words[found[1]]) > _LARGEST:
+                raise self._error(f"{code}: {found[1]}{shown(found[2])} is no length, number or angle", number)
+            position = found.end()
+        for letter in needed:
+            if letter not in words:
+                what = _MEANINGS.get(letter, "angle")
+                raise self._error(f"{code} lacks {letter}, {what}: the line is incomplete", number)
+        return words
+
+    def _index(self, number: int, words: dict[str, float]) -> int:
+        index = words["N"]
+        if not (index >= 0 and index == math.floor(index)):
+            raise self._error(f"N{index:g} is no number of a point", number)
+        return int(index)
+
+    def _refuse_waiting(self, number: int) -> None:
+        if self.waiting is not None:
+            line, index, _ = self.waiting
+            raise self._error(
+                f"G801 of point {index} is missing after its G800 in line {line}: send the results again", number
+            )
+
+    def _error(self, message: str, number: int) -> FormatError:
+        return self.source.error(message, number)
+
+    def measurement(self) -> Measurement:
+        source = self.source
+        if self.waiting is not None:
+            line, index, _ = self.waiting
+            raise self._error(f"G801 of point {index} is missing: the file was cut off after this line", line)
+        values = np.array(self.values, dtype=np.float64).reshape(-1, 10)
+        unit = source.unit(None)
+        nominal, normals, points, radii = values[:, :3], values[:, 3:6], values[:, 6:9], values[:, 9]
+        if unit == "inch":
+            radii = radii * MM_PER_INCH
+        if len(radii):
+            stated = float(radii[0])
+            asked = source.ball_radius(centres=True if stated else None, radius=stated or None)
+            radii = radii if stated or not asked else np.full(len(radii), asked)
+        notes = self._apply(nominal, normals, points)
+        if self.offsets:
+            notes.append(f"{self.offsets} points have a nominal offset O, which is not applied")
+        if not self.ended:
+            notes.append("no END: points may be missing at the end of the file")
+        return source.measurement(
+            "msr", points, np.array(self.lines), ball_radius=radii, unit=unit, normals=normals, nominal=nominal,
+            elements=[f"N{n}" for n in self.numbers], notes=notes,
+        )  # fmt: skip
+
+    def _apply(self, nominal: Floats, normals: Floats, points: Floats) -> list[str]:
+        """Bring every block of points back from the workplane in force. In place."""
+        turned = shifted = 0
+        ends = [begin for begin, _, _ in self.blocks[1:]] + [len(points)]
+        with np.errstate(over="ignore", invalid="ignore"):
+            for (begin, rotation, shift), end in zip(self.blocks, ends, strict=True):
+                if rotation is None or begin == end:
+                    continue
+                for vectors, by in ((nominal, shift), (points, shift), (normals, 0.0)):
+                    vectors[begin:end] = vectors[begin:end] @ rotation.T + by
+                turned += 0 if np.array_equal(rotation, np.eye(3)) else end - begin
+                shifted += end - begin if shift.any() else 0
+        notes = []
+        if turned:
+            notes.append(f"{turned} points turned back by G330")
+        if shifted:
+            notes.append(f"{shifted} points shifted by G330, after turning: compare with another export once")
+        return notes
+
+
+def _fixed_axes(a: float, b: float, c: float) -> Floats:
+    """Rotation Rz(c) Ry(b) Rx(a), (3, 3); angles in degrees about the fixed axes."""
+    (ca, sa), (cb, sb), (cc, sc) = ((math.cos(math.radians(t)), math.sin(math.radians(t))) for t in (a, b, c))
+    return np.array(
+        [
+            [cc * cb, cc * sb * sa - sc * ca, cc * sb * ca + sc * sa],
+            [sc * cb, sc * sb * sa + cc * ca, sc * sb * ca - cc * sa],
+            [-sb, cb * sa, cb * ca],
+        ]
+    )

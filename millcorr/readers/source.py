@@ -1,0 +1,256 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a reader gets: a file's bytes, and what the caller says about them.
+
+Here the caller's words meet the file's: what the file does not say is demanded, and a contradiction is refused.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr.errors import FormatError, UsageError
+from millcorr.measurement import Measurement
+
+from .decoding import decode
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+MM_PER_INCH = 25.4
+
+NORMAL_TOLERANCE = 0.01
+"""A normal whose length differs from 1 by more than this is no unit vector."""
+
+NORMAL_ROUNDING = 1e-4
+"""A normal is left as printed where no component is farther than this from that of a unit vector."""
+
+RADIUS_TOLERANCE = 1e-4
+"""Two radii of a probe ball that differ by no more than this, in mm, are the same."""
+
+LARGEST_BALL = 100.0
+"""No probe ball has a larger radius, in mm."""
+
+FARTHEST = 1e6
+"""No coordinate lies farther out than this, in mm."""
+
+_FACTORS = {"mm": 1.0, "inch": MM_PER_INCH}
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """A measurement file's content, and what the caller says about it.
+
+    Parameters
+    ----------
+    data : bytes
+    name : str
+        File name for messages and for the measurement's source.
+    digest : str
+        SHA-256 of the bytes.
+    points : {"contact", "centre"} or None
+        What the coordinates are; None: what the file says.
+    probe_radius : float or None
+        Radius of the probe ball in mm; None: what the file says.
+    units : {"mm", "inch"} or None
+        Unit of the coordinates; None: what the file says.
+    work_offset : tuple of 3 float, or None
+        Origin of the work frame in the machine frame, in mm, for files in the machine frame.
+    """
+
+    data: bytes
+    name: str
+    digest: str
+    points: str | None = None
+    probe_radius: float | None = None
+    units: str | None = None
+    work_offset: tuple[float, float, float] | None = None
+
+    def text(self, *, drop: bytes = b"") -> str:
+        r"""Text of the file, lines ending in ``\n``.
+
+        Parameters
+        ----------
+        drop : bytes
+            Control characters that this format's senders put between the lines.
+
+        Raises
+        ------
+        FormatError
+            If the file is no text.
+        """
+        return decode(self.data.translate(None, drop) if drop else self.data, self.name)
+
+    def error(self, message: str, line: int | None = None) -> FormatError:
+        """Error that names the file, and the line where known (from 1)."""
+        return FormatError(message, self.name, line)
+
+    def unit(self, stated: str | None, default: str = "mm") -> str:
+        """Unit of the coordinates, "mm" or "inch"; UsageError where the caller contradicts the file."""
+        if self.units is not None and stated is not None and self.units != stated:
+            raise UsageError(f"--units {self.units} contradicts {self.name}, which says {stated}")
+        return self.units or stated or default
+
+    def ball_radius(self, *, centres: bool | None = None, radius: float | None = None) -> float:
+        """Radius in mm that lies between the points and the surface; 0 for contact points.
+
+        Parameters
+        ----------
+        centres : bool, optional
+            Whether the file says that its points are ball centres (True), contact points (False), or does not
+            say (None).
+        radius : float, optional
+            Radius of the ball in mm that the file states.
+
+        Raises
+        ------
+        UsageError
+            If the caller contradicts the file, or neither says what is needed.
+        """
+        if centres is not None and self.points is not None and (self.points == "centre") != centres:
+            told = "centres of the probe ball" if centres else "contact points"
+            raise UsageError(
+                f"--points {self.points} contradicts {self.name}, whose points are {told}: leave --points out"
+            )
+        if centres is None:
+            if self.points is None:
+                raise UsageError(
+                    "say --points contact or --points centre: the file does not say whether its coordinates are "
+                    "contact points or centres of the probe ball"
+                )
+            centres = self.points == "centre"
+        if not centres:
+            return 0.0
+        if radius is None:
+            if self.probe_radius is None:
+                raise UsageError(
+                    f"ball centres need --probe-radius MM, the radius of the probe ball: {self.name} does not say it"
+                )
+            return float(self.probe_radius)
+        if self.probe_radius is not None and abs(self.probe_radius - radius) > RADIUS_TOLERANCE:
+            raise UsageError(
+                f"--probe-radius {self.probe_radius:g} contradicts {self.name}, which says {radius:g} mm: "
+                "leave --probe-radius out"
+            )
+        return radius
+
+    def measurement(
+        self,
+        format: str,
+        points: Floats,
+        lines: Sequence[int] | Ints,
+        *,
+        ball_radius: float | Floats,
+        unit: str = "mm",
+        normals: Floats | None = None,
+        nominal: Floats | None = None,
+        stated: Floats | None = None,
+        elements: Sequence[str] | None = None,
+        has_z: bool = True,
+        notes: Sequence[str] = (),
+    ) -> Measurement:
+        """Measurement from a file's numbers, checked.
+
+        Parameters
+        ----------
+        format : str
+            Name of the format.
+        points, normals, nominal : (n, 3) float64
+            In the file's unit; normals of length 1 to within `NORMAL_TOLERANCE`.
+        lines : (n,) int
+            Line number of each point, from 1.
+        ball_radius : float or (n,) float64
+            In mm. Where points have different radii, all are moved along their normals to the first one's.
+        unit : {"mm", "inch"}
+        stated : (n,) float64
+            Deviations that the file states, in the file's unit.
+        elements, has_z, notes
+            As in `Measurement`.
+
+        Raises
+        ------
+        FormatError
+            If there are no points, a number is not finite or absurd, a normal has no unit length, or radii differ
+            and no normals say which way.
+        """
+        numbers = np.asarray(lines, dtype=np.int64)
+        if not len(points):
+            raise self.error("no measured points in the file")
+        factor = _FACTORS[unit]
+        with np.errstate(over="ignore"):
+            points = points * factor
+            nominal = None if nominal is None else nominal * factor
+            stated = None if stated is None else stated * factor
+        self._refuse_absurd(points, numbers, "coordinate")
+        if nominal is not None:
+            self._refuse_absurd(np.nan_to_num(nominal), numbers, "nominal coordinate")
+        if normals is not None:
+            unit_length = unit_normals(normals, numbers, self.name)
+            # Rounded as printed they give the figures that other programs take from the same file.
+            kept = np.abs(normals - unit_length).max(axis=1) <= NORMAL_ROUNDING
+            normals = np.where(kept[:, None], normals, unit_length)
+        radius, remarks = 0.0, list(notes)
+        if isinstance(ball_radius, np.ndarray):
+            points, radius, remark = self._one_radius(points, normals, ball_radius, numbers)
+            remarks += [remark] if remark else []
+        else:
+            radius = ball_radius
+        return Measurement(
+            points, normals, radius, numbers, self.name, self.digest, has_z,
+            nominal=nominal,
+            elements=None if elements is None else tuple(elements),
+            stated=stated,
+            unit=unit,
+            format=format,
+            notes=tuple(remarks),
+        )  # fmt: skip
+
+    def _refuse_absurd(self, values: Floats, lines: Ints, what: str) -> None:
+        wrong = np.flatnonzero(~(np.abs(values) <= FARTHEST).all(axis=1))
+        if len(wrong):
+            raise self.error(f"a {what} is no length that a machine can travel", int(lines[wrong[0]]))
+
+    def _one_radius(
+        self, points: Floats, normals: Floats | None, radii: Floats, lines: Ints
+    ) -> tuple[Floats, float, str]:
+        absurd = np.flatnonzero(~((radii >= 0) & (radii <= LARGEST_BALL)))
+        if len(absurd):
+            row = int(absurd[0])
+            raise self.error(f"{radii[row]:g} mm is no radius of a probe ball", int(lines[row]))
+        radius = float(radii[0])
+        other = np.flatnonzero(np.abs(radii - radius) > 1e-9)
+        if not len(other):
+            return points, radius, ""
+        if normals is None:
+            raise self.error(
+                f"probe balls of {radius:g} mm and {radii[other[0]]:g} mm radius and no normals: give one file a ball",
+                int(lines[other[0]]),
+            )
+        moved: Floats = points - (radii - radius)[:, None] * normals
+        return moved, radius, f"{len(other)} points of another probe ball moved along their normals to {radius:g} mm"
+
+
+def unit_normals(normals: Floats, lines: Ints, name: str) -> Floats:
+    """Normals (n, 3) brought to length 1; FormatError names the line of one that is no direction."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        length = np.sqrt((normals**2).sum(axis=1))
+    wrong = np.flatnonzero(~(np.abs(length - 1.0) <= NORMAL_TOLERANCE))
+    if len(wrong):
+        row = int(wrong[0])
+        what = "zero" if length[row] == 0 else f"{length[row]:.4g}"
+        raise FormatError(
+            f"the normal i,j,k has length {what}, not 1: export unit normals or leave the columns out",
+            name,
+            int(lines[row]),
+        )
+    out: Floats = normals / length[:, None]
+    return out
+
+
+def shown(text: str) -> str:
+    """A piece of a file for a message: quoted, one line, not long."""
+    text = text.strip()
+    return repr(text if len(text) <= 40 else text[:37] + "...")

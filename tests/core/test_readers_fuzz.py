@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A few hundred of the damaged files that tests/fuzz/readers.py makes by the ten thousand."""
+
+import pytest
+
+from millcorr import readers
+from tests.core import readers_fuzz
+
+
+def test_every_format_is_damaged():
+    assert readers_fuzz.DRESSES.keys() == readers.FORMATS.keys()
+
+
+@pytest.mark.parametrize("format", readers_fuzz.DRESSES)
+def test_damaged_files_end_in_points_or_an_error(format):
+    outcomes = readers_fuzz.run(format, 300, seed=7)
+    assert outcomes["format"] > 30 and outcomes["points"] > 10
+    readers_fuzz.run(format, 100, seed=8, by_content=True)
+
+
+@pytest.mark.parametrize("reader", readers.FORMATS)
+def test_no_reader_trips_over_another_format(reader):
+    for subject in readers_fuzz.subjects():
+        readers_fuzz.outcome(reader, subject.data, {"points": None, "probe_radius": None})
+        readers_fuzz.outcome(reader, subject.data, {"points": "contact"})
+
+
+@pytest.mark.parametrize("subject", readers_fuzz.subjects(), ids=lambda s: s.format)
+def test_undamaged_files_are_recognised_and_read(subject):
+    assert readers.recognised(subject.data) == subject.format
+    assert readers_fuzz.outcome(subject.format, subject.data, subject.options) == "points"
+    # In UTF-16 and with a mark, as Windows programs save text.
+    if subject.format != "qif":
+        assert readers_fuzz.outcome(subject.format, b"\xef\xbb\xbf" + subject.data, subject.options) == "points"
