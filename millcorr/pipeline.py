@@ -253,7 +253,8 @@ def correct(request: Request) -> Result:
     else:
         measurement, aligned = _believed(measurement, nominal, request, warnings)
         deviation = deviations(measurement, nominal, cutter_radius=request.radius)
-        _refuse_wrong_unit(measurement, nominal, len(deviation))
+        if "unit" not in settings.accept:
+            _refuse_wrong_unit(measurement, nominal, len(deviation))
         lowest = _lowest_cut(toolpath, commanded) if measurement.has_z else None
         work = _separated(
             deviation, nominal, commanded, settings, bool(carried), warnings, measurement.source, lowest
@@ -416,7 +417,7 @@ def _refuse_wrong_unit(measurement: Measurement, nominal: Profile, used: int) ->
         if fitting > max(0.5 * count, 1.2 * used):
             raise InputError(
                 f"{measurement.source}: only {used} of {count} points lie on the profile, but {fitting} do if their "
-                f"unit is {unit}; say --units {unit}"
+                f"unit is {unit}: --units {unit} (if it is right as it is: --accept unit)"
             )
 
 

@@ -88,7 +88,7 @@ def test_correct_writes_program_and_report(shop):
     assert shop.err == ""
     assert (shop.directory / "out.nc").read_bytes() != shop.program.read_bytes()
     files = {p.name for p in (shop.directory / "report").iterdir()}
-    assert files == {"report.html", "report.json", "deviations.csv", "profile.json"}
+    assert files >= {"report.html", "report.json", "deviations.csv", "profile.json"}
     report = json.loads((shop.directory / "report" / "report.json").read_text())
     assert report["deviation"]["mean"] == pytest.approx(0.008, abs=1e-4)
     assert report["verification"]["path_error_max"] <= 0.001
@@ -307,6 +307,18 @@ def test_wrong_side(shop):
     shop.fails(INPUT, "part.nc", "near the measured points", extra="--side left")
 
 
+def test_ball_centres_given_as_contact_points(shop):
+    shop.measure("centres.csv", lambda k, s: wave(k, s) + 0.5)
+    shop.fails(INPUT, "centres.csv", "--points centre", measured="centres.csv")
+
+
+def test_a_finding_is_accepted_by_name(shop):
+    shop.measure("offset.csv", lambda k, s: wave(k, s) + 0.3)
+    shop.fails(INPUT, "--accept", measured="offset.csv")
+    shop.fails(USAGE, "--accept", measured="offset.csv", extra="--accept anything")
+    assert shop.correct("--accept ball-not-compensated --accept constant-offset", "offset.csv") == DONE
+
+
 def test_corrected_program_does_not_show_the_nominal(shop):
     assert shop.correct() == DONE
     shop.measure("second.csv", wave, lambda xyz: xyz + [0.0, 0.0, 0.001])
@@ -332,7 +344,7 @@ def test_output_in_place_of_a_directory(shop):
 
 
 def test_more_than_the_limit(shop):
-    shop.measure("far.csv", lambda k, s: 0.3 + wave(k, s))
+    shop.measure("far.csv", lambda k, s: 0.1 + 10 * wave(k, s))
     shop.fails(REFUSED, "limit", measured="far.csv", extra="--limit 0.1")
     shop.fails(REFUSED, "limit", extra="--limit 0.005")
 
