@@ -126,8 +126,9 @@ def examine_points(measurement: Measurement, profile: Profile, cutter_radius: fl
     ball = measurement.ball_radius
     value = search.find(points).distance - ball
     offset, scatter = _middle(value)
-    if np.median(np.abs(value)) > REACH:
-        wrong_frame = _wrong_frame(points, search, ball, float(np.median(np.abs(value))))
+    near = float((np.abs(value) <= REACH).mean())
+    if near < 0.9:
+        wrong_frame = _wrong_frame(points, search, ball, near)
         if wrong_frame is not None:
             return (wrong_frame,)
     if abs(offset) < CONSTANT_OFFSET or scatter > SMALL_SCATTER * abs(offset):
@@ -141,7 +142,11 @@ def _middle(value: Floats) -> tuple[float, float]:
     return float(middle), float((high - low) / 1.349)
 
 
-def _wrong_frame(points: Floats, search: FootPointSearch, ball: float, typical: float) -> Finding | None:
+def _wrong_frame(points: Floats, search: FootPointSearch, ball: float, near: float) -> Finding | None:
+    """A unit or mirroring in which clearly more points lie on the profile than the share `near`.
+
+    A part whose zero is at its corner has half of its points on the profile in either unit.
+    """
     attempts = (
         ("unit", f"times {INCH}", points * INCH, "the file is in inches: --units inch"),
         ("unit", f"divided by {INCH}", points / INCH, "the file is in millimetres or was converted twice: --units mm"),
@@ -152,13 +157,10 @@ def _wrong_frame(points: Floats, search: FootPointSearch, ball: float, typical: 
     for name, how, changed, remedy in attempts:
         # The probe radius is in millimetres already.
         value = np.abs(search.find(np.ascontiguousarray(changed)).distance - ball)
-        if np.median(value) < min(REACH, 0.2 * typical):
-            return Finding(
-                name,
-                f"the points lie typically {typical:.3g} mm off the profile, but {how} only "
-                f"{float(np.median(value)):.3g} mm: {remedy}",
-                True,
-            )
+        share = float((value <= REACH).mean())
+        if share > max(0.5, 1.2 * near):
+            text = f"{100 * near:.0f} % of the points lie on the profile, but {how} {100 * share:.0f} %: {remedy}"
+            return Finding(name, text, True)
     return None
 
 

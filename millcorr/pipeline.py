@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import logging
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -130,7 +130,10 @@ class Result:
     verification : Verification
     text : bytes
         The corrected program; the very bytes of the original where nothing changed.
+    advice : tuple of str
+        What to expect of the next part.
     warnings : tuple of str
+        What may be wrong or was not possible.
     """
 
     request: Request
@@ -149,6 +152,7 @@ class Result:
     fit_residual: float
     verification: Verification
     text: bytes
+    advice: tuple[str, ...]
     warnings: tuple[str, ...]
 
     def summary(self) -> dict[str, Any]:
@@ -181,6 +185,7 @@ class Result:
             "moves": {"changed": self.regeneration.changed, "written": len(self.regeneration.toolpath)},
             "inputs": self.inputs(),
             "settings": {name: getattr(self.request.settings, name) for name in Settings.__slots__},
+            "advice": list(self.advice),
             "warnings": list(self.warnings),
         }
 
@@ -253,8 +258,6 @@ def correct(request: Request) -> Result:
     else:
         measurement, aligned = _believed(measurement, nominal, request, warnings)
         deviation = deviations(measurement, nominal, cutter_radius=request.radius)
-        if "unit" not in settings.accept:
-            _refuse_wrong_unit(measurement, nominal, len(deviation))
         lowest = _lowest_cut(toolpath, commanded) if measurement.has_z else None
         work = _separated(
             deviation, nominal, commanded, settings, bool(carried), warnings, measurement.source, lowest
@@ -284,7 +287,9 @@ def correct(request: Request) -> Result:
     applied = np.zeros(len(work.deviation))
     if len(work.deviation):
         applied = correction.at(work.deviation.stretch, work.deviation.s, nominal)
-    _advise(work, carried, settings, warnings)
+    rejected = len(work.deviation.rejected)
+    if rejected:
+        warnings.append(f"{rejected} {'point was' if rejected == 1 else 'points were'} rejected, see the report")
     return Result(
         request=request,
         nominal=nominal,
@@ -302,6 +307,7 @@ def correct(request: Request) -> Result:
         fit_residual=residual,
         verification=proof,
         text=text,
+        advice=_advice(work, len(carried) + 1, settings),
         warnings=tuple(warnings),
     )
 
@@ -398,27 +404,6 @@ class _Work:
         flat = np.zeros((0, 2))
         deviation = Deviation(none, none, none, none, zero, zero, flat, flat, zero, ())
         return _Work(deviation, zero, zero, zero, (), float("nan"))
-
-
-def _refuse_wrong_unit(measurement: Measurement, nominal: Profile, used: int) -> None:
-    """InputError where clearly more points can be used in the other unit.
-
-    A part whose zero is at its corner has half of its points on the profile in either unit.
-    """
-    count = len(measurement.points)
-    if used >= 0.9 * count:
-        return
-    for factor, unit in ((25.4, "inch"), (1 / 25.4, "mm")):
-        other = replace(measurement, points=measurement.points * factor)
-        try:
-            fitting = len(deviations(other, nominal))
-        except InputError:
-            continue
-        if fitting > max(0.5 * count, 1.2 * used):
-            raise InputError(
-                f"{measurement.source}: only {used} of {count} points lie on the profile, but {fitting} do if their "
-                f"unit is {unit}: --units {unit} (if it is right as it is: --accept unit)"
-            )
 
 
 def _believed(
@@ -564,18 +549,15 @@ def _header(request: Request) -> tuple[str, ...]:
     )
 
 
-def _advise(
-    work: _Work, carried: tuple[provenance.Mark, ...], settings: Settings, warnings: list[str]
-) -> None:
+def _advice(work: _Work, loops: int, settings: Settings) -> tuple[str, ...]:
+    """What to expect of the next part."""
     if not len(work.deviation):
-        return
-    if work.deviation.rejected:
-        warnings.append(f"{len(work.deviation.rejected)} points were rejected; the report lists them with reasons")
-    loops = len(carried) + 1
-    warnings.append(
+        return ()
+    if settings.gain != 1.0:
+        left = 100 * (1 - settings.gain)
+        return (f"gain {settings.gain:g} leaves {left:.0f} % of the determined deviation on purpose",)
+    return (
         "an elastic machine gives back MS/(1+MS) of every shift: after this correction expect that share "
-        f"to the power {loops} of the first deviation to be left (MS 0.05: {100 * (0.05 / 1.05) ** loops:.2g} %)"
-        if settings.gain == 1.0
-        else f"gain {settings.gain:g} leaves {100 * (1 - settings.gain):.0f} % of the determined deviation on purpose"
+        f"to the power {loops} of the first deviation to be left (MS 0.05: {100 * (0.05 / 1.05) ** loops:.2g} %)",
     )
 

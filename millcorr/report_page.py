@@ -423,6 +423,7 @@ def _separation(result: Result) -> str:
         else "<p>The random part is not known: without a filter all of the deviation is taken as determined, and what "
         "was random on this part is milled into the next.</p>"
     )
+    random += "".join(f"<p>{escape(text[:1].upper() + text[1:])}.</p>" for text in result.advice)
     title = "<h2>What repeats and what does not</h2>"
     if len(result.separations) == 1:
         part = result.separations[0]

@@ -227,7 +227,8 @@ def in_words(summary: Mapping[str, Any], outputs: Mapping[str, str], *, checked_
     lines.append(
         f"proof       emitted path within {_um(proof['path_error_max'])} um of the compensated profile's exact parallel"
     )
-    lines += [f"note        {w}" for w in summary["warnings"]]
+    lines += [f"warning     {w}" for w in summary["warnings"]]
+    lines += [f"note        {a}" for a in summary["advice"]]
     lines += [f"{name:<11} {path}" for name, path in outputs.items()]
     if checked_only:
         lines.append("check only: no program was written")
