@@ -152,9 +152,9 @@ def along(stretch: Stretch, s: Floats, profile: Profile) -> Floats:
     local: Floats = s - stretch.begin
     if profile.contours[stretch.contour].closed:
         total = float(profile.total[stretch.contour])
-        local = np.mod(local, total)
-        # Rounding at the very start must not turn 0 into a whole turn.
-        local = np.where((local > stretch.length + 1e-6) & (local > total - 1e-6), local - total, local)
+        # Rounding at its very ends, or an end at a whole turn, must not take a place to the other end.
+        inside = (local >= -1e-6) & (local <= stretch.length + 1e-6) & (not stretch.closed)
+        local = np.where(inside, local, np.mod(local + 1e-6, total) - 1e-6)
     return local
 
 

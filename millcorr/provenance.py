@@ -13,11 +13,13 @@ from . import __version__
 from .errors import InputError, RefusedError
 
 _SHORT = 16
-_MARK = re.compile(
-    r"MILLCORR\s+\S+\s+CORRECTED\s+(?P<date>\S+)\s+MEASUREMENT\s+(?P<measured>[0-9A-F]{16}(?:\+[0-9A-F]{16})*)"
-    r"\s+SOURCE\s+(?P<source>[0-9A-F]{16})",
+_BEGIN = re.compile(r"\bMILLCORR\s+\S+\s+CORRECTED\s+(?P<date>\d{4}-\d\d-\d\d)\b", re.IGNORECASE)
+_REST = re.compile(
+    r"\s+MEASUREMENT\s+(?P<measured>[0-9A-F]{16}(?:[\s+]+[0-9A-F]{16})*)\s+SOURCE\s+(?P<source>[0-9A-F]{16})\b",
     re.IGNORECASE,
 )
+_LINES = 40
+"""A mark with many measurements is wrapped into at most this many comments."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +56,8 @@ def header(measured: Sequence[tuple[str, str]], source: tuple[str, str], setting
         Settings in words.
     """
     today = datetime.date.today().isoformat()
-    digests = "+".join(digest[:_SHORT] for _, digest in measured)
+    # Parted by blanks, so that a long row of digests can be wrapped into comments that a control shows.
+    digests = " ".join(digest[:_SHORT] for _, digest in measured)
     names = " ".join(PurePath(name).name for name, _ in measured)
     return (
         f"millcorr {__version__} corrected {today} measurement {digests} source {source[1][:_SHORT]}",
@@ -64,13 +67,33 @@ def header(measured: Sequence[tuple[str, str]], source: tuple[str, str], setting
 
 
 def marks(comments: Iterable[tuple[int, str]]) -> tuple[Mark, ...]:
-    """Corrections that a program carries, from its comments (line index from 0, text)."""
+    """Corrections that a program carries.
+
+    Parameters
+    ----------
+    comments : iterable of (int, str)
+        Line, counted from 0, and text of each comment in their order; one mark may be wrapped into several.
+
+    Raises
+    ------
+    InputError
+        If a mark is damaged, so that nobody can tell which measurement was applied.
+    """
+    listed = list(comments)
     found = []
-    for line, text in comments:
-        match = _MARK.search(text)
-        if match:
-            digests = tuple(d.lower() for d in match["measured"].split("+"))
-            found.append(Mark(line + 1, match["date"], digests, match["source"].lower()))
+    for i, (line, text) in enumerate(listed):
+        begin = _BEGIN.search(text)
+        if not begin:
+            continue
+        joined = " ".join([text[begin.end() :], *(more for _, more in listed[i + 1 : i + _LINES])])
+        rest = _REST.match(joined)
+        if not rest:
+            raise InputError(
+                f"line {line + 1}: the comment that says which measurement corrected this program is damaged; take "
+                "the corrected program as it was written"
+            )
+        digests = tuple(d.lower() for d in re.split(r"[\s+]+", rest["measured"]))
+        found.append(Mark(line + 1, begin["date"], digests, rest["source"].lower()))
     return tuple(found)
 
 

@@ -604,15 +604,15 @@ def test_speed_of_facets_and_fine_courses():
 
     v = facetted_circle(40.0, 2000)
     profile = Profile.from_contours([Contour((polyline(np.vstack([v, v[:1]])),), True)])
-    begin = time.perf_counter()
+    begin = time.process_time()
     CompensatedContour(profile, waves(profile, 0.01, 40.0)).to_profile()
-    assert time.perf_counter() - begin < 8.0
+    assert time.process_time() - begin < 8.0
     profile = spline_profile(30.0 * np.stack([np.cos(np.arange(15) * 0.4189), np.sin(np.arange(15) * 0.4189)], 1))
     total = float(profile.total[0])
     s = np.arange(20_000) * total / 20_000
     course = Course.through(s, 0.01 * np.sin(2 * np.pi * 5 * s / total), total, True)
-    begin = time.perf_counter()
+    begin = time.process_time()
     found, _ = CompensatedContour(profile, Correction(tuple(profile.stretches()), (course,))).to_profile()
-    assert time.perf_counter() - begin < 3.0
+    assert time.process_time() - begin < 3.0
     # As many poles as the shape needs, not as many as there were points.
     assert len(found.contours[0].curves[0].poles) < 500

@@ -428,9 +428,9 @@ def test_many_vertices_do_not_cost_their_square():
         for x, y in np.vstack([moved[1:], moved[:1]]):
             p.line(x, y)
     t = p.toolpath()
-    begin = time.perf_counter()
+    begin = time.process_time()
     loops = closed_loops(t, np.arange(len(t)))
-    assert time.perf_counter() - begin < 5.0
+    assert time.process_time() - begin < 5.0
     assert loops == [(0, 20_000), (20_000, 40_000), (40_000, 60_000)]
 
 
