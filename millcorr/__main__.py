@@ -78,7 +78,23 @@ def _parser() -> argparse.ArgumentParser:
             _add_outputs(verb)
         verb.add_argument("--report", metavar="DIR", type=Path, help="write report.html, .json, .csv there")
         verb.add_argument("--debug", action="store_true", help="show the traceback of an error")
+    inspect = verbs.add_parser("inspect", help="what a measured file holds", allow_abbrev=False)
+    inspect.set_defaults(run=_inspect)
+    convert = verbs.add_parser("convert", help="measured file to text x,y,z[,i,j,k]", allow_abbrev=False)
+    convert.set_defaults(run=_convert)
+    convert.add_argument("--output", "-o", metavar="POINTS.csv", type=Path, required=True, help="file to write")
+    for verb in (inspect, convert):
+        verb.add_argument("measured", metavar="FILE", type=Path, help="measured file")
+        _add_measurement(verb)
+        verb.add_argument("--debug", action="store_true", help="show the traceback of an error")
     return parser
+
+
+def _add_measurement(verb: argparse.ArgumentParser) -> None:
+    verb.add_argument("--format", metavar="NAME", help="format of the measured file (by content by default)")
+    verb.add_argument("--points", choices=("contact", "centre"), help="what the measured points are")
+    verb.add_argument("--probe-radius", metavar="MM", type=float, help="ball radius, for --points centre")
+    verb.add_argument("--units", choices=("mm", "inch"), help="unit of the measured file")
 
 
 def _add_inputs(verb: argparse.ArgumentParser) -> None:
@@ -87,10 +103,7 @@ def _add_inputs(verb: argparse.ArgumentParser) -> None:
     source.add_argument("--document", metavar="JOB.FCStd", type=Path, help="FreeCAD document with a job")
     verb.add_argument("--operation", metavar="LABEL", help="operation of the document (the only one by default)")
     verb.add_argument("--measured", metavar="FILE", type=Path, required=True, help="measured points")
-    verb.add_argument("--format", metavar="NAME", help="format of the measured file (by content by default)")
-    verb.add_argument("--points", choices=("contact", "centre"), help="what the measured points are")
-    verb.add_argument("--probe-radius", metavar="MM", type=float, help="ball radius, for --points centre")
-    verb.add_argument("--units", choices=("mm", "inch"), help="unit of the measured file")
+    _add_measurement(verb)
     verb.add_argument("--nominal", metavar="FILE", help="profile: document#label, step, iges, brep, dxf, json, nc")
     verb.add_argument("--tool-diameter", metavar="MM", type=float, help="cutter diameter")
     verb.add_argument("--side", choices=("left", "right", "auto"), default="auto", help="cutter's side of the contour")
@@ -130,6 +143,22 @@ def _check(arguments: argparse.Namespace) -> None:
     _run(arguments, None)
 
 
+def _inspect(arguments: argparse.Namespace) -> None:
+    from . import session
+
+    print(session.inspect(arguments.measured, **_measurement_options(arguments)))
+
+
+def _convert(arguments: argparse.Namespace) -> None:
+    from . import session
+
+    print(session.convert(arguments.measured, arguments.output, **_measurement_options(arguments)))
+
+
+def _measurement_options(arguments: argparse.Namespace) -> dict[str, Any]:
+    return {name: getattr(arguments, name) for name in ("format", "points", "probe_radius", "units")}
+
+
 def _run(arguments: argparse.Namespace, output: Path | None) -> None:
     from . import session
 
@@ -151,10 +180,7 @@ def _run(arguments: argparse.Namespace, output: Path | None) -> None:
     options["accept"] = tuple(arguments.accept)
     common: dict[str, Any] = {
         "measured": arguments.measured,
-        "format": arguments.format,
-        "points": arguments.points,
-        "probe_radius": arguments.probe_radius,
-        "units": arguments.units,
+        **_measurement_options(arguments),
         "nominal": arguments.nominal,
         "tool_diameter": arguments.tool_diameter,
         "output": output,

@@ -31,6 +31,12 @@ SMALL_SCATTER = 0.15
 MISALIGNED = 0.05
 """A shift or turn of the whole part that moves points by more than this, in mm, is dangerous to correct."""
 
+OTHER_NOMINAL = 0.05
+"""The file's own nominal points lie at most this far, in mm, from the profile if both mean the same part."""
+
+STATED = 6e-4
+"""Deviations that the file states agree with its own points within this, in mm: half a unit of 0.001 and a bit."""
+
 SAMPLE = 2000
 """So many points, evenly chosen, are enough to recognise a wrong unit or frame."""
 
@@ -47,6 +53,8 @@ NAMES = (
     "identical-to-nominal",
     "below-the-cut",
     "outliers",
+    "other-nominal",
+    "stated-deviations",
 )
 
 
@@ -123,6 +131,7 @@ def examine_points(measurement: Measurement, profile: Profile, cutter_radius: fl
     points = measurement.points[::step, :2]
     if not len(points):
         return ()
+    own = _against_itself(measurement, search, step)
     ball = measurement.ball_radius
     value = search.find(points).distance - ball
     offset, scatter = _middle(value)
@@ -130,10 +139,36 @@ def examine_points(measurement: Measurement, profile: Profile, cutter_radius: fl
     if near < 0.9:
         wrong_frame = _wrong_frame(points, search, ball, near)
         if wrong_frame is not None:
-            return (wrong_frame,)
+            return (wrong_frame, *own)
     if abs(offset) < CONSTANT_OFFSET or scatter > SMALL_SCATTER * abs(offset):
-        return ()
-    return (_constant_offset(offset, scatter, ball, cutter_radius),)
+        return own
+    return (_constant_offset(offset, scatter, ball, cutter_radius), *own)
+
+
+def _against_itself(measurement: Measurement, search: FootPointSearch, step: int) -> tuple[Finding, ...]:
+    """What the file says twice, compared: its nominal with the profile, its deviations with its points."""
+    found = []
+    if measurement.nominal is not None:
+        nominal = measurement.nominal[::step, :2]
+        nominal = nominal[np.isfinite(nominal).all(axis=1)]
+        away = float(np.median(np.abs(search.find(nominal).distance))) if len(nominal) else 0.0
+        if away > OTHER_NOMINAL:
+            text = (
+                f"the file's own nominal points lie {away:.3f} mm off the profile: check --nominal, the operation and "
+                "the work frame"
+            )
+            found.append(Finding("other-nominal", text, True))
+    recomputed = measurement.from_nominal()
+    if recomputed is not None and measurement.stated is not None:
+        gap = np.nan_to_num(np.abs(recomputed - measurement.stated))
+        worst = int(np.argmax(gap))
+        if gap[worst] > STATED:
+            text = (
+                f"{measurement.origin(worst)} states a deviation of {measurement.stated[worst]:+.4f} mm, its points "
+                f"give {recomputed[worst]:+.4f} mm: check what the file's columns mean"
+            )
+            found.append(Finding("stated-deviations", text, True))
+    return tuple(found)
 
 
 def _middle(value: Floats) -> tuple[float, float]:

@@ -10,11 +10,15 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from . import freecad_process, pipeline, readers
 from . import gcode as nc
+from .deviation import statistics
 from .errors import InputError, UsageError
 from .measurement import Measurement
 from .profile import Profile
+from .readers import text
 
 CAD_SUFFIXES = (".fcstd", ".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".dxf")
 
@@ -72,10 +76,10 @@ def correct_program(
     refuse_places({"--output": output}, report, {"program": program, "measured file": measured, "nominal": first})
     chosen = pipeline.Settings(**(settings or {}))
     measurement = readers.read(measured, points=points, probe_radius=probe_radius, units=units, format=format)
-    text = nc.read(program)
+    source = nc.read(program)
     radius = tool_diameter / 2
     profile = None if nominal is None else read_nominal(nominal, radius, chosen, measurement)
-    result = pipeline.correct(pipeline.Request(text, radius, measurement, profile, chosen))
+    result = pipeline.correct(pipeline.Request(source, radius, measurement, profile, chosen))
     outputs: dict[str, str] = {}
     if output is not None:
         outputs["program"] = str(output)
@@ -144,6 +148,72 @@ def correct_document(
         if place is not None
     }
     return in_words(summary, outputs, checked_only=output is None)
+
+
+def inspect(measured: Path, **options: Any) -> str:
+    """What a measured file holds, in a few lines.
+
+    Parameters
+    ----------
+    measured : Path
+    **options
+        ``format, points, probe_radius, units`` as for `readers.read`; `points` may be left out.
+
+    Raises
+    ------
+    MillcorrError
+        If the file cannot be read.
+    """
+    said = ""
+    try:
+        measurement = readers.read(measured, **options)
+    except UsageError:
+        if options.get("points") is not None:
+            raise
+        measurement = readers.read(measured, **(options | {"points": "contact"}))
+        said = "  (the file does not say; correcting needs --points contact or --points centre)"
+    low, high = measurement.points.min(axis=0), measurement.points.max(axis=0)
+    levels = np.unique(measurement.levels())
+    ball = measurement.ball_radius
+    lines = [
+        f"file        {measured}",
+        f"format      {measurement.format}",
+        f"unit        {measurement.unit}" + ("" if measurement.unit == "mm" else "; all lengths here in mm"),
+        f"points      {len(measurement)}, " + (f"centres of a ball of radius {ball:g}" if ball else "contact") + said,
+        f"normals     {'none' if measurement.normals is None else 'of every point'}",
+        f"nominal     {'none' if measurement.nominal is None else 'in the file'}",
+        f"extents     X{low[0]:.3f} to {high[0]:.3f}, Y{low[1]:.3f} to {high[1]:.3f}"
+        + (f", Z{low[2]:.3f} to {high[2]:.3f} on {len(levels)} levels" if measurement.has_z else ", no Z"),
+    ]
+    deviation = measurement.from_nominal()
+    if deviation is not None:
+        row = statistics(deviation[np.isfinite(deviation)])
+        spread = f"{row['min']:+.4f} to {row['max']:+.4f}, mean {row['mean']:+.4f}"
+        lines.append(f"deviations  {spread} (from the file's nominal)")
+    return "\n".join(lines + [f"note        {note}" for note in measurement.notes])
+
+
+def convert(measured: Path, output: Path, **options: Any) -> str:
+    """Write a measured file's points as text, ``x,y,z`` or ``x,y,z,i,j,k`` in mm.
+
+    Parameters
+    ----------
+    measured, output : Path
+    **options
+        ``format, points, probe_radius, units`` as for `readers.read`.
+
+    Raises
+    ------
+    MillcorrError
+        If the file cannot be read, or `output` is the file itself.
+    """
+    if output.resolve() == measured.resolve():
+        raise UsageError(f"--output {output} is the file itself; the original must stay untouched")
+    measurement = readers.read(measured, **options)
+    text.write(output, measurement)
+    ball = measurement.ball_radius
+    kind = f"ball centres, --points centre --probe-radius {ball:g}" if ball else "contact points, --points contact"
+    return f"{len(measurement)} {kind}\npoints      {output}"
 
 
 def read_nominal(source: str, radius: float, settings: pipeline.Settings, measurement: Measurement | None) -> Profile:
