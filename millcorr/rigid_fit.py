@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .deviation import BRANCH_GAP
+from .deviation import BRANCH_GAP, REACH
 from .errors import FitError, InputError
 from .footpoint import FootPoints, FootPointSearch, Place
 from .measurement import Measurement
@@ -23,9 +23,6 @@ from .transform import Transform
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
-
-BELONGS = 2.0
-"""When most points lie farther than this from the profile after the fit, in mm, they are not its points."""
 
 OUTLIER = (4.5, 7.0)
 """Residuals below the first multiple of the robust standard deviation have weight 1, above the second none."""
@@ -42,7 +39,7 @@ VISIBLE = 1e-3
 CERTAIN = 10.0
 """... by this many standard uncertainties; otherwise the direction is undetermined."""
 
-_COARSE = 500
+_COARSE, _COARSEST = 500, 150
 _COARSE_FLOOR = 0.01
 _GOOD = 0.1
 _CLOSE = 1e-9
@@ -94,9 +91,9 @@ class RigidFit:
         pivot = self.centre if self.central else np.zeros(2)
         lever = float(np.median(np.hypot(*(self.points - pivot).T))) if len(self.points) else 0.0
         self.lever = max(lever, 1e-3)
-        # The same points whenever the same measurement is fitted, without regard to their order along the contour.
+        # Points at random do not fall in step with a pattern along the contour; the same ones at every call.
         order = np.random.default_rng(0).permutation(len(self.points))
-        self.few = np.sort(order[:_COARSE])
+        self.few, self.fewer = order[:_COARSE], order[:_COARSEST]
 
     def require(self, count: int, what: str) -> None:
         """InputError where so many points are too few for the free degrees of freedom."""
@@ -169,27 +166,27 @@ class RigidFit:
         FitError
             If most points stay far from the profile.
         """
-        q, spread = self._descend(np.zeros(3))
+        q, spread = self._descend(np.zeros(3), self.few)
         if spread > _GOOD:
-            for start in self._starts():
-                other, wider = self._descend(start)
-                if wider < 0.7 * spread:
-                    q, spread = other, wider
+            found = [self._descend(start, self.fewer) for start in self._starts()]
+            other, wider = self._descend(min(found, key=lambda pair: pair[1])[0], self.few)
+            if wider < 0.7 * spread:
+                q = other
         look = self.look(q, self.few)
         gap = np.hypot(*(look.xy - look.feet.foot).T) - self.radius
-        far = float(np.mean(np.abs(gap) > BELONGS))
+        far = float(np.mean(np.abs(gap) > REACH))
         if far > 0.5:
             raise FitError(
-                f"{self.source}: alignment: {100 * far:.0f} % of the points stay farther than {BELONGS:g} mm from the "
+                f"{self.source}: alignment: {100 * far:.0f} % of the points stay farther than {REACH:g} mm from the "
                 "profile; check unit, work frame, --points and --nominal"
             )
         return q
 
-    def _descend(self, q: Floats) -> tuple[Floats, float]:
-        """Reweighted Gauss-Newton from a start, with Tukey's biweight; the pose and the spread left, mm."""
+    def _descend(self, q: Floats, rows: Ints) -> tuple[Floats, float]:
+        """Reweighted Gauss-Newton of some points from a start, with Tukey's biweight; pose and spread left, mm."""
         e = np.zeros(0)
         for _ in range(40):
-            look = self.look(q, self.few)
+            look = self.look(q, rows)
             e, slope = self._pulled(q, look)
             a = slope @ self.free
             cut = 4.685 * max(1.4826 * float(np.median(np.abs(e))), _COARSE_FLOOR)
@@ -223,8 +220,7 @@ class RigidFit:
         xs = moves if self.free[0].any() else np.zeros(1)
         ys = moves if self.free[1].any() else np.zeros(1)
         poses = np.stack(np.meshgrid(xs, ys, angles * self.lever, indexing="ij"), axis=-1).reshape(-1, 3)
-        rows = self.few[:: max(1, len(self.few) // 150)]
-        xy = np.concatenate([self.transform(q).points(self.points[rows]) for q in poses])
+        xy = np.concatenate([self.transform(q).points(self.points[self.fewer]) for q in poses])
         feet = self.search.find(xy)
         gap = np.abs(np.hypot(*(xy - feet.foot).T) - self.radius).reshape(len(poses), -1)
         score = np.quantile(gap, 0.8, axis=1)
@@ -345,19 +341,16 @@ class RigidFit:
             if height < _CLOSE or not basis.shape[1]:
                 return q, self.look(q), iteration
             z, expected = _chebyshev_step(look.value, look.slope @ basis, reach)
-            step = basis @ z
-            if height - expected < _CLOSE or np.abs(step).max() < _CLOSE:
-                return q, self.look(q), iteration
-            trial = self.look(q + step, rows)
+            size = float(np.abs(z).max())
+            if size < 100 * _CLOSE:
+                return q + basis @ z, self.look(q + basis @ z), iteration
+            trial = self.look(q + basis @ z, rows)
             reached = float(np.abs(trial.value).max())
-            gain = (height - reached) / (height - expected)
-            if gain > 0.1:
-                q, look, height = q + step, trial, reached
-                reach *= 2.0 if gain > 0.75 else 1.0
+            # Where several motions reach the same height, a step between them may cost a little curvature.
+            if reached <= height - 0.1 * (height - expected) + 0.01 * size:
+                q, look, height = q + basis @ z, trial, reached
             else:
-                reach = float(np.abs(z).max()) / 4
-            if reach < _CLOSE:
-                return q, self.look(q), iteration
+                reach = size / 4
         raise FitError(f"{self.source}: alignment: no minimum zone after {_ROUNDS} steps")
 
 
@@ -382,31 +375,74 @@ def _chebyshev_step(value: Floats, slope: Floats, reach: float) -> tuple[Floats,
     """Step z, no component above `reach`, that makes max |value + slope z| least, and that maximum.
 
     A linear programme over the points that matter: solved for the largest ones, then again with the worst offenders
-    added until no point exceeds the programme's own maximum.
+    added until no point exceeds the programme's own maximum. Where several steps reach it, the one with the least
+    sum of squares is taken.
     """
     from scipy.optimize import linprog
 
     unit = float(np.abs(value).max())
     d, k = value / unit, slope.shape[1]
-    chosen = np.zeros(len(d), dtype=bool)
-    chosen[np.argsort(-np.abs(d), kind="stable")[:100]] = True
     cost = np.append(np.zeros(k), 1.0)
     bounds = [(-reach / unit, reach / unit)] * k + [(0.0, None)]
+    chosen = np.zeros(len(d), dtype=bool)
+    chosen[np.argsort(-np.abs(d), kind="stable")[:100]] = True
     while True:
         a, b = slope[chosen], d[chosen]
         ones = np.ones((len(b), 1))
-        found = linprog(
-            cost, np.block([[a, -ones], [-a, -ones]]), np.concatenate([-b, b]), bounds=bounds, method="highs"
-        )
+        limit = np.concatenate([-b, b])
+        found = linprog(cost, np.block([[a, -ones], [-a, -ones]]), limit, bounds=bounds, method="highs")
         if found.x is None:
             raise FitError(f"minimum zone: the linear programme failed: {found.message}")
-        z = found.x[:k]
-        all_of = np.abs(d + slope @ z)
-        excess = np.where(chosen, -1.0, all_of - all_of[chosen].max())
-        if excess.max() <= 1e-10:
-            return z * unit, float(all_of.max()) * unit
-        worst = np.argsort(-excess, kind="stable")[:100]
-        chosen[worst[excess[worst] > 0]] = True
+        left = np.abs(d + slope @ found.x[:k])
+        if not _add_worst(chosen, left, float(left[chosen].max())):
+            break
+    height = float(left.max())
+    z, tolerance = found.x[:k], 1e-9
+    while True:
+        a, b = np.vstack([slope[chosen], np.eye(k)]), np.append(d[chosen], np.zeros(k))
+        limit = np.append(np.full(int(chosen.sum()), height + tolerance), np.full(k, reach / unit))
+        nearest = _least_squares_within(slope, d, np.vstack([-a, a]), np.append(b - limit, -b - limit))
+        if nearest is None:
+            break
+        left = np.abs(d + slope @ nearest)
+        if left[chosen].max() > height + 10 * tolerance:
+            break
+        if not _add_worst(chosen, left, height + 10 * tolerance):
+            z = nearest
+            break
+    return z * unit, height * unit
+
+
+def _add_worst(chosen: Bools, left: Floats, height: float) -> bool:
+    """Choose the points that exceed a height most, in place; False where none does."""
+    excess = np.where(chosen, 0.0, left - height)
+    worst = np.argsort(-excess, kind="stable")[:100]
+    worst = worst[excess[worst] > 1e-10]
+    chosen[worst] = True
+    return bool(len(worst))
+
+
+def _least_squares_within(slope: Floats, d: Floats, g: Floats, h: Floats) -> Floats | None:
+    """The z of least |d + slope z| with ``g z >= h``, or None where there is none.
+
+    Least distance programming by non-negative least squares (Lawson & Hanson 1974, ch. 23).
+    """
+    from scipy.optimize import nnls
+
+    root = np.linalg.cholesky(slope.T @ slope / len(d)).T
+    free = -np.linalg.lstsq(slope, d, rcond=None)[0]
+    turned: Floats = np.linalg.solve(root.T, g.T)
+    e = np.vstack([turned, h - (root @ free) @ turned])
+    f = np.append(np.zeros(len(root)), 1.0)
+    try:
+        u, _ = nnls(e, f)
+    except RuntimeError:
+        return None
+    r = e @ u - f
+    if not -r[-1] > 1e-12:
+        return None
+    out: Floats = np.asarray(free + np.linalg.solve(root, -r[:-1] / r[-1]), dtype=np.float64)
+    return out
 
 
 def _without_turn(basis: Floats, lost: Floats) -> Floats:
