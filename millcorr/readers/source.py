@@ -145,6 +145,7 @@ class Source:
         *,
         ball_radius: float | Floats,
         unit: str = "mm",
+        factor: float | None = None,
         normals: Floats | None = None,
         nominal: Floats | None = None,
         stated: Floats | None = None,
@@ -165,6 +166,8 @@ class Source:
         ball_radius : float or (n,) float64
             In mm. Where points have different radii, all are moved along their normals to the first one's.
         unit : {"mm", "inch"}
+        factor : float, optional
+            Millimetres in the unit of the numbers given, where that is not the file's `unit`.
         stated : (n,) float64
             Deviations that the file states, in the file's unit.
         elements, has_z, notes
@@ -179,7 +182,7 @@ class Source:
         numbers = np.asarray(lines, dtype=np.int64)
         if not len(points):
             raise self.error("no measured points in the file")
-        factor = _FACTORS[unit]
+        factor = _FACTORS[unit] if factor is None else factor
         with np.errstate(over="ignore"):
             points = points * factor
             nominal = None if nominal is None else nominal * factor

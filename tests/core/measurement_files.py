@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import base64
 import random
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -76,6 +78,100 @@ def msr(
                 blank = "" if dense else " "
                 lines.append(f"{code}{blank}N{row + 1}{blank}" + blank.join((*words, *tail)))
     return ending.join([*lines, "END", ""])
+
+
+# --- QIF --------------------------------------------------------------------------------------------------
+
+
+def qif(
+    part: Part,
+    *,
+    version: int = 3,
+    scan: bool = False,
+    compensated: bool = False,
+    sets: bool = True,
+    stated: bool = True,
+    binary: str = "",
+    inch: bool = False,
+    prefix: str = "",
+    comments: bool = False,
+) -> str:
+    """QIF results: point features joined to nominals, or with `scan` one point set of a curve feature."""
+    scale = 25.4 if inch else 1.0
+    where = (part.contact if compensated else part.centres) / scale
+    nominal = part.nominal / scale
+    n = len(where)
+    role = "Measurement" if version == 3 else "Actual"
+    remark = "<!-- 1 2 3 -->" if comments else ""
+
+    def vector(v: np.ndarray) -> str:
+        return " ".join(f"{x!r}" for x in v.tolist())
+
+    def rows(name: str, values: np.ndarray) -> str:
+        if binary:
+            coded = base64.b64encode(values.astype(binary).tobytes()).decode()
+            size = values.itemsize if binary == "<f8" else 4
+            return f'<Binary{name} count="{values.size}" sizeElement="{size}">{coded}</Binary{name}>'
+        inner = f"\n{remark}".join(vector(v) for v in values)
+        return f"<{name}>{remark}\n{inner}\n</{name}>"
+
+    def point_set(id: int, values: np.ndarray, normals: np.ndarray | None) -> str:
+        radius = "" if compensated else f"<ProbeRadius>{part.radius / scale!r}</ProbeRadius>"
+        return (
+            f'<MeasuredPointSet id="{id}" count="{len(values)}">{rows("Points", values)}'
+            + ("" if normals is None else rows("Normals", normals))
+            + f"<Compensated>{str(compensated).lower()}</Compensated>{radius}</MeasuredPointSet>\n"
+        )
+
+    ideals = items = measured = clouds = profiles = ""
+    if scan:
+        measured = (
+            f'<PointDefinedCurveFeature{role} id="8"><FeatureItemId>7</FeatureItemId>'
+            f'<PointList n="1"><WholePointSetId>9</WholePointSetId></PointList></PointDefinedCurveFeature{role}>\n'
+        )
+        clouds = point_set(9, where, part.normals)
+    for k in range(0 if scan else n):
+        a = 100 + 10 * k
+        ideals += (
+            f'<PointFeatureNominal id="{a}"><Location>{vector(nominal[k])}</Location>'
+            f"<Normal>{vector(part.normals[k])}</Normal></PointFeatureNominal>\n"
+        )
+        items += (
+            f'<PointFeatureItem id="{a + 1}"><FeatureNominalId>{a}</FeatureNominalId>'
+            f"<FeatureName>{part.names[k]}</FeatureName></PointFeatureItem>\n"
+        )
+        listed = f'<PointList n="1"><WholePointSetId>{a + 3}</WholePointSetId></PointList>' if sets else ""
+        measured += (
+            f'<PointFeature{role} id="{a + 2}"><FeatureItemId>{a + 1}</FeatureItemId>{listed}'
+            f"<Location>{vector(where[k])}</Location></PointFeature{role}>\n"
+        )
+        if sets:
+            clouds += point_set(a + 3, where[k : k + 1], None)
+        if stated:
+            value = float(((where[k] - nominal[k]) * part.normals[k]).sum())
+            value -= 0.0 if compensated else part.radius / scale
+            for v in (value, 0.0):
+                profiles += (
+                    f'<PointProfileCharacteristic{role} id="{a + 4 + (v == 0)}"><CharacteristicItemId>5'
+                    f'</CharacteristicItemId><Feature{role}Ids n="1"><Id>{a + 2}</Id></Feature{role}Ids>'
+                    f"<Value>{v!r}</Value></PointProfileCharacteristic{role}>\n"
+                )
+    name, factor = ("inch", 0.0254) if inch else ("mm", 0.001)
+    body = f"""<QIFDocument xmlns="http://qifstandards.org/xsd/qif{version}" versionQIF="{version}.0.0" idMax="9999">
+<FileUnits><PrimaryUnits><LinearUnit><SIUnitName>meter</SIUnitName><UnitName>{name}</UnitName>
+<UnitConversion><Factor>{factor}</Factor></UnitConversion></LinearUnit></PrimaryUnits></FileUnits>
+<Features><FeatureNominals>
+{ideals}</FeatureNominals><FeatureItems>
+{items}</FeatureItems></Features>
+<Results><MeasurementResults id="2"><MeasuredFeatures>
+{measured}</MeasuredFeatures><MeasuredPointSets>
+{clouds}</MeasuredPointSets><MeasuredCharacteristics><Characteristic{role}s>
+{profiles}</Characteristic{role}s></MeasuredCharacteristics></MeasurementResults></Results>
+</QIFDocument>
+"""
+    if prefix:
+        body = re.sub(r"<(/?)(?=[A-Z])", rf"<\1{prefix}:", body).replace("xmlns=", f"xmlns:{prefix}=")
+    return '<?xml version="1.0" encoding="UTF-8"?>\n' + body
 
 
 # --- damage -----------------------------------------------------------------------------------------------
@@ -153,4 +249,23 @@ def _number(data: bytes, random: random.Random) -> bytes:
     )
 
 
-_ACCIDENTS: tuple[Callable[[bytes, random.Random], bytes], ...] = (_flip, _spice, _cut, _lose, _double, _lines, _number)
+def _word(data: bytes, random: random.Random) -> bytes:
+    """Put one word of the file in the place of another, which leaves more of its form intact."""
+    words = list(re.finditer(rb"[\w.+-]+", data))
+    if not words:
+        return data
+    at, other = random.choice(words), random.choice(words)
+    return data[: at.start()] + other[0] + data[at.end() :]
+
+
+_ACCIDENTS: tuple[Callable[[bytes, random.Random], bytes], ...] = (
+    _flip,
+    _spice,
+    _cut,
+    _lose,
+    _double,
+    _lines,
+    _number,
+    _word,
+    _word,
+)

@@ -36,9 +36,9 @@ def subjects(n: int = 6) -> list[Subject]:
     return [Subject(format, *dress) for format, dresses in DRESSES.items() for dress in dresses(n)]
 
 
-def large(format: str, n: int = 20_000) -> Subject:
-    """An undamaged file of a format with n points."""
-    return Subject(format, *DRESSES[format](n)[0])
+def large(format: str, n: int = 10_000) -> list[Subject]:
+    """Undamaged files of a format with n points, several dresses."""
+    return [Subject(format, *dress) for dress in DRESSES[format](n)]
 
 
 def run(format: str, count: int, seed: int = 1, *, by_content: bool = False) -> Counter[str]:
@@ -94,6 +94,12 @@ def _msr(n: int) -> list[Dress]:
     return [(files.msr(part, dense=dense, digits=4).encode(), {}) for dense in (True, False)] + [(turned.encode(), {})]
 
 
+def _qif(n: int) -> list[Dress]:
+    part = files.ellipse(n)
+    dresses = ({"scan": True}, {}, {"version": 2, "compensated": True, "inch": True}, {"scan": True, "binary": "<f8"})
+    return [(files.qif(part, **dress).encode(), {}) for dress in dresses]  # type: ignore[arg-type]
+
+
 def _text(n: int) -> list[Dress]:
     rows = np.hstack([files.ellipse(n).contact, files.ellipse(n).normals]).tolist()
     tables = [
@@ -103,4 +109,4 @@ def _text(n: int) -> list[Dress]:
     return [(t.encode(), {"points": "contact"}) for t in tables]
 
 
-DRESSES: dict[str, Callable[[int], list[Dress]]] = {"msr": _msr, "text": _text}
+DRESSES: dict[str, Callable[[int], list[Dress]]] = {"msr": _msr, "qif": _qif, "text": _text}

@@ -1,0 +1,270 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""QIF 2.x and 3.0 results (ISO 23952): measured point features and measured point sets, joined by id.
+
+A point feature is joined with its item and its nominal; whether its location is a ball centre or a contact point
+is what its point set says (``Compensated``, ``ProbeRadius``), else what the profile values stored in the file
+show: they equal (P - N) . n - r. Features of other kinds only give their point sets, and only where the file has
+no point, curve or surface features of its own.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr.errors import UsageError
+from millcorr.measurement import Measurement
+
+from .qif_document import POINTS, Document, Feature, PointSet
+from .source import MM_PER_INCH, Source, shown
+from .xml_events import parse
+
+Floats = NDArray[np.float64]
+
+STATED_TOLERANCE = 1e-6
+"""A stored profile value this near, in mm, shows what a location is."""
+
+_CURVES = {"PointDefinedCurve", "PointDefinedSurface", "OtherCurve", "OtherSurface"}
+
+_CONTACT, _UNKNOWN = 0.0, -1.0
+"""Radius of a compensated point, and of one that the file says nothing about; NaN: a centre of unknown radius."""
+
+
+def recognises(data: bytes) -> bool:
+    """Whether the root element of an XML file is QIFDocument."""
+    return b"QIFDocument" in data[:16384].replace(b"\x00", b"")
+
+
+def read(source: Source) -> Measurement:
+    """Measured points of a QIF document.
+
+    Parameters
+    ----------
+    source : Source
+
+    Returns
+    -------
+    Measurement
+        Nominals, normals and stored profile values where the file has them.
+
+    Raises
+    ------
+    FormatError
+        If the XML is not well formed or declares a document type, an id refers to nothing or is there twice, a
+        number or a count is wrong, or the file has no points; names the line and the element's id.
+    UsageError
+        If the caller contradicts the file, or does not say what the file leaves open.
+    """
+    document = Document(source)
+    parse(source, document, "QIFDocument")
+    return _Joined(source, document).measurement()
+
+
+class _Joined:
+    """Rows of the measurement, joined from a document's records."""
+
+    def __init__(self, source: Source, document: Document) -> None:
+        self.source = source
+        self.document = document
+        self.notes: list[str] = []
+        self.factors, self.factor = self._units()
+
+    def _units(self) -> tuple[dict[str, float], float]:
+        """Factors to mm of every named unit and of the primary one."""
+        factors = {u.name: float(f"{u.factor * 1000:.12g}") for u in self.document.units}
+        primary = [u for u in self.document.units if u.primary]
+        if len(primary) > 1:
+            raise self.source.error("more than one primary unit of length")
+        if primary:
+            return factors, float(f"{primary[0].factor * 1000:.12g}")
+        if self.source.units is None:
+            raise UsageError(f"say --units mm or --units inch: {self.source.name} names no unit of length")
+        return factors, MM_PER_INCH if self.source.units == "inch" else 1.0
+
+    def _factor(self, unit: str, line: int) -> float:
+        if unit and unit not in self.factors:
+            raise self.source.error(f"unit {shown(unit)} is not among the file's units", line)
+        return self.factors[unit] if unit else self.factor
+
+    def measurement(self) -> Measurement:
+        document, source = self.document, self.source
+        features = [m for m in document.measured.values() if m.kind in POINTS]
+        sets = self._own_sets(features)
+        if not features and not sets:
+            raise source.error(f"no measured points; {len(document.measured)} measured features without any")
+        parts = []
+        if features:
+            parts.append(self._of_features(features))
+        parts += [self._of_set(s) for s in sets]
+        points, nominal, normals, radii, stated = (
+            np.concatenate(column) for column in zip(*(p[0] for p in parts), strict=True)
+        )
+        lines = np.concatenate([p[1] for p in parts])
+        names = [name for p in parts for name in p[2]]
+        without = int(np.isnan(normals).any(axis=1).sum())
+        if 0 < without < len(points):
+            self.notes.append(f"{without} of {len(points)} points have no normal: normals are not used")
+        known = {"mm": 1.0, "inch": MM_PER_INCH}
+        said = next((unit for unit, factor in known.items() if factor == self.factor), None)
+        unit = source.unit(said or "mm")
+        if said is None:
+            self.notes.append(f"converted from a unit of {self.factor:g} mm")
+        ball = self._ball(radii)
+        return source.measurement(
+            "qif", points, lines, ball_radius=ball, normals=None if without else normals,
+            nominal=None if np.isnan(nominal).all() else nominal, stated=None if np.isnan(stated).all() else stated,
+            elements=names, notes=self.notes, unit=unit, factor=1.0,
+        )  # fmt: skip
+
+    def _own_sets(self, features: list[Feature]) -> list[PointSet]:
+        """Sets of curve and surface features; all sets where there are neither these nor point features."""
+        document = self.document
+        of_curves = {label for m in document.measured.values() if m.kind in _CURVES for label in m.sets}
+        chosen = [s for label, s in document.sets.items() if label in of_curves]
+        if not chosen and not features:
+            return list(document.sets.values())
+        used = {label for m in features for label in m.sets} | {s.id for s in chosen}
+        kinds: dict[str, int] = {}
+        for m in document.measured.values():
+            if m.kind not in POINTS | _CURVES:
+                for label in document.sets.keys() & (set(m.sets) - used):
+                    kinds[m.kind.lower()] = kinds.get(m.kind.lower(), 0) + document.sets[label].count
+        if kinds:
+            left = ", ".join(f"{count} of {kind} features" for kind, count in sorted(kinds.items()))
+            self.notes.append(f"points left out: {left}")
+        return chosen
+
+    def _of_features(self, features: list[Feature]) -> tuple[tuple[Floats, ...], NDArray[np.int64], list[str]]:
+        document = self.document
+        n = len(features)
+        points, nominal, normals = np.full((n, 3), np.nan), np.full((n, 3), np.nan), np.full((n, 3), np.nan)
+        stated, radii = np.full(n, np.nan), np.full(n, _UNKNOWN)
+        names = []
+        values = self._stated()
+        at_point = {
+            tuple((s.points[0] * self._factor(s.unit, s.line)).tolist()): s
+            for s in document.sets.values()
+            if s.points is not None and s.count == 1
+        }
+        for row, m in enumerate(features):
+            item, ideal = self._ideal(m)
+            if m.location is None:
+                raise self.source.error(f"measured point {m.id} has no Location", m.line)
+            points[row] = np.array(m.location) * self._factor(m.unit, m.line)
+            if ideal is not None and ideal.location is not None:
+                nominal[row] = np.array(ideal.location) * self._factor(ideal.unit, ideal.line)
+            normal = (ideal.normal if ideal is not None else None) or m.normal
+            if normal is not None:
+                normals[row] = normal
+            stated[row] = values.get(m.id, np.nan)
+            names.append((item.name if item is not None else "") or m.id)
+            own = next((document.sets[label] for label in m.sets if label in document.sets), None)
+            same = at_point.get(tuple(points[row].tolist()))
+            radii[row] = self._radius(points[row], own, same)
+        self._decide(radii, points, nominal, normals, stated)
+        lines = np.array([m.line for m in features], dtype=np.int64)
+        return (points, nominal, normals, radii, stated), lines, names
+
+    def _ideal(self, m: Feature) -> tuple[Feature | None, Feature | None]:
+        document = self.document
+        if not m.reference:
+            return None, None
+        item = document.items.get(m.reference)
+        if item is None:
+            if m.reference in document.nominals:
+                return None, document.nominals[m.reference]
+            raise self.source.error(
+                f"measured point {m.id} refers to feature item {shown(m.reference)}, which is not in the file", m.line
+            )
+        if not item.reference:
+            return item, None
+        if item.reference not in document.nominals:
+            raise self.source.error(
+                f"feature item {item.id} refers to nominal {shown(item.reference)}, which is not in the file", item.line
+            )
+        return item, document.nominals[item.reference]
+
+    def _stated(self) -> dict[str, float]:
+        """Stored profile value of each feature measurement in mm: the farthest from 0 where there are several."""
+        out: dict[str, float] = {}
+        for v in self.document.values:
+            for label in v.features:
+                if v.value is not None and abs(v.value) >= abs(out.get(label, 0.0)):
+                    out[label] = v.value
+        return {label: value * self.factor for label, value in out.items()}
+
+    def _radius(self, point: Floats, own: PointSet | None, same: PointSet | None) -> float:
+        """Radius between a feature's location and the surface by what its point set says of it."""
+        if same is not None:
+            return float(self._radii(same)[0])
+        if own is None or not own.count:
+            return _UNKNOWN
+        radii = self._radii(own)
+        if (radii == _CONTACT).all():
+            return _CONTACT
+        assert own.points is not None
+        with np.errstate(over="ignore", invalid="ignore"):
+            away = np.linalg.norm(own.points * self._factor(own.unit, own.line) - point, axis=1)
+        nearest = int(away.argmin())
+        if away[nearest] <= 1e-9:
+            return float(radii[nearest])
+        # The location is the centre moved by the radius: it was compensated after the touch.
+        return _CONTACT if own.count == 1 and abs(away[0] - radii[0]) <= 1e-3 else _UNKNOWN
+
+    def _radii(self, s: PointSet) -> Floats:
+        """Radius a point between a set's points and the surface, in mm."""
+        if s.compensated is None:
+            return np.full(s.count, _UNKNOWN)
+        out = np.full(s.count, np.nan)
+        if s.radius is not None:
+            out = np.broadcast_to(s.radius * self._factor(s.unit, s.line), (s.count,)).copy()
+        out[np.broadcast_to(s.compensated, (s.count,)) > 0] = _CONTACT
+        return out
+
+    def _decide(self, radii: Floats, points: Floats, nominal: Floats, normals: Floats, stated: Floats) -> None:
+        """What stored profile values show of locations that no set explains, and of the rest of the file. In place."""
+        with np.errstate(over="ignore", invalid="ignore"):
+            along = ((points - nominal) * normals).sum(axis=1)
+        balls = {float(r) for s in self.document.sets.values() for r in self._radii(s)[:1] if r > 0}
+        for radius in (_CONTACT, *sorted(balls)):
+            shows = (radii == _UNKNOWN) & (np.abs(along - radius - stated) <= STATED_TOLERANCE)
+            radii[shows] = radius
+        unknown = radii == _UNKNOWN
+        kinds = set(radii[~unknown].tolist())
+        if unknown.any() and len(kinds) == 1:
+            radii[unknown] = kinds.pop()
+            self.notes.append(f"{int(unknown.sum())} locations are taken for what the file's others are")
+        with np.errstate(invalid="ignore"):
+            differ = np.abs(along - np.maximum(radii, 0.0) - stated)
+        worst = float(np.nanmax(differ, initial=0.0))
+        if worst > 1e-4:
+            self.notes.append(f"stored profile values differ from (P - N) . n - r by up to {worst:.4f} mm")
+
+    def _of_set(self, s: PointSet) -> tuple[tuple[Floats, ...], NDArray[np.int64], list[str]]:
+        assert s.points is not None
+        nothing = np.full((s.count, 3), np.nan)
+        normals = nothing if s.normals is None else s.normals
+        with np.errstate(over="ignore"):
+            points = s.points * self._factor(s.unit, s.line)
+        columns = (points, nothing, normals, self._radii(s), np.full(s.count, np.nan))
+        return columns, np.full(s.count, s.line, dtype=np.int64), [f"{s.id}.{k}" for k in range(1, s.count + 1)]
+
+    def _ball(self, radii: Floats) -> float | Floats:
+        """Radius in mm, one for all or one a point, with what the caller says about rows the file leaves open."""
+        source = self.source
+        unknown, nameless, contact = radii == _UNKNOWN, np.isnan(radii), radii == _CONTACT
+        stated = radii[~(unknown | nameless | contact)]
+        if len(stated) and (contact.any() or unknown.any()) and source.points == "contact":
+            raise UsageError(f"--points contact contradicts {source.name}: {len(stated)} points are ball centres")
+        if contact.all():
+            return source.ball_radius(centres=False)
+        if contact.any() and source.points == "centre" and not unknown.any():
+            raise UsageError(f"--points centre contradicts {source.name}: {int(contact.sum())} are contact points")
+        out = radii.copy()
+        if unknown.any():
+            out[unknown] = source.ball_radius()
+        if nameless.any():
+            out[nameless] = source.ball_radius(centres=None if contact.any() else True)
+        if len(stated) == len(radii) and np.ptp(stated) <= 1e-9:
+            return source.ball_radius(centres=True, radius=float(stated[0]))
+        return out
