@@ -184,3 +184,11 @@ def test_nothing_belongs_to_one_machine(what):
             if FORBIDDEN[what].search(line) and not any(where == w and part in line for w, part in ALLOWED):
                 found.append(f"{where}:{number}: {line.strip()}")
     assert not found
+
+
+def test_the_index_of_the_documentation_is_complete():
+    docs = REPOSITORY / "docs"
+    linked = set(re.findall(r"\]\(([^)#]+)", (docs / "README.md").read_text(encoding="utf-8")))
+    there = {p.relative_to(docs).as_posix() for p in docs.rglob("*.md") if p.name != "README.md"}
+    assert not there - linked
+    assert not {link for link in linked if "://" not in link and not (docs / link).exists()}
