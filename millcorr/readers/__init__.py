@@ -16,7 +16,7 @@ from typing import Protocol
 from millcorr.errors import FormatError, UsageError
 from millcorr.measurement import Measurement
 
-from . import msr, qif, text
+from . import msr, pcdmis, qif, text, xyzijk
 from .source import Source
 
 
@@ -40,7 +40,13 @@ class Format(Protocol):
 
 __all__ = ["FORMATS", "Source", "read", "recognised"]
 
-FORMATS: dict[str, Format] = {"msr": msr, "qif": qif, "text": text}
+FORMATS: dict[str, Format] = {
+    "msr": msr,
+    "qif": qif,
+    "xyzijk": xyzijk,
+    "pcdmis": pcdmis,
+    "text": text,
+}
 """Module of each format by the name that ``--format`` takes; the last one takes whatever is left."""
 
 _POINTS = ("contact", "centre")

@@ -174,6 +174,60 @@ def qif(
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + body
 
 
+# --- PC-DMIS ----------------------------------------------------------------------------------------------
+
+
+def xyzijk(part: Part, *, inch: bool = False, normals: bool = True, separator: str = ",", names: bool = False) -> str:
+    """PC-DMIS XYZ file of the contact points."""
+    rows = part.contact / (25.4 if inch else 1.0)
+    if normals:
+        rows = np.hstack([rows, part.normals])
+    lines = ["XYZIJK" if inch else "XYZIJK    METRIC"]
+    for name, row in zip(part.names, rows, strict=True):
+        lines.append(separator.join([*([name] if names else []), *(f"{v:.9f}" for v in row)]))
+    return "\n".join([*lines, ""])
+
+
+def pcdmis(
+    part: Part,
+    *,
+    inch: bool = False,
+    vectors: bool = True,
+    bonus: bool = False,
+    pages: bool = False,
+    comma: bool = False,
+    decimals: int = 6,
+) -> str:
+    """PC-DMIS text report of the contact points, each with X, Y, Z, T and V rows."""
+    scale = 25.4 if inch else 1.0
+    heads = ["NOMINAL", "+TOL", "-TOL", *(["BONUS"] if bonus else []), "MEAS", "DEV", "OUTTOL"]
+    heading = "AX  " + "".join(f"{h:>14}" for h in heads)
+
+    def row(axis: str, nominal: float, measured: float) -> str:
+        deviation = round(measured, decimals) - round(nominal, decimals)
+        cells = {"NOMINAL": nominal, "+TOL": 0.05, "-TOL": 0.05, "MEAS": measured, "DEV": deviation, "OUTTOL": 0.0}
+        shown = "".join(f"{cells[h]:14.{decimals}f}" if h in cells else " " * 14 for h in heads)
+        return f"{axis:<4}{shown} ---#---"
+
+    lines = ["PART NAME  : PLATE 12", "REV NUMBER :", "STATS COUNT : 1", ""]
+    for k, name in enumerate(part.names):
+        unit = "IN" if inch else "MM"
+        lines += [f"DIM LOC{k + 1}= LOCATION OF POINT {name}  UNITS={unit}", heading]
+        nominal, contact = part.nominal[k] / scale, part.contact[k] / scale
+        for axis, (a, b) in zip("XYZ", zip(nominal, contact, strict=True), strict=True):
+            lines.append(row(axis, a, b))
+            if pages and axis == "Y":
+                lines += ["\x0c", f"PART NAME  : PLATE 12        DATE : 29.02.2024    PAGE {k + 2}", "", heading]
+        if vectors:
+            lines.append(row("T", 0.0, part.deviations[k] / scale))
+            lines.append("V   " + "".join(f"{v:14.9f}" for v in part.normals[k]) + "             -" * 4)
+        lines.append(f"END OF DIMENSION LOC{k + 1}")
+    lines += ["DIM D1= LOCATION OF CIRCLE CIR1  UNITS=MM", heading, row("D", 10.0, 10.01), "END OF DIMENSION D1"]
+    lines += ["DIM A1= 2D ANGLE FROM LINE L1 TO LINE L2  UNITS=DEG", "Winkel 90°"]
+    text = "\n".join([*lines, ""])
+    return text.replace(".", ",") if comma else text
+
+
 # --- damage -----------------------------------------------------------------------------------------------
 
 _SPICE = (

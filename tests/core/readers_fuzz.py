@@ -100,6 +100,18 @@ def _qif(n: int) -> list[Dress]:
     return [(files.qif(part, **dress).encode(), {}) for dress in dresses]  # type: ignore[arg-type]
 
 
+def _xyzijk(n: int) -> list[Dress]:
+    part = files.ellipse(n)
+    dresses = ({}, {"inch": True, "separator": " "}, {"normals": False}, {"names": True, "separator": "\t"})
+    return [(files.xyzijk(part, **dress).encode(), {"points": "contact"}) for dress in dresses]  # type: ignore[arg-type]
+
+
+def _pcdmis(n: int) -> list[Dress]:
+    part = files.ellipse(n)
+    dresses = ({}, {"inch": True, "bonus": True}, {"pages": True, "vectors": False}, {"comma": True})
+    return [(files.pcdmis(part, **dress).encode("cp1252"), {"points": "contact"}) for dress in dresses]  # type: ignore[arg-type]
+
+
 def _text(n: int) -> list[Dress]:
     rows = np.hstack([files.ellipse(n).contact, files.ellipse(n).normals]).tolist()
     tables = [
@@ -109,4 +121,10 @@ def _text(n: int) -> list[Dress]:
     return [(t.encode(), {"points": "contact"}) for t in tables]
 
 
-DRESSES: dict[str, Callable[[int], list[Dress]]] = {"msr": _msr, "qif": _qif, "text": _text}
+DRESSES: dict[str, Callable[[int], list[Dress]]] = {
+    "msr": _msr,
+    "qif": _qif,
+    "xyzijk": _xyzijk,
+    "pcdmis": _pcdmis,
+    "text": _text,
+}

@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""PC-DMIS text reports: locations of points as blocks of axes, with nominal, measured value and deviation.
+
+Columns are found by the words of the ``AX`` line above them. Every row is checked by DEV = MEAS - NOMINAL, which a
+value in the wrong column does not pass.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from millcorr.measurement import Measurement
+
+from .source import Source, shown
+
+_RECOGNISED = re.compile(rb"(?:^|\n|\r)[ \t]*DIM[ \t]+[^\r\n=]{1,60}=[^\r\n]{1,80}[ \t]OF[ \t]", re.IGNORECASE)
+_DIMENSION = re.compile(r"\s*DIM\s+(?P<dim>[^\s=]+)\s*=\s*(?P<what>\S.*?)\s+OF\s+(?P<rest>.*)", re.IGNORECASE)
+_UNITS = re.compile(r"\bUNITS\s*=\s*([A-Z]+)", re.IGNORECASE)
+_END = re.compile(r"\s*END\s+OF\s+DIMENSION\b", re.IGNORECASE)
+_HEADING = re.compile(r"\s*AX\s+\S", re.IGNORECASE)
+_AXIS = re.compile(r"\s*([XYZTV])\s+(?=[\d.,+-])", re.IGNORECASE)
+_VALUE = re.compile(r"[+-]?(?:\d+[.,]?\d*|[.,]\d+)(?![\w.,])", re.ASCII)
+_GRAPH = re.compile(r"\s[<>\-#=|]{2,}(?:\s|$)|\s[#<>]")
+"""Where the bar of deviation or an arrow begins behind the numbers."""
+
+_WORDS = {
+    "NOM": "NOMINAL", "NOMINAL": "NOMINAL", "MEAS": "MEAS", "MEASURED": "MEAS", "ACTUAL": "MEAS", "DEV": "DEV",
+    "DEVIATION": "DEV",
+}  # fmt: skip
+_UNIT_NAMES = {"MM": "mm", "IN": "inch", "INCH": "inch", "INCHES": "inch"}
+
+
+@dataclass(slots=True)
+class _Location:
+    """Location of one point: per axis nominal, measured value, deviation."""
+
+    feature: str
+    line: int
+    unit: str
+    axes: dict[str, tuple[float, float]] = field(default_factory=dict)
+    normal: tuple[float, float, float] | None = None
+    along: float = float("nan")
+
+
+def recognises(data: bytes) -> bool:
+    """Whether a file holds a line ``DIM name= ... OF ...`` and a line of column heads."""
+    head = data[:262144].replace(b"\x00", b"")
+    return bool(_RECOGNISED.search(head) and re.search(rb"(?:^|\n|\r)[ \t]*AX[ \t]", head, re.IGNORECASE))
+
+
+def read(source: Source) -> Measurement:
+    """Points of a PC-DMIS text report.
+
+    Parameters
+    ----------
+    source : Source
+        The report does not say whether its points were compensated.
+
+    Returns
+    -------
+    Measurement
+        Nominals; normals where every point has its V row; deviations of the T rows as stated ones.
+
+    Raises
+    ------
+    FormatError
+        If a row is spoilt, its DEV is not MEAS - NOMINAL, units are mixed, or no point has all its axes.
+    UsageError
+        If the caller contradicts the file, or does not say what the points are.
+    """
+    report = _Report(source)
+    for number, line in enumerate(source.text(drop=b"\x0c").split("\n"), 1):
+        report.line(number, line)
+    return report.measurement()
+
+
+class _Report:
+    """State of reading: the column heads and the location that are open, what was read."""
+
+    def __init__(self, source: Source) -> None:
+        self.source = source
+        self.heading: list[tuple[str, int]] = []
+        self.open: _Location | None = None
+        self.foreign = False
+        self.locations: list[_Location] = []
+        self.others: dict[str, int] = {}
+
+    def line(self, number: int, text: str) -> None:
+        found = _DIMENSION.match(text)
+        if found:
+            self._dimension(number, found)
+        elif _END.match(text):
+            self.open, self.foreign = None, False
+        elif _HEADING.match(text):
+            self._columns(number, text)
+        elif self.open is not None:
+            axis = _AXIS.match(text)
+            if axis:
+                self._row(number, axis[1].upper(), text, axis.end())
+            elif re.match(r"\s*[XYZ](?:\s|$)", text):
+                raise self.source.error(f"{shown(text)} is no row of an axis: export the report again", number)
+
+    def _dimension(self, number: int, found: re.Match[str]) -> None:
+        self.open, self.heading = None, []
+        what = found["what"].upper().split()
+        rest = re.split(r"\bUNITS\b", found["rest"], maxsplit=1, flags=re.IGNORECASE)[0].strip().rstrip(",$ ")
+        words = rest.split()
+        if what != ["LOCATION"] or not words or "POINT" not in (w.upper() for w in words[:-1]):
+            kind = f"{found['what'].lower()} of {' '.join(words[:-1]).lower() or 'something'}"
+            self.others[kind[:40]] = self.others.get(kind[:40], 0) + 1
+            return
+        unit = _UNITS.search(found["rest"])
+        name = _UNIT_NAMES.get(unit[1].upper()) if unit else ""
+        if name is None:
+            assert unit is not None
+            raise self.source.error(f"unit {shown(unit[1])}: only MM and IN are read", number)
+        self.open = _Location(words[-1], number, name)
+        self.locations.append(self.open)
+
+    def _columns(self, number: int, text: str) -> None:
+        self.heading = [(_WORDS.get(m[0].upper(), m[0].upper()), m.end()) for m in list(re.finditer(r"\S+", text))[1:]]
+        names = [name for name, _ in self.heading]
+        if self.open is not None:
+            for needed in ("NOMINAL", "MEAS"):
+                if names.count(needed) != 1:
+                    raise self.source.error(
+                        f"no single column {needed}: print nominal, measured value and deviation", number
+                    )
+
+    def _row(self, number: int, axis: str, text: str, start: int) -> None:
+        location, source = self.open, self.source
+        assert location is not None
+        if not self.heading:
+            raise source.error("a row of an axis without column heads (AX NOMINAL ...) above it", number)
+        graph = _GRAPH.search(text, start)
+        end = graph.start() if graph else len(text)
+        spoilt = _VALUE.sub(" ", text[start:end]).strip(" \t-\xb0")
+        if spoilt:
+            raise source.error(f"{shown(spoilt)} among the values of axis {axis}: export the report again", number)
+        cells = list(_VALUE.finditer(text, start, end))
+        values = [_number(m[0]) for m in cells]
+        if any(not abs(v) < 1e9 for v in values):
+            raise source.error("a value is no length", number)
+        if axis == "V":
+            if len(values) < 3:
+                raise source.error("the vector V has no three components", number)
+            location.normal = (values[0], values[1], values[2])
+            return
+        columns = self._assigned(cells, values)
+        if columns is None:
+            raise source.error(
+                f"axis {axis}: DEV is not MEAS - NOMINAL in any way the columns can be read: export it again", number
+            )
+        if axis == "T":
+            location.along = columns.get("DEV", columns["MEAS"] - columns["NOMINAL"])
+            return
+        if axis in location.axes:
+            raise source.error(f"axis {axis} of {shown(location.feature)} is there twice", number)
+        location.axes[axis] = (columns["NOMINAL"], columns["MEAS"])
+
+    def _assigned(self, cells: list[re.Match[str]], values: list[float]) -> dict[str, float] | None:
+        """Values by column: in order where none is blank, else by the column each ends under; None if neither fits."""
+        names = [name for name, _ in self.heading]
+        ways = []
+        if len(values) == len(names):
+            ways.append(dict(zip(names, values, strict=True)))
+        nearest = [min(range(len(names)), key=lambda k: abs(self.heading[k][1] - m.end())) for m in cells]
+        if len(set(nearest)) == len(nearest):
+            ways.append({names[k]: v for k, v in zip(nearest, values, strict=True)})
+        step = 10.0 ** -max([len(re.split("[.,]", m[0])[1]) if re.search("[.,]", m[0]) else 0 for m in cells] or [0])
+        for way in ways:
+            if not {"NOMINAL", "MEAS"} <= way.keys():
+                continue
+            nominal, measured = way["NOMINAL"], way["MEAS"]
+            # A setting of PC-DMIS lets deviations of negative coordinates count away from zero.
+            expected = (measured - nominal, abs(measured) - abs(nominal))
+            if "DEV" not in names or ("DEV" in way and min(abs(way["DEV"] - e) for e in expected) <= 1.6 * step):
+                return way
+        return None
+
+    def measurement(self) -> Measurement:
+        source = self.source
+        whole, notes = [], []
+        seen: dict[str, _Location] = {}
+        for location in self.locations:
+            missing = "XYZ" if not location.axes else "".join(a for a in "XYZ" if a not in location.axes)
+            if missing:
+                notes.append((location, missing))
+                continue
+            first = seen.setdefault(location.feature, location)
+            if first is location:
+                whole.append(location)
+            elif first.axes != location.axes:
+                raise source.error(
+                    f"{shown(location.feature)} lies elsewhere than in line {first.line}: report every point once, "
+                    "in one alignment",
+                    location.line,
+                )
+        remarks = []
+        if notes:
+            first, missing = notes[0]
+            text = f"{shown(first.feature)} lacks {', '.join(missing)} and is no point"
+            if not whole:
+                raise source.error(f"no point has all its axes: {text}; report X, Y and Z", first.line)
+            remarks.append(f"{len(notes)} locations left out: {text} (line {first.line})")
+        if self.others:
+            kinds = ", ".join(f"{n} {kind}" for kind, n in sorted(self.others.items())[:5])
+            remarks.append(f"dimensions left out: {kinds}")
+        if not whole:
+            raise source.error("no LOCATION OF POINT in the report: report the points' X, Y and Z")
+        units = {location.unit for location in whole}
+        if len(units) > 1:
+            other = next(o for o in whole if o.unit != whole[0].unit)
+            raise source.error("points in different units: export them in one", other.line)
+        unit = source.unit(units.pop() or None)
+        table = np.array([[location.axes[a] for a in "XYZ"] for location in whole])
+        normals = [location.normal for location in whole if location.normal is not None]
+        if normals and len(normals) < len(whole):
+            remarks.append(f"{len(whole) - len(normals)} of {len(whole)} points have no V: normals are not used")
+        stated = np.array([location.along for location in whole])
+        return source.measurement(
+            "pcdmis", table[:, :, 1], [location.line for location in whole], ball_radius=source.ball_radius(),
+            unit=unit, normals=np.array(normals) if len(normals) == len(whole) else None, nominal=table[:, :, 0],
+            stated=None if np.isnan(stated).all() else stated, elements=[location.feature for location in whole],
+            notes=remarks,
+        )  # fmt: skip
+
+
+def _number(text: str) -> float:
+    return float(text.replace(",", "."))

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""PC-DMIS ``.xyz`` files: ``XYZIJK`` in the first line, rows of three to eight numbers below it.
+
+Columns 1 to 6 of the first line hold ``XYZIJK``, columns 11 to 16 ``METRIC``; without it the unit is inch. Three or
+five numbers in a row are a point, six or eight a point with its normal, four and seven a circle with its diameter
+(PC-DMIS 2019 Core manual, "Notes on XYZ Files" and "Importing an XYZ File as CAD Data").
+"""
+
+from __future__ import annotations
+
+import re
+from array import array
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr.errors import UsageError
+from millcorr.measurement import Measurement
+
+from .source import Source, shown
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+_HEADER = re.compile(rb"^(?:\xef\xbb\xbf)?XYZIJK(?![A-Za-z])")
+_SEPARATOR = re.compile(r"[ \t]*[,;][ \t]*|[ \t]+")
+_NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
+_POINT, _VECTOR_POINT, _CIRCLE = (3, 5), (6, 8), (4, 7)
+_METRIC_COLUMNS = slice(10, 16)
+
+
+def recognises(data: bytes) -> bool:
+    """Whether the first line begins with XYZIJK."""
+    return bool(_HEADER.match(data) or _HEADER.match(data[:64].lstrip(b"\xff\xfe").replace(b"\x00", b"")))
+
+
+def read(source: Source) -> Measurement:
+    """Points of a PC-DMIS XYZ file.
+
+    Parameters
+    ----------
+    source : Source
+        The file does not say whether its points are contact points.
+
+    Returns
+    -------
+    Measurement
+        Normals where every row has one.
+
+    Raises
+    ------
+    FormatError
+        If a row is no point or circle; names the line.
+    UsageError
+        If METRIC does not stand where it must and the caller gives no unit, or the caller contradicts the file.
+    """
+    text = source.text()
+    head, _, body = text.partition("\n")
+    if not head.startswith("XYZIJK"):
+        raise source.error("the first line does not begin with XYZIJK", 1)
+    unit = _unit(source, head)
+    lines = body.split("\n")
+    rows = _whole(lines) or _row_by_row(source, lines)
+    values, numbers, names, circles = rows
+    notes = [f"{circles} circles left out: rows of 4 or 7 numbers are no points"] if circles else []
+    if not len(values):
+        raise source.error(f"no points in the file{', only circles' if circles else ''}", 1)
+    normals = values[:, 3:]
+    with_normal = ~np.isnan(normals).any(axis=1)
+    if with_normal.any() and not with_normal.all():
+        notes.append(f"{int((~with_normal).sum())} of {len(values)} points have no normal: normals are not used")
+    return source.measurement(
+        "xyzijk", values[:, :3], numbers, ball_radius=source.ball_radius(), unit=unit,
+        normals=normals if with_normal.all() else None, elements=names, notes=notes,
+    )  # fmt: skip
+
+
+def _unit(source: Source, head: str) -> str:
+    rest = head[6:].strip()
+    if rest == "METRIC" and head[_METRIC_COLUMNS] == "METRIC":
+        return source.unit("mm")
+    if not rest:
+        return source.unit("inch")
+    if rest != "METRIC":
+        raise source.error(f"{shown(rest)} behind XYZIJK: only METRIC may stand there, in columns 11 to 16", 1)
+    if source.units is None:
+        raise UsageError(
+            f"say --units mm or --units inch: METRIC stands in column {head.index('METRIC') + 1} of {source.name}, "
+            "not 11, where PC-DMIS takes the file for inch"
+        )
+    return source.unit(None)
+
+
+_Rows = tuple[Floats, Ints, Sequence[str] | None, int]
+"""Numbers x,y,z,i,j,k with NaN where there is no normal, line numbers, names if any, count of circles."""
+
+
+def _whole(lines: list[str]) -> _Rows | None:
+    """Rows in one go where all have the same three or six numbers; None where anything is otherwise."""
+    filled = [k for k, line in enumerate(lines, 2) if line.strip()]
+    if not filled:
+        return None
+    try:
+        values = np.loadtxt([line.replace(",", " ") for line in lines], comments=None, ndmin=2)
+    except (ValueError, OverflowError):
+        return None
+    if values.shape[1] not in (3, 6) or len(values) != len(filled) or not np.isfinite(values).all():
+        return None
+    if values.shape[1] == 3:
+        values = np.hstack([values, np.full_like(values, np.nan)])
+    return values, np.array(filled, dtype=np.int64), None, 0
+
+
+def _row_by_row(source: Source, lines: list[str]) -> _Rows:
+    """Rows one by one: for mixed rows and names before the numbers, and to name the line that is wrong."""
+    values, numbers, names, circles = array("d"), array("q"), [], 0
+    for number, line in enumerate(lines, 2):
+        fields = _SEPARATOR.split(line.strip())
+        if fields and fields[-1] == "":
+            fields.pop()
+        if not fields:
+            continue
+        name = "" if _NUMBER.fullmatch(fields[0]) else fields.pop(0)
+        if name and not name[0].isalpha():
+            raise source.error(f"{shown(name)} is no number", number)
+        for field in fields:
+            if not _NUMBER.fullmatch(field):
+                raise source.error(f"{shown(field)} is no number", number)
+        if len(fields) in _CIRCLE:
+            circles += 1
+            continue
+        if len(fields) not in _POINT + _VECTOR_POINT:
+            raise source.error(f"{len(fields)} numbers: a point has 3, or 6 with its normal", number)
+        count = 3 if len(fields) in _POINT else 6
+        values.extend(map(float, fields[:count]))
+        values.extend([np.nan] * (6 - count))
+        numbers.append(number)
+        names.append(name)
+    table = np.array(values, dtype=np.float64).reshape(-1, 6)
+    return table, np.array(numbers, dtype=np.int64), names if any(names) else None, circles
