@@ -102,7 +102,8 @@ def _add_inputs(verb: argparse.ArgumentParser) -> None:
     source.add_argument("--program", metavar="PART.nc", type=Path, help="NC program to correct")
     source.add_argument("--document", metavar="JOB.FCStd", type=Path, help="FreeCAD document with a job")
     verb.add_argument("--operation", metavar="LABEL", help="operation of the document (the only one by default)")
-    verb.add_argument("--measured", metavar="FILE", type=Path, required=True, help="measured points")
+    several = "measured points; given several times, the deviations of the parts are averaged"
+    verb.add_argument("--measured", metavar="FILE", type=Path, required=True, action="append", help=several)
     _add_measurement(verb)
     verb.add_argument("--nominal", metavar="FILE", help="profile: document#label, step, iges, brep, dxf, json, nc")
     verb.add_argument("--tool-diameter", metavar="MM", type=float, help="cutter diameter")

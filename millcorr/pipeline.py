@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import logging
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -17,6 +17,7 @@ from .deviation import Deviation, deviations, statistics
 from .errors import InputError, LimitError, UsageError
 from .filtering import Filter, Separation, separate
 from .measurement import Measurement
+from .parts import averaged
 from .profile import Profile
 from .reconstruction import CompensatedContour
 from .regeneration import OUTPUT_MOVES, Regeneration, regenerate
@@ -90,6 +91,8 @@ class Request:
     nominal : Profile, optional
         The profile the part should have; by default what the program cuts.
     settings : Settings
+    further : tuple of Measurement
+        Further parts cut with the same program; the first one's deviations become the mean of all.
     """
 
     program: gcode.Program
@@ -97,6 +100,12 @@ class Request:
     measurement: Measurement | None
     nominal: Profile | None = None
     settings: Settings = field(default_factory=Settings)
+    further: tuple[Measurement, ...] = ()
+
+    @property
+    def measurements(self) -> tuple[Measurement, ...]:
+        """All measured parts; none where nothing was measured."""
+        return () if self.measurement is None else (self.measurement, *self.further)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -207,10 +216,11 @@ class Result:
 
     def inputs(self) -> dict[str, Any]:
         """Names and SHA-256 of what went in."""
-        program, measurement = self.request.program, self.request.measurement
+        program = self.request.program
         out: dict[str, Any] = {"program": {"name": program.name, "sha256": program.digest}}
-        if measurement is not None:
-            out["measurement"] = {"name": measurement.source, "sha256": measurement.digest}
+        for number, measurement in enumerate(self.request.measurements, 1):
+            key = "measurement" if number == 1 else f"measurement {number}"
+            out[key] = {"name": measurement.source, "sha256": measurement.digest}
         return out
 
     def header(self) -> tuple[str, ...]:
@@ -242,7 +252,9 @@ def correct(request: Request) -> Result:
         raise UsageError(f"the tool diameter {2 * request.radius:g} mm must be a length above 0")
     warnings: list[str] = []
     carried = provenance.marks(program.comments())
-    digests = [] if measurement is None else [measurement.digest]
+    digests = [m.digest for m in request.measurements]
+    if len(set(digests)) < len(digests):
+        raise UsageError("the same measurement is given twice: averaging needs different parts")
     provenance.refuse_second_use(carried, digests, program.name, request.nominal is not None)
 
     usable, path_radius = _usable(program, request.radius, settings)
@@ -256,12 +268,18 @@ def correct(request: Request) -> Result:
     if measurement is None:
         correction, work = Correction.none(nominal), _Work.empty()
     else:
-        measurement, aligned = _believed(measurement, nominal, request, warnings)
-        deviation = deviations(measurement, nominal, cutter_radius=request.radius)
-        lowest = _lowest_cut(toolpath, commanded) if measurement.has_z else None
-        work = _separated(
-            deviation, nominal, commanded, settings, bool(carried), warnings, measurement.source, lowest
-        )
+        parts = []
+        lowest = _lowest_cut(toolpath, commanded)
+        for part in request.measurements:
+            moved, fit = _believed(part, nominal, request, warnings)
+            aligned = aligned or fit
+            deviation = deviations(moved, nominal, cutter_radius=request.radius)
+            offset = commanded_offset(commanded, deviation)
+            machine = deviation.value - offset
+            findings = distrust.examine_deviations(deviation, machine, nominal, lowest if part.has_z else None)
+            warnings += distrust.refuse_dangerous(findings, settings.accept, part.source)
+            parts.append(_Part(deviation, offset, machine))
+        work = _separated(parts, nominal, settings, bool(carried), warnings)
         correction = _correction(work, nominal, settings, warnings)
     contour = CompensatedContour(nominal, correction)
     _refuse_crossing(nominal, contour)
@@ -428,21 +446,29 @@ def _lowest_cut(toolpath: Toolpath, commanded: Commanded) -> float | None:
     return float(known.min()) if len(known) else None
 
 
+@dataclass(frozen=True, eq=False, slots=True)
+class _Part:
+    """One measured part: its deviations, the program's own offset, and what the machine added, mm."""
+
+    deviation: Deviation
+    offset: Floats
+    machine: Floats
+
+
 def _separated(
-    deviation: Deviation,
-    nominal: Profile,
-    commanded: Commanded,
-    settings: Settings,
-    corrected_before: bool,
-    warnings: list[str],
-    source: str,
-    lowest: float | None,
+    parts: list[_Part], nominal: Profile, settings: Settings, corrected_before: bool, warnings: list[str]
 ) -> _Work:
-    """Take the program's own contour out, filter what the machine added, and say where to move the profile."""
-    offset = commanded_offset(commanded, deviation)
-    machine = deviation.value - offset
-    findings = distrust.examine_deviations(deviation, machine, nominal, lowest)
-    warnings += distrust.refuse_dangerous(findings, settings.accept, source)
+    """Average the parts, filter what the machine added, and say where to move the profile."""
+    deviation, offset, machine = parts[0].deviation, parts[0].offset, parts[0].machine
+    part_std = float("nan")
+    if len(parts) > 1:
+        several = averaged([(p.deviation, p.machine) for p in parts], nominal)
+        machine, part_std = several.mean, several.std
+        deviation = replace(deviation, value=offset + machine)
+        warnings.append(
+            f"deviations are the mean of {len(parts)} parts; from part to part they differ by "
+            f"{part_std * 1000:.2f} um (standard deviation)"
+        )
     filter_ = Filter.parse(settings.filter)
     determined = np.empty(len(deviation))
     separations: list[Separation] = []
@@ -462,6 +488,8 @@ def _separated(
     moved = -settings.gain * dead_band(residual, settings.dead_band)
     wanted = offset + moved if corrected_before else moved
     random_std = float(np.sqrt(variance / freedom)) if freedom else float("nan")
+    if np.isfinite(part_std):
+        random_std = part_std
     return _Work(deviation, offset, offset + determined, wanted, tuple(separations), random_std)
 
 
@@ -541,11 +569,13 @@ def _written(request: Request, regeneration: Regeneration) -> bytes:
 
 
 def _header(request: Request) -> tuple[str, ...]:
-    measurement, program = request.measurement, request.program
-    if measurement is None:
+    program = request.program
+    if request.measurement is None:
         return (f"millcorr {__version__} path laid on the exact nominal, no correction",)
     return provenance.header(
-        [(measurement.source, measurement.digest)], (program.name, program.digest), request.settings.in_words()
+        [(m.source, m.digest) for m in request.measurements],
+        (program.name, program.digest),
+        request.settings.in_words(),
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -26,7 +26,7 @@ CAD_SUFFIXES = (".fcstd", ".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".d
 def correct_program(
     program: Path,
     *,
-    measured: Path,
+    measured: Sequence[Path],
     points: str | None = None,
     probe_radius: float | None = None,
     units: str | None = None,
@@ -41,8 +41,10 @@ def correct_program(
 
     Parameters
     ----------
-    program, measured : Path
-        NC program, and measured points.
+    program : Path
+        NC program.
+    measured : sequence of Path
+        Measured points of one part, or of several whose deviations are averaged.
     points : {'contact', 'centre'}, optional
         What the points are, where the file does not say.
     probe_radius, tool_diameter : float, optional
@@ -73,13 +75,16 @@ def correct_program(
     if tool_diameter is None:
         raise UsageError("--program needs --tool-diameter: the program does not say how large the cutter is")
     first = None if nominal is None else Path(nominal.partition("#")[0])
-    refuse_places({"--output": output}, report, {"program": program, "measured file": measured, "nominal": first})
+    inputs = {f"measured file {n}": path for n, path in enumerate(measured, 1)}
+    refuse_places({"--output": output}, report, {"program": program, "nominal": first, **inputs})
     chosen = pipeline.Settings(**(settings or {}))
-    measurement = readers.read(measured, points=points, probe_radius=probe_radius, units=units, format=format)
+    measurement, *further = (
+        readers.read(path, points=points, probe_radius=probe_radius, units=units, format=format) for path in measured
+    )
     source = nc.read(program)
     radius = tool_diameter / 2
     profile = None if nominal is None else read_nominal(nominal, radius, chosen, measurement)
-    result = pipeline.correct(pipeline.Request(source, radius, measurement, profile, chosen))
+    result = pipeline.correct(pipeline.Request(source, radius, measurement, profile, chosen, tuple(further)))
     outputs: dict[str, str] = {}
     if output is not None:
         outputs["program"] = str(output)
@@ -96,7 +101,7 @@ def correct_program(
 def correct_document(
     document: Path,
     *,
-    measured: Path,
+    measured: Sequence[Path],
     operation: str | None = None,
     nominal: str | None = None,
     output: Path | None = None,
@@ -128,14 +133,15 @@ def correct_document(
     MillcorrError
         See `pipeline.correct`; nothing is written then.
     """
-    refuse_places({"--output": output, "--gcode": gcode}, report, {"document": document, "measured file": measured})
+    inputs = {f"measured file {n}": path for n, path in enumerate(measured, 1)}
+    refuse_places({"--output": output, "--gcode": gcode}, report, {"document": document, **inputs})
     places = {"output": output, "gcode": gcode, "report": report}
     summary = freecad_process.call(
         "correct",
         {
             "document": str(document.resolve()),
             "operation": operation,
-            "measured": str(measured.resolve()),
+            "measured": [str(path.resolve()) for path in measured],
             "nominal": nominal,
             **{name: None if place is None else str(place.resolve()) for name, place in places.items()},
             **measurement,

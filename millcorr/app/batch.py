@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -49,7 +49,7 @@ _PROPERTIES = {
 def correct_document(
     document: Any,
     operation: Any = None,
-    measured: str | Path | None = None,
+    measured: str | Path | Sequence[str | Path] | None = None,
     *,
     points: str | None = None,
     probe_radius: float | None = None,
@@ -73,8 +73,9 @@ def correct_document(
         The document, as a file or open.
     operation : str or document object, optional
         Label or name of the operation; may be left out where the document has one Profile.
-    measured : str or Path, optional
-        The measured file; without it the path is made exact and nothing is corrected.
+    measured : str, Path or sequence of them, optional
+        The measured file, or one of each of several parts, whose deviations are averaged; without it the path
+        is made exact and nothing is corrected.
     points : {"contact", "centre"}, optional
         What the coordinates are, where the file does not say.
     probe_radius : float, optional
@@ -116,19 +117,18 @@ def correct_document(
         here = stack.enter_context(documents.opened(document))
         stack.enter_context(_all_or_nothing(here))
         base = find_operation(here, operation)
-        measurement = None
-        if measured is not None:
-            measurement = measurement_object.create(here, measured, points, probe_radius, units, format)
+        files = [] if measured is None else [measured] if isinstance(measured, str | Path) else list(measured)
+        parts = [measurement_object.create(here, file, points, probe_radius, units, format) for file in files]
         chosen = {_PROPERTIES[name]: value for name, value in settings.items() if value is not None}
         if nominal is not None:
             chosen["Nominal"] = sources.nominal_object(here, nominal)
-        obj = _dressed(base, measurement, chosen)
+        chosen["FurtherParts"] = parts[1:]
+        obj = _dressed(base, parts[0] if parts else None, chosen)
         corrected = correction.correct(obj)
         # Only what is new: another FreeCAD would lay the operation's own path anew, and the part was cut with
         # the one that is stored.
-        for new in (measurement, obj):
-            if new is not None:
-                new.recompute()
+        for new in (*parts, obj):
+            new.recompute()
         _require_valid(obj)
         text = None if gcode is None else _posted(obj)
         if text is not None:

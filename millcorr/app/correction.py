@@ -86,6 +86,7 @@ def request_of(obj: Any) -> tuple[pipeline.Request, list[Any]]:
         measurement=None if obj.Measurement is None else measurement_of(obj.Measurement),
         nominal=_nominal(obj, operation, program),
         settings=settings_of(obj),
+        further=() if obj.Measurement is None else tuple(measurement_of(part) for part in obj.FurtherParts),
     )
     return request, commands
 

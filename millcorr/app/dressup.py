@@ -25,6 +25,13 @@ PROPERTIES = (
         _text("App::Property", "The measured part; without one the path is made exact and nothing is corrected"),
     ),
     Property(
+        "LinkList",
+        "FurtherParts",
+        "Correction",
+        _text("App::Property", "Measurements of further parts cut with the same path; deviations are averaged"),
+        [],
+    ),
+    Property(
         "Link",
         "Nominal",
         "Correction",

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from millcorr import gcode as nc
-from millcorr.app import batch, compat, convert, demonstration, process, sources, views
+from millcorr.app import batch, compat, convert, demonstration, documents, process, sources, views
 from millcorr.errors import FormatError, LimitError, RefusedError, UsageError
 from millcorr.footpoint import FootPointSearch
 from millcorr.profile import Profile
@@ -169,3 +169,22 @@ def test_views_are_carried_over(tmp_path):
     with zipfile.ZipFile(new) as archive:
         assert archive.namelist() == ["Document.xml", "Shape.brp", "Points.csv", "GuiDocument.xml", "Colour"]
         assert archive.read("Document.xml") == b"new Document.xml"
+
+
+def test_several_parts_are_averaged_and_kept_in_the_document(part_files, measured_file, tmp_path):
+    second = tmp_path / "second.csv"
+    lines = measured_file[0].read_text(encoding="utf-8").splitlines()
+    # The same part measured 20 um higher: the mean is the same, the file another.
+    higher = [line.rsplit(",", 1)[0] + ",6.02" for line in lines[1:]]
+    second.write_text("\n".join([lines[0], *higher]) + "\n", encoding="utf-8")
+    output = tmp_path / "corrected.FCStd"
+    both = batch.correct_document(
+        part_files[0], measured=[measured_file[0], second], points="contact", filter="none", output=output
+    )
+    one = batch.correct_document(part_files[0], measured=measured_file[0], points="contact", filter="none")
+    assert both.summary()["deviation"] == pytest.approx(one.summary()["deviation"], abs=1e-9)
+    assert both.random_std == pytest.approx(0.0, abs=1e-9)
+    with documents.opened(output) as document:
+        (dressup,) = [obj for obj in document.Objects if obj.Name.startswith("DressupMillcorr")]
+        assert len(dressup.FurtherParts) == 1
+        assert dressup.FurtherParts[0].Digest != dressup.Measurement.Digest

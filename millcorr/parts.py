@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Several parts of the same nominal: their mean deviation, and the spread from part to part.
+
+Averaging parts is the best filter there is: it needs no assumption about the shape of the errors. What differs
+from part to part is the random part itself, measured.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .compensation import along
+from .deviation import Deviation
+from .errors import InputError
+from .profile import Profile
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+LEVEL_REACH = 0.5
+"""Levels of two parts are the same where their heights differ by less than this, in mm."""
+
+GAP_SPACINGS = 3.0
+"""Between points farther apart than so many typical spacings, a part says nothing about the place."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Parts:
+    """Deviations of several parts at the points of the first one.
+
+    Parameters
+    ----------
+    mean : (n,) float64
+        Mean over the parts that say something at the place, mm.
+    count : (n,) int64
+        How many parts do; at least 1.
+    std : float
+        Standard deviation from part to part, process and measurement together, mm: the root of the mean
+        variance over the places with two parts or more. NaN where there is none.
+    """
+
+    mean: Floats
+    count: Ints
+    std: float
+
+
+def averaged(parts: Sequence[tuple[Deviation, Floats]], profile: Profile) -> Parts:
+    """Mean over parts at the points of the first.
+
+    Parameters
+    ----------
+    parts : sequence of (Deviation, (n,) float64)
+        Of each part its used points and the values to average, in mm.
+    profile : Profile
+        Nominal; the values of a part are interpolated along it, linearly, between neighbouring points.
+
+    Returns
+    -------
+    Parts
+
+    Raises
+    ------
+    InputError
+        If a further part has no point near those of the first.
+    """
+    first, values = parts[0]
+    total, square = values.copy(), np.zeros(len(values))
+    count = np.ones(len(values), dtype=np.int64)
+    rows = [values]
+    for number, (other, seen) in enumerate(parts[1:], 2):
+        at = _interpolated(first, other, seen, profile)
+        known = np.isfinite(at)
+        if not known.any():
+            raise InputError(f"part {number} was measured at other places than the first: nothing can be averaged")
+        total[known] += at[known]
+        count[known] += 1
+        rows.append(at)
+    mean = total / count
+    for row in rows:
+        square += np.nan_to_num(row - mean) ** 2
+    several = count > 1
+    std = float(np.sqrt((square[several] / (count[several] - 1)).mean())) if several.any() else float("nan")
+    return Parts(mean, count, std)
+
+
+def _interpolated(first: Deviation, other: Deviation, values: Floats, profile: Profile) -> Floats:
+    """Values of another part at the first one's points; NaN where it has no point on both sides nearby."""
+    out = np.full(len(first), np.nan)
+    stretches = profile.stretches()
+    for number in np.unique(first.stretch):
+        stretch = stretches[number]
+        for level in np.unique(first.level[first.stretch == number]):
+            here = np.flatnonzero((first.stretch == number) & (first.level == level))
+            there = np.flatnonzero(other.stretch == number)
+            if len(there):
+                height = other.z[there] - float(first.z[here].mean())
+                there = there[np.abs(height) < LEVEL_REACH]
+            if len(there) < 2:
+                continue
+            s = along(stretch, other.s[there], profile)
+            order = np.argsort(s, kind="stable")
+            s, v = s[order], values[there][order]
+            typical = float(np.median(np.diff(s)))
+            if stretch.closed:
+                s, v = np.r_[s[-1] - stretch.length, s, s[0] + stretch.length], np.r_[v[-1], v, v[0]]
+            at = along(stretch, first.s[here], profile)
+            after = np.clip(np.searchsorted(s, at), 1, len(s) - 1)
+            width = s[after] - s[after - 1]
+            # Just beyond the outermost point of an open stretch its value still holds.
+            inside = (at >= s[0] - typical) & (at <= s[-1] + typical) & (width <= GAP_SPACINGS * max(typical, 1e-9))
+            out[here[inside]] = np.interp(at[inside], s, v)
+    return out
