@@ -16,7 +16,7 @@ from typing import Protocol
 from millcorr.errors import FormatError, UsageError
 from millcorr.measurement import Measurement
 
-from . import msr, pcdmis, qif, text, xyzijk
+from . import dmis, msr, pcdmis, qif, text, xyzijk
 from .source import Source
 
 
@@ -45,6 +45,7 @@ FORMATS: dict[str, Format] = {
     "qif": qif,
     "xyzijk": xyzijk,
     "pcdmis": pcdmis,
+    "dmis": dmis,
     "text": text,
 }
 """Module of each format by the name that ``--format`` takes; the last one takes whatever is left."""

@@ -228,6 +228,54 @@ def pcdmis(
     return text.replace(".", ",") if comma else text
 
 
+# --- DMIS -------------------------------------------------------------------------------------------------
+
+
+def dmis(
+    part: Part,
+    *,
+    inch: bool = False,
+    polar: str = "",
+    curve: bool = False,
+    continued: bool = False,
+    prcomp: str = "ON",
+    vectors: bool = True,
+) -> str:
+    """DMIS output of contact points, or of centres with `prcomp` OFF; `polar` names the unit of angles."""
+    scale = 25.4 if inch else 1.0
+    lines = ["DMISMN/'PART 12',05.2", "$$ made by hand", f"UNITS/{'INCH' if inch else 'MM'},{polar or 'ANGDEC'}"]
+    if prcomp:
+        lines.append(f"PRCOMP/{prcomp}")
+    where = part.centres if prcomp == "OFF" else part.contact
+
+    def angle(a: float) -> str:
+        degrees = np.degrees(a)
+        if polar == "ANGRAD":
+            return f"{a:.15f}"
+        if polar == "ANGDMS":
+            minutes = abs(degrees) * 60
+            sign = "-" if degrees < 0 else ""
+            return f"{sign}{int(minutes // 60)}:{int(minutes % 60)}:{minutes % 1 * 60:.12f}"
+        return f"{degrees:.13f}"
+
+    def place(p: np.ndarray, n: np.ndarray) -> str:
+        x, y, z = p / scale
+        first = f"POL,{np.hypot(x, y):.12f},{angle(np.arctan2(y, x))}" if polar else f"CART,{x:.12f},{y:.12f}"
+        behind = "".join(f",{v:.12f}" for v in n) if vectors else ""
+        text = f"{first},{z:.12f}{behind}"
+        return text.replace(",", ",$\n    ", 2) if continued else text
+
+    for role, points in (("F", part.nominal), ("FA", where)):
+        if curve:
+            lines.append(f"{role}(CURVE)=FEAT/GCURVE,CART")
+            lines += [f"PTDATA/{place(p, n)}" for p, n in zip(points, part.normals, strict=True)]
+            continue
+        for name, p, n in zip(part.names, points, part.normals, strict=True):
+            lines.append(f"{role}({name})=FEAT/POINT,{place(p, n)}  $$ {name}")
+    lines += ["FA(C1)=FEAT/CIRCLE,INNER,CART,0,0,0,0,0,1,10.003", "TA(T1)=TOL/PROFP,0.1", "ENDFIL", ""]
+    return "\n".join(lines)
+
+
 # --- damage -----------------------------------------------------------------------------------------------
 
 _SPICE = (

@@ -112,6 +112,12 @@ def _pcdmis(n: int) -> list[Dress]:
     return [(files.pcdmis(part, **dress).encode("cp1252"), {"points": "contact"}) for dress in dresses]  # type: ignore[arg-type]
 
 
+def _dmis(n: int) -> list[Dress]:
+    part = files.ellipse(n)
+    dresses = ({}, {"inch": True, "polar": "ANGDMS"}, {"continued": True}, {"curve": True, "vectors": False})
+    return [(files.dmis(part, **dress).encode(), {}) for dress in dresses]  # type: ignore[arg-type]
+
+
 def _text(n: int) -> list[Dress]:
     rows = np.hstack([files.ellipse(n).contact, files.ellipse(n).normals]).tolist()
     tables = [
@@ -126,5 +132,6 @@ DRESSES: dict[str, Callable[[int], list[Dress]]] = {
     "qif": _qif,
     "xyzijk": _xyzijk,
     "pcdmis": _pcdmis,
+    "dmis": _dmis,
     "text": _text,
 }
