@@ -31,8 +31,11 @@ KINK = 2e-4
 FIT = 5e-5
 """Largest distance in mm between the compensated contour and its NURBS."""
 
-STRAIGHT = 1e-7
-"""A piece that is off a line or an arc by no more than this, in mm, is one."""
+STRAIGHT = 1e-5
+"""A piece that is off a line by no more than this, in mm, is written as one."""
+
+ROUND = 1e-7
+"""A piece with a constant correction that is off a row of lines or an arc by no more than this, in mm, is one."""
 
 NEARLY_TANGENT = 0.05
 """Joints that turn less, in rad, may be so flat that rounding keeps their sides from meeting."""
@@ -382,9 +385,9 @@ class CompensatedContour:
         rows = np.arange(self._first_row[piece], self._last_row[piece] + 1)
         inner = self._row_begin[rows[1:]]
         knots = inner[(inner > low) & (inner < high)]
-        primitives = self._primitives(piece, rows, knots)
+        primitives, error = self._primitives(piece, rows, knots)
         if primitives:
-            return primitives, 0.0
+            return primitives, error
         spans = self._order[rows]
         end = self.profile.curvature(spans[:-1], np.ones(len(rows) - 1))
         start = self.profile.curvature(spans[1:], np.zeros(len(rows) - 1))
@@ -405,22 +408,23 @@ class CompensatedContour:
         edges = np.concatenate([[low], jumps, [high]])
         return self._fit_joined(piece, edges, knots)
 
-    def _primitives(self, piece: int, rows: Ints, knots: Floats) -> list[NurbsCurve]:
-        """The moved piece as lines and arcs, none where it is something else."""
+    def _primitives(self, piece: int, rows: Ints, knots: Floats) -> tuple[list[NurbsCurve], float]:
+        """The moved piece as lines and arcs, none where it is something else; and their error in mm."""
         low, high = float(self.low[piece]), float(self.high[piece])
         course = self.correction.courses[self.stretch[piece]]
         if not self.closed[piece]:
             ends = self._sample(piece, np.array([low, high]))
-            probe = np.concatenate([np.linspace(low, high, 33), knots, self._bends(piece, low, high)])
-            if _off_line(self._sample(piece, probe), ends[0], ends[1]) <= STRAIGHT:
-                return [NurbsCurve.line(ends[0], ends[1])]
+            probe = np.concatenate([np.linspace(low, high, 9), knots, self._bends(piece, low, high)])
+            error = _off_line(self._sample(piece, probe), ends[0], ends[1])
+            if error <= STRAIGHT:
+                return [NurbsCurve.line(ends[0], ends[1])], error
         if not course.is_constant:
-            return []
+            return [], 0.0
         change = rows[1:][np.diff(self.profile.curve[self._order[rows]]) != 0]
         cuts = np.concatenate([[low], self._row_begin[change], [high]])
         found = [self._line_or_arc(piece, a, b, knots) for a, b in zip(cuts[:-1], cuts[1:], strict=True)]
         whole = [curve for curve in found if curve is not None]
-        return whole if len(whole) == len(found) else []
+        return (whole, 0.0) if len(whole) == len(found) else ([], 0.0)
 
     def _bends(self, piece: int, low: float, high: float) -> Floats:
         """Arc lengths between `low` and `high` where the correction may bend: its breaks, and halfway between."""
@@ -458,7 +462,7 @@ class CompensatedContour:
         if np.abs(kappa).max() < 1e-12:
             points = self._sample(piece, np.concatenate([[low], bends, [high]]))
             half = self._sample(piece, np.concatenate([[low], bends]) + np.diff([low, *bends, high]) / 2)
-            if np.abs(half - (points[1:] + points[:-1]) / 2).max() > STRAIGHT:
+            if np.abs(half - (points[1:] + points[:-1]) / 2).max() > ROUND:
                 return None
             return _row_of_lines(points)
         if np.ptp(kappa) > 1e-9 * abs(kappa[8]):
@@ -470,7 +474,7 @@ class CompensatedContour:
         ends = self._sample(piece, np.array([low, high]))
         round_ = self._sample(piece, np.concatenate([inner, bends]))
         radius = float(np.hypot(*(ends[0] - centre)))
-        if abs(sweep) > 2 * np.pi + 1e-9 or np.abs(np.hypot(*(round_ - centre).T) - radius).max() > STRAIGHT:
+        if abs(sweep) > 2 * np.pi + 1e-9 or np.abs(np.hypot(*(round_ - centre).T) - radius).max() > ROUND:
             return None
         return NurbsCurve.arc(ends[0], ends[1], centre, sweep)
 
@@ -514,12 +518,16 @@ class CompensatedContour:
         all_knots: list[Floats] = []
         poles: list[Floats] = []
         largest = 0.0
-        for a, b in zip(edges[:-1], edges[1:], strict=True):
+        # Both sides of an edge must use the very same point and slope, round the seam too.
+        at, slopes = self._sample(piece, edges), self._slope(piece, edges)
+        if self.closed[piece]:
+            at[-1], slopes[-1] = at[0], slopes[0]
+        for i, (a, b) in enumerate(zip(edges[:-1], edges[1:], strict=True)):
             nodes = np.unique(np.concatenate([[a], knots[(knots > a) & (knots < b)], np.linspace(a, b, 4)[1:-1], [b]]))
             for _ in range(16):
                 values = self._sample(piece, nodes)
-                slope = self._slope(piece, nodes[[0, -1]])
-                spline = make_interp_spline(nodes, values, k=3, bc_type=([(1, slope[0])], [(1, slope[1])]))
+                values[[0, -1]] = at[i : i + 2]
+                spline = make_interp_spline(nodes, values, k=3, bc_type=([(1, slopes[i])], [(1, slopes[i + 1])]))
                 refined, error = self._refine(piece, nodes, spline)
                 if len(refined) == len(nodes):
                     break

@@ -225,12 +225,14 @@ def test_distance_off_against_brute_force(poles, offset):
     off, foot = contour.distance_off(zero, sigma, points, offset)
 
     for i in range(5):
-        def gap(s: float, i=i) -> float:
-            return float(np.hypot(*(contour.evaluate(zero[:1], np.array([s]), offset)[0][0] - points[i])))
 
-        best = minimize_scalar(gap, bounds=(sigma[i] - 2, sigma[i] + 2), method="bounded", options={"xatol": 1e-10})
+        def gap(x: float, i=i) -> float:
+            return float(np.hypot(*(contour.evaluate(zero[:1], foot[i] + np.array([x]), offset)[0][0] - points[i])))
+
+        # About the found foot, where the search for a minimum has all its digits.
+        best = minimize_scalar(gap, bounds=(-2.0, 2.0), method="bounded", options={"xatol": 1e-10})
         assert abs(abs(off[i]) - best.fun) < 1e-9
-        assert abs(gap(foot[i]) - best.fun) < 1e-9
+        assert abs(gap(0.0) - best.fun) < 1e-9
 
 
 def test_pieces_go_on_straight_or_round():
@@ -479,6 +481,16 @@ def test_smooth_all_round_with_curvature_jumps_is_one_periodic_curve(start):
     assert curve.periodic
     # Eight jumps; the one at the seam stands at both ends.
     assert (curve.multiplicities == 2).sum() == 9
+
+
+def test_both_sides_of_the_seam_use_the_same_slope():
+    """The seam in the middle of an arc: rounding of a whole turn must not show it with the line's curvature."""
+    angle = 2 * np.pi / 3 * np.arange(3)
+    for size in (20.0, 22.0, 23.7, 31.1):
+        part = Part(size * np.stack([np.cos(angle), np.sin(angle)], axis=1), (3.0,) * 3)
+        for fraction in (0.1, 0.4, 0.7):
+            profile = profile_of(started_at(part.elements, 1, fraction))
+            check_fit(CompensatedContour(profile, waves(profile, 0.05, 20.0)))
 
 
 def test_a_bump_between_the_samples_is_not_lost():
