@@ -16,7 +16,7 @@ from typing import Protocol
 from millcorr.errors import FormatError, UsageError
 from millcorr.measurement import Measurement
 
-from . import dmis, msr, pcdmis, qif, text, xyzijk
+from . import dmis, dprnt, grbl, linuxcnc, msr, pcdmis, qif, text, xyzijk
 from .source import Source
 
 
@@ -46,6 +46,9 @@ FORMATS: dict[str, Format] = {
     "xyzijk": xyzijk,
     "pcdmis": pcdmis,
     "dmis": dmis,
+    "linuxcnc": linuxcnc,
+    "grbl": grbl,
+    "dprnt": dprnt,
     "text": text,
 }
 """Module of each format by the name that ``--format`` takes; the last one takes whatever is left."""

@@ -276,6 +276,48 @@ def dmis(
     return "\n".join(lines)
 
 
+# --- probe logs of controls -------------------------------------------------------------------------------
+
+
+def linuxcnc(part: Part, *, inch: bool = False, others: tuple[float, ...] = (0.0,) * 6) -> str:
+    """LinuxCNC probe log of the ball centres."""
+    rows = part.centres / (25.4 if inch else 1.0)
+    return "".join(" ".join(f"{v:.6f}" for v in (*row, *others)) + "\n" for row in rows)
+
+
+def grbl(
+    part: Part, *, offset: tuple[float, float, float] = (0.0, 0.0, 0.0), wco: bool = False, stored: bool = False,
+    inch: bool = False, axes: int = 3,
+) -> str:  # fmt: skip
+    """GRBL log of the ball centres, in the machine frame."""
+    scale = 25.4 if inch else 1.0
+    lines = ["Grbl 1.1h ['$' for help]", ">>> $X", "[MSG:Caution: Unlocked]", "ok", "[GC:G0 G55 G17 G21 G90 M5 F0]"]
+    if inch:
+        lines.append("$13=1")
+    o = np.array(offset) / scale
+    if wco:
+        lines.append(f"<Idle|MPos:0.000,0.000,0.000|FS:0,0|WCO:{o[0]:.4f},{o[1]:.4f},{o[2]:.4f}>")
+    if stored:
+        # 2 mm of G92 and 3 mm of tool length belong to the offset.
+        lines += ["[G54:9.000,9.000,9.000]", f"[G55:{o[0]:.4f},{o[1] - 2:.4f},{o[2] - 3:.4f}]"]
+        lines += ["[G92:0.000,2.000,0.000]", "[TLO:3.000]", "[PRB:0.000,0.000,0.000:0]"]
+    for k, centre in enumerate(part.centres / scale + o):
+        values = [*centre, *([0.0] * (axes - 3))]
+        lines += [f"{k:02d}:15:33 [PRB:" + ",".join(f"{v:.6f}" for v in values) + ":1]", "ok"]
+    return "\r\n".join([*lines, ""])
+
+
+def dprnt(part: Part, *, normals: bool = True, number: bool = True, ending: str = "\r", heads: bool = True) -> str:
+    """Contact points as a macro prints them, letters padded."""
+    lines = ["%", "POPEN", "PROBE RESULTS PART 12"] if heads else []
+    for k, (p, n) in enumerate(zip(part.contact, part.normals, strict=True), 1):
+        words = [*([f"N{k}"] if number else []), *(f"{c}{v:10.4f}" for c, v in zip("XYZ", p, strict=True))]
+        if normals:
+            words += [f"{c}{v:8.5f}" for c, v in zip("IJK", n, strict=True)]
+        lines.append("".join(words))
+    return "\x12" + ending.join([*lines, *(["%"] if heads else []), ""]) + "\x14"
+
+
 # --- damage -----------------------------------------------------------------------------------------------
 
 _SPICE = (

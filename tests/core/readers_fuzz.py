@@ -82,6 +82,8 @@ def outcome(format: str, data: bytes, options: dict[str, object]) -> str:
     return "points"
 
 
+BALL: dict[str, object] = {"probe_radius": 1.5}
+
 Dress = tuple[bytes, dict[str, object]]
 """A file, and what a caller says about it."""
 
@@ -118,6 +120,23 @@ def _dmis(n: int) -> list[Dress]:
     return [(files.dmis(part, **dress).encode(), {}) for dress in dresses]  # type: ignore[arg-type]
 
 
+def _linuxcnc(n: int) -> list[Dress]:
+    part = files.ellipse(n)
+    return [(files.linuxcnc(part).encode(), {"probe_radius": 1.5}), (files.linuxcnc(part, inch=True).encode(), BALL)]
+
+
+def _grbl(n: int) -> list[Dress]:
+    part = files.ellipse(n)
+    dresses = ({"wco": True, "offset": (-100.0, -50.0, 5.0)}, {"stored": True}, {"wco": True, "inch": True, "axes": 4})
+    return [(files.grbl(part, **dress).encode(), BALL) for dress in dresses]  # type: ignore[arg-type]
+
+
+def _dprnt(n: int) -> list[Dress]:
+    part = files.ellipse(n)
+    dresses = ({}, {"normals": False, "ending": "\r\n"}, {"number": False, "heads": False})
+    return [(files.dprnt(part, **dress).encode(), {"points": "contact"}) for dress in dresses]  # type: ignore[arg-type]
+
+
 def _text(n: int) -> list[Dress]:
     rows = np.hstack([files.ellipse(n).contact, files.ellipse(n).normals]).tolist()
     tables = [
@@ -133,5 +152,8 @@ DRESSES: dict[str, Callable[[int], list[Dress]]] = {
     "xyzijk": _xyzijk,
     "pcdmis": _pcdmis,
     "dmis": _dmis,
+    "linuxcnc": _linuxcnc,
+    "grbl": _grbl,
+    "dprnt": _dprnt,
     "text": _text,
 }

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from millcorr import readers
 from millcorr.errors import FormatError, MillcorrError, UsageError
 from millcorr.measurement import Measurement
 from millcorr.readers import read, text
@@ -325,6 +326,8 @@ def test_any_bytes_end_in_points_or_a_format_error(tmp_path, content):
     path.write_bytes(content)
     try:
         m = contact(path)
+    except UsageError:
+        assert readers.recognised(content) != "text"
     except FormatError as error:
         assert error.file == str(path)
     else:

@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""GRBL probe reports ``[PRB:x,y,z:1]``, out of whatever log they stand in.
+
+They are machine positions of the uncompensated ball, in mm (inches after ``$13=1``); the digit behind the colon is 0
+for a touch that failed. The work frame's origin comes from the caller, from ``WCO:`` of the status reports in the
+log, or from the ``$#`` report: active G54 to G59, plus G92, plus the tool length (GRBL 1.1 interface document).
+"""
+
+from __future__ import annotations
+
+import re
+from array import array
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr.errors import UsageError
+from millcorr.measurement import Measurement
+
+from .source import MM_PER_INCH, Source, shown
+
+Floats = NDArray[np.float64]
+
+_DECIMAL = r"[+-]?(?:\d+\.?\d*|\.\d+)"
+_TUPLE = rf"{_DECIMAL}(?:,{_DECIMAL}){{2,5}}"
+_PROBE = re.compile(rf"\[PRB:({_TUPLE}):([01])\]", re.ASCII)
+_WORK_OFFSET = re.compile(rf"[|<]WCO:({_TUPLE})(?=[|>])", re.ASCII)
+_STORED = re.compile(rf"\[(G5[4-9]|G92|TLO):({_DECIMAL}(?:,{_DECIMAL}){{0,5}})\]", re.ASCII)
+_MODES = re.compile(r"\[GC:[^\]]*?\b(G5[4-9])\b", re.ASCII)
+_INCHES = re.compile(r"(?:^|\s|>)\$13=([01])\b", re.ASCII)
+_SAME = 1e-3
+
+
+def recognises(data: bytes) -> bool:
+    """Whether a file holds a probe report."""
+    return b"[PRB:" in data[:4194304].replace(b"\x00", b"")
+
+
+def read(source: Source) -> Measurement:
+    """Ball centres of the touches in a GRBL log, in the work frame.
+
+    Parameters
+    ----------
+    source : Source
+        Must give the radius of the ball, and the work offset where the log does not hold it.
+
+    Returns
+    -------
+    Measurement
+
+    Raises
+    ------
+    FormatError
+        If a report is damaged, a touch failed, or there are none; names the line.
+    UsageError
+        If radius or work offset are missing, or contradict the log.
+    """
+    ball = source.ball_radius(centres=True)
+    log = _Log(source)
+    for number, line in enumerate(source.text(drop=b"\x11\x13\x18\x1b").split("\n"), 1):
+        log.line(number, line)
+    return log.measurement(ball)
+
+
+class _Log:
+    """What was read of a log: touches, and the offsets that were in force."""
+
+    def __init__(self, source: Source) -> None:
+        self.source = source
+        self.values = array("d")
+        self.lines = array("q")
+        self.offset_lines: list[int] = []
+        self.offsets: list[tuple[float, float, float]] = []
+        self.stored: dict[str, tuple[float, ...]] = {}
+        self.active = "G54"
+        self.inches: bool | None = None
+        self.after_lengths = False
+        """The report of ``$#`` repeats the last touch behind the tool length."""
+
+    def line(self, number: int, line: str) -> None:
+        found = None
+        if "[PRB:" in line:
+            found = _PROBE.search(line)
+            if found is None:
+                raise self.source.error(
+                    f"{shown(line[line.index('[PRB:') :])} is damaged: log the touches again", number
+                )
+            self._touch(number, found)
+        for found in _WORK_OFFSET.finditer(line):
+            offset = _three(found[1])
+            if not self.offsets or offset != self.offsets[-1]:
+                self.offsets.append(offset)
+                self.offset_lines.append(number)
+        for found in _STORED.finditer(line):
+            self.stored[found[1]] = tuple(map(float, found[2].split(",")))
+        self.after_lengths = "[TLO:" in line or (self.after_lengths and not line.strip())
+        modes = _MODES.search(line)
+        if modes:
+            self.active = modes[1]
+        inches = _INCHES.search(line)
+        if inches:
+            self.inches = inches[1] == "1"
+
+    def _touch(self, number: int, found: re.Match[str]) -> None:
+        place = _three(found[1])
+        if self.after_lengths and (not self.values or tuple(self.values[-3:]) == place):
+            return
+        if found[2] == "0":
+            raise self.source.error(
+                "the touch failed, the ball met nothing: delete the line or measure the point again", number
+            )
+        self.values.extend(place)
+        self.lines.append(number)
+
+    def measurement(self, ball: float) -> Measurement:
+        source = self.source
+        points = np.array(self.values, dtype=np.float64).reshape(-1, 3)
+        if not len(points):
+            raise source.error("no probe report [PRB:x,y,z:1] in the log")
+        unit = source.unit(None if self.inches is None else "inch" if self.inches else "mm")
+        origin, note = self._origin(MM_PER_INCH if unit == "inch" else 1.0)
+        return source.measurement(
+            "grbl", points - origin, np.array(self.lines), ball_radius=ball, unit=unit, notes=[note]
+        )
+
+    def _origin(self, factor: float) -> tuple[Floats, str]:
+        """Origin of the work frame for every touch, (n, 3) or (3,), in the log's unit, and where it comes from."""
+        source, given = self.source, self.source.work_offset
+        if self.offsets:
+            table = np.array(self.offsets)
+            latest = np.searchsorted(np.array(self.offset_lines), np.array(self.lines), side="right") - 1
+            known, text = table[np.maximum(latest, 0)], "WCO of the log"
+        elif self.stored:
+            g92 = (*self.stored.get("G92", ()), 0.0, 0.0, 0.0)[:3]
+            length = self.stored.get("TLO", (0.0,))
+            # One number is the length along Z; some builds report it for every axis.
+            lengths = (0.0, 0.0, length[0]) if len(length) < 3 else length[:3]
+            work = self.stored.get(self.active)
+            if work is None or len(work) < 3:
+                raise source.error(f"the $# report in the log does not hold the active {self.active}")
+            known, text = np.array(work[:3]) + np.array(g92) + np.array(lengths), f"{self.active} of the log"
+        elif given is None:
+            raise UsageError(
+                f"say --work-offset X,Y,Z: {source.name} is in the machine frame and does not hold the work offset"
+            )
+        else:
+            return np.array(given) / factor, "machine frame, work offset as given"
+        if given is not None and (np.abs(known * factor - np.array(given)) > _SAME).any():
+            raise UsageError(f"--work-offset contradicts {source.name}, which holds {text}: leave it out")
+        return known, f"machine frame, work offset by {text}"
+
+
+def _three(text: str) -> tuple[float, float, float]:
+    x, y, z = map(float, text.split(",")[:3])
+    return x, y, z

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""LinuxCNC probe logs, written between ``(PROBEOPEN file)`` and ``(PROBECLOSE)``.
+
+Nine numbers a touch, X Y Z A B C U V W, in the program's unit and the active work frame, without a header. They
+are where the controlled point stood: the ball is not compensated. Equal touches that follow each other are logged
+once (LinuxCNC manual, G38.n).
+"""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from millcorr.measurement import Measurement
+
+from .source import Source, shown
+
+_ROW = re.compile(rb"[ \t]*(?:[+-]?\d+\.\d+[ \t]+){8}[+-]?\d+\.\d+[ \t]*\r?")
+_NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
+_COLUMNS = "XYZABCUVW"
+_STILL = 1e-6
+"""A rotary or second axis that moves less than this, in its unit, stands still."""
+
+
+def recognises(data: bytes) -> bool:
+    """Whether the first two lines hold nine decimal numbers each, and nothing else."""
+    lines = [line for line in data[:4096].lstrip(b"\xef\xbb\xbf").split(b"\n") if line.strip()]
+    # The last of the lines may be cut off by the look at the beginning only.
+    lines = lines[:-1] if len(data) > 4096 else lines
+    return bool(lines) and all(_ROW.fullmatch(line) for line in lines[:2])
+
+
+def read(source: Source) -> Measurement:
+    """Ball centres of a LinuxCNC probe log.
+
+    Parameters
+    ----------
+    source : Source
+        Must give the radius of the ball; the unit is mm unless it says otherwise.
+
+    Returns
+    -------
+    Measurement
+
+    Raises
+    ------
+    FormatError
+        If a row has not nine numbers, or a rotary or second linear axis moved; names the line.
+    UsageError
+        If the radius is missing or the caller says that the points are contact points.
+    """
+    ball = source.ball_radius(centres=True)
+    lines = source.text().split("\n")
+    filled = [k for k, line in enumerate(lines, 1) if line.strip()]
+    try:
+        values = np.loadtxt(lines, comments=None, ndmin=2)
+    except (ValueError, OverflowError):
+        values = np.zeros((0, 0))
+    if values.shape != (len(filled), 9) or not np.isfinite(values).all():
+        _name_the_wrong(source, lines)
+        raise source.error("a number is too large, or not nine in a row")
+    others = np.ptp(values[:, 3:], axis=0)
+    if (others > _STILL).any():
+        axis = _COLUMNS[3 + int(others.argmax())]
+        row = int(np.abs(values[:, 3 + int(others.argmax())] - values[0, 3 + int(others.argmax())]).argmax())
+        raise source.error(f"axis {axis} moved between the touches: probe with X, Y and Z only", filled[row])
+    away = [f"{c}{v:g}" for c, v in zip(_COLUMNS[3:], values[0, 3:], strict=True) if abs(v) > _STILL]
+    notes = [f"other axes stood at {' '.join(away)}"] if away else []
+    return source.measurement("linuxcnc", values[:, :3], filled, ball_radius=ball, unit=source.unit(None), notes=notes)
+
+
+def _name_the_wrong(source: Source, lines: list[str]) -> None:
+    """FormatError for the first row that has not nine numbers, if there is one."""
+    for number, line in enumerate(lines, 1):
+        fields = line.split()
+        if fields and len(fields) != 9:
+            raise source.error(
+                f"{len(fields)} numbers where X Y Z A B C U V W make nine: the row is damaged or cut off", number
+            )
+        for field in fields:
+            if not _NUMBER.fullmatch(field) or not abs(float(field)) < 1e9:
+                raise source.error(f"{shown(field)} is no coordinate", number)

@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Logs of probing on the machine: LinuxCNC, GRBL, DPRNT."""
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from millcorr import readers
+from millcorr.errors import FormatError, UsageError
+from tests.core import measurement_files as files
+
+PART = files.ellipse(4)
+
+
+@pytest.fixture
+def log_file(tmp_path):
+    def make(content, name="probe.log"):
+        path = tmp_path / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    return make
+
+
+# --- LinuxCNC ---------------------------------------------------------------------------------------------
+
+
+def test_linuxcnc(log_file):
+    path = log_file(files.linuxcnc(PART))
+    m = readers.read(path, probe_radius=1.5)
+    assert m.format == "linuxcnc" and m.ball_radius == 1.5 and m.unit == "mm" and m.normals is None
+    np.testing.assert_allclose(m.points, PART.centres, atol=1e-9)
+    np.testing.assert_array_equal(m.lines, [1, 2, 3, 4])
+    inches = readers.read(log_file(files.linuxcnc(PART, inch=True)), probe_radius=1.5, units="inch")
+    np.testing.assert_allclose(inches.points, PART.centres, atol=2e-5)
+    with pytest.raises(UsageError, match="--probe-radius"):
+        readers.read(path)
+    with pytest.raises(UsageError, match="contradicts"):
+        readers.read(path, points="contact")
+
+
+def test_linuxcnc_other_axes(log_file):
+    m = readers.read(log_file(files.linuxcnc(PART, others=(0, 0, 90, 0, 0, 0))), probe_radius=1.5)
+    assert m.notes == ("other axes stood at C90",)
+    rows = files.linuxcnc(PART).splitlines()
+    rows[2] = rows[2].replace(" 0.000000 0.000000", " 0.000000 5.000000", 1)
+    with pytest.raises(FormatError, match="axis B moved") as caught:
+        readers.read(log_file("\n".join(rows)), probe_radius=1.5)
+    assert caught.value.line == 3
+
+
+@pytest.mark.parametrize(
+    ("row", "says"),
+    [("1.0 2.0 3.0", "3 numbers"), ("1.0 2.0 nan 0.0 0.0 0.0 0.0 0.0 0.0", "'nan' is no coordinate"),
+     ("1.0 2.0 3.0 0.0 0.0 0.0 0.0 0.0", "8 numbers"), ("1e300 2.0 3.0 0.0 0.0 0.0 0.0 0.0 0.0", "no length")],
+)  # fmt: skip
+def test_linuxcnc_refused_with_the_line(log_file, row, says):
+    with pytest.raises(FormatError, match=says) as caught:
+        readers.read(log_file(files.linuxcnc(PART) + row + "\n"), probe_radius=1.5)
+    assert caught.value.line == 5
+
+
+# --- GRBL -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "dress",
+    [
+        {"wco": True, "offset": (-100.0, -50.0, 5.0)},
+        {"stored": True, "offset": (-100.0, -50.0, 5.0)},
+        {"wco": True, "offset": (-100.0, -50.0, 5.0), "axes": 4},
+        {"wco": True, "offset": (-254.0, -50.8, 25.4), "inch": True},
+    ],
+)
+def test_grbl_with_the_offset_in_the_log(log_file, dress):
+    path = log_file(files.grbl(PART, **dress))
+    m = readers.read(path, probe_radius=1.5)
+    assert m.format == "grbl" and m.ball_radius == 1.5 and m.unit == ("inch" if dress.get("inch") else "mm")
+    np.testing.assert_allclose(m.points, PART.centres, atol=2e-5)
+    assert "machine frame" in m.notes[0]
+    assert len(readers.read(path, probe_radius=1.5, work_offset=dress["offset"])) == 4
+    with pytest.raises(UsageError, match="--work-offset contradicts"):
+        readers.read(path, probe_radius=1.5, work_offset=(0.0, 0.0, 0.0))
+
+
+def test_grbl_without_the_offset(log_file):
+    offset = (-100.0, -50.0, 5.0)
+    path = log_file("".join(f"{line}\n" for line in files.grbl(PART, offset=offset).splitlines() if "PRB" in line))
+    with pytest.raises(UsageError, match="--work-offset"):
+        readers.read(path, probe_radius=1.5)
+    m = readers.read(path, probe_radius=1.5, work_offset=offset)
+    np.testing.assert_allclose(m.points, PART.centres, atol=1e-6)
+    with pytest.raises(UsageError, match="--probe-radius"):
+        readers.read(path, work_offset=offset)
+
+
+def test_grbl_the_latest_offset_counts(log_file):
+    log = "[PRB:1,2,3:1]\n<Idle|MPos:0,0,0|WCO:1,0,0>\n[PRB:1,2,3.5:1]\n<Idle|WCO:2,0,0|FS:0,0>\n[PRB:1,2,3:1]\n"
+    m = readers.read(log_file(log), probe_radius=1)
+    np.testing.assert_array_equal(m.points[:, 0], [0, 0, -1])
+
+
+def test_grbl_repeats_of_the_last_touch_are_not_touches(log_file):
+    log = "[PRB:1,2,3:1]\n[G54:0,0,0]\n[G92:0,0,0]\n[TLO:0]\n[PRB:1,2,3:1]\nok\n[PRB:4,2,3:1]\n"
+    m = readers.read(log_file(log), probe_radius=1)
+    np.testing.assert_array_equal(m.lines, [1, 7])
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [("[PRB:1.000,2.000,3.000:0]", "failed"), ("[PRB:1.000,2.000:1]", "damaged"), ("[PRB:1.000,2.000,3.0", "damaged"),
+     ("[PRB:nan,2.000,3.000:1]", "damaged"), ("[PRB:1e9,2,3:1]", "damaged"),
+     ("[PRB:9999999999,2,3:1]", "no length")],
+)  # fmt: skip
+def test_grbl_refused_with_the_line(log_file, line, says):
+    with pytest.raises(FormatError, match=says) as caught:
+        readers.read(log_file(f"$H\n[PRB:1,1,1:1]\n{line}\n"), probe_radius=1, work_offset=(0, 0, 0))
+    assert caught.value.line == 3
+
+
+# --- DPRNT ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("normals", [False, True])
+@pytest.mark.parametrize("number", [False, True])
+@pytest.mark.parametrize("ending", ["\r", "\n", "\r\n"])
+@pytest.mark.parametrize("heads", [False, True])
+def test_dprnt(log_file, normals, number, ending, heads):
+    path = log_file(files.dprnt(PART, normals=normals, number=number, ending=ending, heads=heads))
+    m = readers.read(path, points="contact")
+    assert m.format == "dprnt" and m.has_z
+    np.testing.assert_allclose(m.points, PART.contact, atol=1e-4)
+    assert (m.normals is not None) == normals and m.elements == (("N1", "N2", "N3", "N4") if number else None)
+    with pytest.raises(UsageError, match="--points"):
+        readers.read(path)
+
+
+def test_dprnt_without_z(log_file):
+    m = readers.read(log_file("X  1.5Y  -2.\nX- 1.5Y2.5 I1J0\n"), points="contact")
+    np.testing.assert_array_equal(m.points, [[1.5, -2, 0], [-1.5, 2.5, 0]])
+    assert not m.has_z and m.normals is None and "1 of 2" in m.notes[0]
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [("X1.Z3.", "Y is missing"), ("X1.Y2.X3.", "twice"), ("X1.Y2.", "Z stands in some"), ("X1.Y2,5 Z3.", "no word"),
+     ("X1.Y2.Z***", "no word"), ("G1 X1.Y2.Z3.", "no word"), ("X1.Y2.Z" + "9" * 20, "no coordinate")],
+)  # fmt: skip
+def test_dprnt_refused_with_the_line(log_file, line, says):
+    with pytest.raises(FormatError, match=says) as caught:
+        readers.read(log_file(f"X1.Y2.Z3.\nX1.Y3.Z3.\n{line}\n"), points="contact", format="dprnt")
+    assert caught.value.line == 3
+
+
+@pytest.mark.parametrize("program", ["%\nG21 G90\nG1 X1 Y2 F100\nM2\n%\n", "G0 X1 Y1\nX2 Y2\n", "N10 G1 X1 Y2\n"])
+def test_nc_programs_are_no_measurements(log_file, program):
+    assert readers.recognised(program.encode()) == "text"
+    with pytest.raises(FormatError):
+        readers.read(log_file(program), points="contact")
+
+
+# --- round trips ------------------------------------------------------------------------------------------
+
+
+@settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)
+@given(
+    n=st.integers(1, 9),
+    seed=st.integers(0, 99),
+    kind=st.sampled_from(["linuxcnc", "grbl", "dprnt"]),
+    inch=st.booleans(),
+    offset=st.tuples(*[st.integers(-500, 500).map(float)] * 3),
+)
+def test_written_and_read_back(tmp_path, n, seed, kind, inch, offset):
+    part = files.ellipse(n, seed=seed)
+    path = tmp_path / "round"
+    if kind == "dprnt":
+        path.write_text(files.dprnt(part), newline="")
+        m = readers.read(path, points="contact")
+    elif kind == "linuxcnc":
+        path.write_text(files.linuxcnc(part, inch=inch))
+        m = readers.read(path, probe_radius=1.5, units="inch" if inch else "mm")
+    else:
+        path.write_text(files.grbl(part, offset=offset, inch=inch), newline="")
+        m = readers.read(path, probe_radius=1.5, work_offset=offset)
+    assert m.format == kind
+    np.testing.assert_allclose(m.points, part.contact if kind == "dprnt" else part.centres, atol=1e-4)
