@@ -34,12 +34,12 @@ _WHOLE_TENS = 10 ** np.arange(_LONGEST + 1, dtype=np.uint64)
 _ZEROS = np.uint64(0x3030303030303030)
 _ABOVE_NINE = np.uint64(0x7676767676767676)
 _HIGH = np.uint64(0x8080808080808080)
-_BITS = np.arange(64, -8, -8).astype(np.uint64)
-"""By how much a word is shifted so that its last k characters remain."""
+_LAST = np.array([0] + [(1 << 64) - (1 << (64 - 8 * k)) for k in range(1, 9)], dtype=np.uint64)
+"""Mask of the last k of a word's characters; the last one is the highest byte."""
 
 
 def decimal_columns(
-    text: str, separator: str | None, width: int, columns: Sequence[int], first: int = 1
+    text: str, separator: str | None, width: int, columns: Sequence[int], *, begin: int = 0, first: int = 1
 ) -> tuple[Floats, Ints] | None:
     r"""Some columns of a table of numbers.
 
@@ -53,6 +53,8 @@ def decimal_columns(
         Fields in every row.
     columns : sequence of int
         Fields wanted, counted from 0. Only these need to be numbers, in plain rows.
+    begin : int
+        Where in the text the first row begins.
     first : int
         Line number of the first row.
 
@@ -68,29 +70,28 @@ def decimal_columns(
     if separator is None and not text.isascii():
         # Blanks of other alphabets separate too.
         return None
-    data = b"\n" * _MARGIN + text.encode("utf-8", "surrogatepass")
-    if not data.endswith(b"\n"):
-        data += b"\n"
-    rows, lines, position = [], [], _MARGIN
-    while position < len(data):
-        end = data.rfind(b"\n", position, position + _BLOCK) + 1 or data.index(b"\n", position) + 1
-        block = _plain(data, position, end, separator, width, columns)
+    most = text.count("\n", begin) + 1
+    values, lines = np.empty((most, len(columns))), np.empty(most, dtype=np.int64)
+    rows, passed = 0, 0
+    while begin < len(text):
+        end = text.rfind("\n", begin, begin + _BLOCK) + 1 or text.find("\n", begin) + 1 or len(text)
+        # Block by block, so that no second copy of the text is ever held.
+        data = b"\n" * _MARGIN + text[begin:end].encode("utf-8", "surrogatepass")
+        if end == len(text) and not data.endswith(b"\n"):
+            data += b"\n"
+        block, numbers = _plain(data, separator, width, columns), None
         if block is None:
-            found = _by_numpy(data[position:end], separator, width, columns)
+            found = _by_numpy(data[_MARGIN:], separator, width, columns)
             if found is None:
                 return None
             block, numbers = found
-            passed = data.count(b"\n", position, end)
-        else:
-            passed = len(block)
-            numbers = np.arange(passed)
-        rows.append(block)
-        lines.append(numbers + first)
-        first += passed
-        position = end
-    if not sum(map(len, rows)):
-        return None
-    return np.concatenate(rows), np.concatenate(lines).astype(np.int64, copy=False)
+        n = len(block)
+        values[rows : rows + n] = block
+        lines[rows : rows + n] = (np.arange(n) if numbers is None else numbers) + (first + passed)
+        rows += n
+        passed += n if numbers is None else data.count(b"\n", _MARGIN)
+        begin = end
+    return (values[:rows], lines[:rows]) if rows else None
 
 
 def _by_numpy(data: bytes, separator: str | None, width: int, columns: Sequence[int]) -> tuple[Floats, Ints] | None:
@@ -110,24 +111,54 @@ def _by_numpy(data: bytes, separator: str | None, width: int, columns: Sequence[
     return values[:, list(columns)], numbers
 
 
-def _plain(
-    data: bytes, begin: int, end: int, separator: str | None, width: int, columns: Sequence[int]
-) -> Floats | None:
+def _plain(data: bytes, separator: str | None, width: int, columns: Sequence[int]) -> Floats | None:
     """Rows of a block without blank lines, the wanted fields being plain decimals; None where anything else is."""
-    size = end - begin
-    # One character before the block, for its first field to begin somewhere.
-    text = np.frombuffer(data, dtype=np.uint8, count=size + 1, offset=begin - 1)
+    # One character before the block, for its first field to begin behind it.
+    text = np.frombuffer(data, dtype=np.uint8, offset=_MARGIN - 1)
+    fields = _alike(text, separator or " ", width, columns) or _fields(text, separator, width, columns)
+    if fields is None:
+        return None
+    # Eight characters from every place on. Place k of `text` is the end of number k + _MARGIN - 1 - 8 of them.
+    words = np.ndarray((len(data) - 7,), dtype="<u8", buffer=data, strides=(1,))
+    values = _decimals(text, words, *fields)
+    return None if values is None else values.reshape(-1, len(columns))
+
+
+def _alike(text: NDArray[np.uint8], mark: str, width: int, columns: Sequence[int]) -> tuple[Ints, Ints, Ints] | None:
+    """Starts, points and ends of fields that have one point each, and one mark between them; None where not so."""
+    text = text[1:]
+    marks = np.flatnonzero((text == ord(mark)) | (text == _NEWLINE) | (text == _POINT))
+    if len(marks) % (2 * width):
+        return None
+    found = marks.reshape(-1, 2 * width)
+    pattern = np.array([_POINT, ord(mark)] * (width - 1) + [_POINT, _NEWLINE], dtype=np.uint8)
+    if (text[found] != pattern).any():
+        return None
+    found += 1
+    starts = np.empty((len(found), width), dtype=np.int64)
+    starts[:, 1:] = found[:, 1:-1:2]
+    starts[0, 0] = 0
+    starts[1:, 0] = found[:-1, -1]
+    starts += 1
+    points, ends = found[:, ::2], found[:, 1::2]
+    if list(columns) != list(range(width)):
+        starts, points, ends = (side[:, list(columns)] for side in (starts, points, ends))
+    return starts.ravel(), points.ravel(), ends.ravel()
+
+
+def _fields(
+    text: NDArray[np.uint8], separator: str | None, width: int, columns: Sequence[int]
+) -> tuple[Ints, Ints, Ints] | None:
+    """Starts, points and ends of the fields; None where a row has another number of them."""
     bounds = _fields_by_blanks(text, width) if separator is None else _fields_by_mark(text, ord(separator), width)
     if bounds is None:
         return None
     starts, ends = (side.reshape(-1, width)[:, list(columns)].ravel() for side in bounds)
+    # Place of the first point of each field, its end where there is none; other points are left out.
     points = np.flatnonzero(text == _POINT)
-    if len(points) != len(starts) or not ((starts <= points) & (points < ends)).all():
-        points = _points_within(points, starts, ends)
-    # Words of eight characters at every place; index k of the block is index k + _MARGIN - 8 - 1 of these.
-    words = np.ndarray((size + _MARGIN - 7,), dtype="<u8", buffer=data, offset=begin - _MARGIN, strides=(1,))
-    values = _decimals(text, words, starts, points, ends)
-    return None if values is None else values.reshape(-1, len(columns))
+    place = np.searchsorted(points, starts)
+    found = np.append(points, np.iinfo(np.int64).max)[place]
+    return starts, np.where(found < ends, found, ends), ends
 
 
 def _fields_by_mark(text: NDArray[np.uint8], mark: int, width: int) -> tuple[Ints, Ints] | None:
@@ -174,13 +205,6 @@ def _fields_by_blanks(text: NDArray[np.uint8], width: int) -> tuple[Ints, Ints] 
     return starts, ends
 
 
-def _points_within(points: Ints, starts: Ints, ends: Ints) -> Ints:
-    """Place of the first point of each field, its end where there is none; other points are left out."""
-    place = np.searchsorted(points, starts)
-    found = np.append(points, np.iinfo(np.int64).max)[place]
-    return np.where(found < ends, found, ends)
-
-
 def _decimals(text: NDArray[np.uint8], words: Words, starts: Ints, points: Ints, ends: Ints) -> Floats | None:
     """Doubles nearest to the decimals that fill the fields; None where one is no plain decimal or too long."""
     head = text[starts]
@@ -189,7 +213,8 @@ def _decimals(text: NDArray[np.uint8], words: Words, starts: Ints, points: Ints,
     whole = points - starts
     places = np.maximum(ends - points - 1, 0)
     digits = whole + places
-    if not (whole.min() >= 0 and whole.max() <= 8 and digits.min() >= 1 and digits.max() <= _LONGEST):
+    fits = whole.min() >= 0 and whole.max() <= 8 and places.max() <= 16
+    if not (fits and digits.min() >= 1 and digits.max() <= _LONGEST):
         return None
     at = _MARGIN - 8 - 1
     parsed = _number(words[points + at], whole)
@@ -217,7 +242,7 @@ def _decimals(text: NDArray[np.uint8], words: Words, starts: Ints, points: Ints,
 
 def _number(words: Words, digits: Ints) -> Words | None:
     """Whole numbers that the last `digits` (0 to 8) characters of each word are; None where one is no digit."""
-    words = (words ^ _ZEROS) << _BITS[digits]
+    words = (words ^ _ZEROS) & _LAST[digits]
     if np.bitwise_or.reduce((words + _ABOVE_NINE) | words) & _HIGH:
         return None
     words = words * np.uint64(2561) >> np.uint64(8)

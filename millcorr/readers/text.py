@@ -20,7 +20,9 @@ from numpy.typing import NDArray
 from millcorr.errors import FormatError, UsageError
 from millcorr.measurement import Measurement
 
-from .source import MM_PER_INCH, Source, unit_normals
+from .decimal_columns import decimal_columns
+from .fields import COMMA_NUMBER, COMMENT, NUMBER, is_number, mixed_marks, split, why_no_number
+from .source import MM_PER_INCH, Source, shown, unit_normals
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -35,15 +37,6 @@ _UNITS = {
 }
 _FOREIGN_UNITS = ("m", "cm", "um", "µm", "μm", "nm", "mil", "thou", "ft", "feet", "micron", "microns", "deg")
 
-_NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
-_COMMA_NUMBER = re.compile(r"[+-]?(?:\d+,\d*|,\d+)(?:[eE][+-]?\d+)?", re.ASCII)
-_GROUPED = re.compile(r"[+-]?\d{1,3}(?:,\d{3})+(?:\.\d*)?", re.ASCII)
-_DATE = re.compile(
-    r"\d{1,4}[./-]\d{1,2}[./-]\d{1,4}.*"
-    r"|\d{1,2}[.-]? ?[A-Za-zä]{3,4}\.?(?:[ -]\d{2,4})?"
-    r"|[A-Za-zä]{3,4}[ -]\d{1,4}"
-)
-_COMMENT = re.compile(r"(?:^|(?<=[\s,;]))(?:#|//)[^\n]*", re.MULTILINE)
 _STATED_UNIT = re.compile(r"\bunits?\b\W+(\w+)", re.IGNORECASE)
 _BRACKETS = re.compile(r"\s*[\[(]\s*([^\])]*?)\s*[\])]")
 
@@ -109,10 +102,10 @@ def read(source: Source) -> Measurement:
     values, lines = _read_whole(text, layout) or _read_lines(text, layout, name)
     _check_last_number(text, layout, name, int(lines[-1]))
     column = {c: values[:, n] for n, c in enumerate(layout.columns)}
-    points = np.zeros((len(values), 3))
-    for axis, c in enumerate("xyz"):
-        if c in column:
-            points[:, axis] = column[c]
+    if tuple(layout.columns) == ("x", "y", "z"):
+        points = values
+    else:
+        points = np.column_stack([column.get(c, np.zeros(len(values))) for c in "xyz"])
     if unit == "inch":
         points *= MM_PER_INCH
     if not np.isfinite(points).all():
@@ -189,23 +182,15 @@ def _unquoted(text: str, name: str) -> str:
     return text.replace('"', "")
 
 
-def _split(line: str, separator: str | None) -> list[str]:
-    return line.split() if separator is None else [f.strip() for f in line.split(separator)]
-
-
-def _is_number(field: str, separator: str | None) -> bool:
-    return bool(_NUMBER.fullmatch(field) or (separator != "," and _COMMA_NUMBER.fullmatch(field)))
-
-
 def _numeric_separator(line: str) -> tuple[str | None, list[str]] | None:
     """Separator and fields of a line that consists of at least two numbers, else None."""
     for separator in _SEPARATORS:
         if separator is not None and separator not in line:
             continue
-        fields = _split(line, separator)
+        fields = split(line, separator)
         if separator is not None and fields and fields[-1] == "":
             fields = fields[:-1]
-        if len(fields) >= 2 and all(_is_number(f, separator) for f in fields):
+        if len(fields) >= 2 and all(is_number(f, separator) for f in fields):
             return separator, fields
     return None
 
@@ -232,7 +217,7 @@ def _find_layout(text: str, name: str) -> _Layout:
         if not bare:
             continue
         commented = bare.startswith(("#", "//"))
-        content = bare.lstrip("#/ \t") if commented else _COMMENT.sub("", raw).strip(" ")
+        content = bare.lstrip("#/ \t") if commented else COMMENT.sub("", raw).strip(" ")
         stated = _STATED_UNIT.search(content)
         if stated and header is None:
             unit = _known_unit(stated[1], name, index + 1) or unit
@@ -253,7 +238,7 @@ def _find_layout(text: str, name: str) -> _Layout:
             return _layout_under_header(header[0], header[1], content, index, unit, name)
         if numeric is not None:
             if first_text is not None:
-                raise FormatError(f"{_EXPECTED}, found {_shown(first_text[1])}", name, first_text[0] + 1)
+                raise FormatError(f"{_EXPECTED}, found {shown(first_text[1])}", name, first_text[0] + 1)
             return _layout_without_header(text, numeric[0], numeric[1], index, unit, name)
         first_text = first_text or (index, content)
     if header is not None:
@@ -263,15 +248,15 @@ def _find_layout(text: str, name: str) -> _Layout:
     index, content = first_text
     if _split_like_numbers(content):
         _refuse_field(content, name, index + 1)
-    raise FormatError(f"{_EXPECTED}, found {_shown(content)}", name, index + 1)
+    raise FormatError(f"{_EXPECTED}, found {shown(content)}", name, index + 1)
 
 
 def _split_like_numbers(content: str) -> bool:
     """True where a first line is meant as numbers, one of them spoilt."""
     for separator in _SEPARATORS:
         if separator is None or separator in content:
-            fields = _split(content, separator)
-            if sum(_is_number(f, separator) for f in fields) * 2 >= len(fields) >= 2:
+            fields = split(content, separator)
+            if sum(is_number(f, separator) for f in fields) * 2 >= len(fields) >= 2:
                 return True
     return False
 
@@ -279,9 +264,9 @@ def _split_like_numbers(content: str) -> bool:
 def _refuse_field(content: str, name: str, line: int) -> None:
     for separator in _SEPARATORS:
         if separator is None or separator in content:
-            for field in _split(content, separator):
-                if not _is_number(field, separator):
-                    raise FormatError(_why_no_number(field, separator), name, line)
+            for field in split(content, separator):
+                if not is_number(field, separator):
+                    raise FormatError(why_no_number(field, separator), name, line)
 
 
 def _header_columns(content: str) -> list[tuple[str, str | None]] | None:
@@ -292,7 +277,7 @@ def _header_columns(content: str) -> list[tuple[str, str | None]] | None:
         # A unit in brackets belongs to the name before it, also where blanks separate the names.
         joined = _BRACKETS.sub(lambda m: "[" + m[1].replace(" ", "") + "]", content)
         named: list[tuple[str, str | None]] = []
-        for field in _split(joined, separator):
+        for field in split(joined, separator):
             match = re.fullmatch(r"(.*?)(?:\[([^\]]*)\])?", field.lower())
             assert match is not None
             plain, unit = match[1].strip().strip("'"), match[2]
@@ -351,13 +336,13 @@ def _separator_for(content: str, width: int, used: list[int]) -> str | None:
     """Separator of a first row that should have `width` fields; the likeliest one where none fits."""
     present = [s for s in _SEPARATORS if s is None or s in content]
     for separator in present:
-        fields = _split(content, separator)
+        fields = split(content, separator)
         if len(fields) == width + 1 and fields[-1] == "":
             fields = fields[:-1]
-        if len(fields) == width and all(_is_number(fields[c], separator) for c in used):
+        if len(fields) == width and all(is_number(fields[c], separator) for c in used):
             return separator
     for separator in present:
-        if len(_split(content, separator)) >= width:
+        if len(split(content, separator)) >= width:
             return separator
     return present[0]
 
@@ -368,7 +353,7 @@ def _layout_without_header(
     width = len(fields)
     if width not in (2, 3, 6):
         raise FormatError(f"{width} columns without a header: {_EXPECTED}", name, first + 1)
-    if separator == "," and width != 3 and "." not in _COMMENT.sub("", text):
+    if separator == "," and width != 3 and "." not in COMMENT.sub("", text):
         raise FormatError(
             "commas without a header can be decimal commas or separators: export with decimal points, or put "
             "a header x,y,z above the numbers",
@@ -378,40 +363,29 @@ def _layout_without_header(
     return _Layout(separator, width, {c: n for n, c in enumerate("xyzijk"[:width])}, first, None, unit)
 
 
-def _body(text: str, layout: _Layout) -> str:
+def _begin(text: str, layout: _Layout) -> int:
+    """Where in the text the rows begin."""
     position = 0
     for _ in range(layout.first):
         position = text.index("\n", position) + 1
-    return text[position:]
+    return position
 
 
 def _read_whole(text: str, layout: _Layout) -> tuple[Floats, Ints] | None:
     """Rows in one go; None where anything is not as it should be."""
-    body = _body(text, layout)
-    if layout.separator != "," and "," in body:
-        if "." in body:
+    begin = _begin(text, layout)
+    # Only what needs it is copied: a million rows are large.
+    if layout.separator != "," and text.find(",", begin) >= 0:
+        if text.find(".", begin) >= 0:
             return None
-        body = body.replace(",", ".")
-    if "#" in body or "//" in body:
-        body = _COMMENT.sub("", body)
-    head = body[: body.find("\n")] if "\n" in body else body
-    if layout.separator is not None and len(_split(head, layout.separator)) == layout.width + 1:
-        body = re.sub(r"[,;\t][ \t]*$", "", body, flags=re.MULTILINE)
-    lines = body.split("\n")
-    try:
-        # A list of lines is read a quarter faster than a text stream.
-        values = np.loadtxt(lines, delimiter=layout.separator, comments=None, ndmin=2)
-    except (ValueError, OverflowError):
-        return None
-    if values.shape[1] != layout.width or not np.isfinite(values).all():
-        return None
-    values = np.ascontiguousarray(values[:, list(layout.columns.values())])
-    if not lines[-1]:
-        lines.pop()
-    numbers = np.arange(layout.first + 1, layout.first + 1 + len(lines), dtype=np.int64)
-    if len(lines) != len(values):
-        numbers = numbers[[bool(line.strip()) for line in lines]]
-    return (values, numbers) if len(numbers) == len(values) else None
+        text, begin = text[begin:].replace(",", "."), 0
+    if text.find("#", begin) >= 0 or text.find("//", begin) >= 0:
+        text, begin = COMMENT.sub("", text[begin:]), 0
+    head = text[begin : text.find("\n", begin)] if text.find("\n", begin) >= 0 else text[begin:]
+    if layout.separator is not None and len(split(head, layout.separator)) == layout.width + 1:
+        text, begin = re.sub(r"[,;\t][ \t]*$", "", text[begin:], flags=re.MULTILINE), 0
+    columns = list(layout.columns.values())
+    return decimal_columns(text, layout.separator, layout.width, columns, begin=begin, first=layout.first + 1)
 
 
 def _read_lines(text: str, layout: _Layout, name: str) -> tuple[Floats, Ints]:
@@ -420,11 +394,11 @@ def _read_lines(text: str, layout: _Layout, name: str) -> tuple[Floats, Ints]:
     lines: list[int] = []
     mark: str | None = None
     separator, width = layout.separator, layout.width
-    for number, raw in enumerate(_body(text, layout).split("\n"), layout.first + 1):
-        content = _COMMENT.sub("", raw) if "#" in raw or "//" in raw else raw
+    for number, raw in enumerate(text[_begin(text, layout) :].split("\n"), layout.first + 1):
+        content = COMMENT.sub("", raw) if "#" in raw or "//" in raw else raw
         if not content.strip():
             continue
-        fields = _split(content, separator)
+        fields = split(content, separator)
         if len(fields) == width + 1 and fields[-1] == "":
             fields.pop()
         if not any(fields):
@@ -434,20 +408,20 @@ def _read_lines(text: str, layout: _Layout, name: str) -> tuple[Floats, Ints]:
         row = []
         for column in layout.columns.values():
             field = fields[column]
-            if not _NUMBER.fullmatch(field):
-                if separator == "," or not _COMMA_NUMBER.fullmatch(field):
-                    raise FormatError(_why_no_number(field, separator), name, number)
+            if not NUMBER.fullmatch(field):
+                if separator == "," or not COMMA_NUMBER.fullmatch(field):
+                    raise FormatError(why_no_number(field, separator), name, number)
                 if mark == ".":
-                    raise FormatError(_mixed_marks(field), name, number)
+                    raise FormatError(mixed_marks(field), name, number)
                 mark = ","
                 field = field.replace(",", ".")
             elif "." in field:
                 if mark == ",":
-                    raise FormatError(_mixed_marks(field), name, number)
+                    raise FormatError(mixed_marks(field), name, number)
                 mark = "."
             value = float(field)
             if not np.isfinite(value):
-                raise FormatError(f"{_shown(field)} is too large", name, number)
+                raise FormatError(f"{shown(field)} is too large", name, number)
             row.append(value)
         rows.append(row)
         lines.append(number)
@@ -456,37 +430,13 @@ def _read_lines(text: str, layout: _Layout, name: str) -> tuple[Floats, Ints]:
     return np.array(rows, dtype=np.float64), np.array(lines, dtype=np.int64)
 
 
-def _shown(text: str) -> str:
-    text = text.strip()
-    return repr(text if len(text) <= 40 else text[:37] + "...")
-
-
-def _mixed_marks(field: str) -> str:
-    return (
-        f"{_shown(field)}: decimal points and decimal commas in one file; a spreadsheet may have spoilt it, "
-        "export again with decimal points"
-    )
-
-
 def _why_ragged(fields: list[str], layout: _Layout, content: str) -> str:
     found = f"{len(fields)} columns where {layout.width} were expected"
     if layout.separator == "," and len(fields) > layout.width:
         return f"{found}: decimal commas between commas? Export with decimal points, or semicolons between"
     if len(fields) < layout.width:
-        return f"{found}: the row is incomplete or the file was cut off; {_shown(content)}"
-    return f"{found}: {_shown(content)}"
-
-
-def _why_no_number(field: str, separator: str | None) -> str:
-    if field == "":
-        return "a coordinate is missing: delete the row or measure the point again"
-    if re.fullmatch(r"[+-]?(nan|inf(inity)?|1?\.?#.*|\*+|-+|n/?a|null|none|#.*!?)", field, re.IGNORECASE):
-        return f"{_shown(field)} is no measured value: delete the row or measure the point again"
-    if _DATE.fullmatch(field):
-        return f"{_shown(field)} is a date: a spreadsheet has spoilt the number, export again without it"
-    if separator != "," and _GROUPED.fullmatch(field):
-        return f"{_shown(field)}: thousands separator or decimal comma? Export with plain decimal points"
-    return f"{_shown(field)} is no number"
+        return f"{found}: the row is incomplete or the file was cut off; {shown(content)}"
+    return f"{found}: {shown(content)}"
 
 
 def _check_last_number(text: str, layout: _Layout, name: str, last: int) -> None:
