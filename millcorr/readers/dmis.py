@@ -76,7 +76,7 @@ def read(source: Source) -> Measurement:
 def statements(source: Source) -> Iterator[tuple[int, str]]:
     """Statements in capitals with the line each begins in; labels keep what they are but for the case."""
     begun, parts, length = 0, list[str](), 0
-    for number, raw in enumerate(source.text().split("\n"), 1):
+    for number, raw in source.lines():
         line = raw.split("$$", 1)[0].strip() if "$$" in raw else raw.strip()
         begun = begun or number
         more = line.endswith("$")

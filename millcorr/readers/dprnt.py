@@ -56,7 +56,7 @@ def read(source: Source) -> Measurement:
     """
     ball = source.ball_radius()
     values, lines, names = array("d"), array("q"), []
-    for number, raw in enumerate(source.text(drop=_CONTROLS).split("\n"), 1):
+    for number, raw in source.lines(drop=_CONTROLS):
         text = raw.strip().upper()
         if not text or _HEADING.fullmatch(text):
             continue

@@ -57,7 +57,7 @@ def read(source: Source) -> Measurement:
     """
     ball = source.ball_radius(centres=True)
     log = _Log(source)
-    for number, line in enumerate(source.text(drop=b"\x11\x13\x18\x1b").split("\n"), 1):
+    for number, line in source.lines(drop=b"\x11\x13\x18\x1b"):
         log.line(number, line)
     return log.measurement(ball)
 

@@ -73,7 +73,7 @@ def read(source: Source) -> Measurement:
     """
     _refuse_foreign_bytes(source)
     reading = _Reading(source)
-    for number, raw in enumerate(source.text(drop=_CONTROLS).split("\n"), 1):
+    for number, raw in source.lines(drop=_CONTROLS):
         reading.line(number, raw)
     return reading.measurement()
 

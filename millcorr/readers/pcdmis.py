@@ -72,7 +72,7 @@ def read(source: Source) -> Measurement:
         If the caller contradicts the file, or does not say what the points are.
     """
     report = _Report(source)
-    for number, line in enumerate(source.text(drop=b"\x0c").split("\n"), 1):
+    for number, line in source.lines(drop=b"\x0c"):
         report.line(number, line)
     return report.measurement()
 
@@ -164,22 +164,14 @@ class _Report:
     def _assigned(self, cells: list[re.Match[str]], values: list[float]) -> dict[str, float] | None:
         """Values by column: in order where none is blank, else by the column each ends under; None if neither fits."""
         names = [name for name, _ in self.heading]
-        ways = []
+        step = 10.0 ** -max((len(m[0].replace(",", ".").partition(".")[2]) for m in cells), default=0)
         if len(values) == len(names):
-            ways.append(dict(zip(names, values, strict=True)))
+            in_order = dict(zip(names, values, strict=True))
+            if _adds_up(in_order, "DEV" in names, step):
+                return in_order
         nearest = [min(range(len(names)), key=lambda k: abs(self.heading[k][1] - m.end())) for m in cells]
-        if len(set(nearest)) == len(nearest):
-            ways.append({names[k]: v for k, v in zip(nearest, values, strict=True)})
-        step = 10.0 ** -max([len(re.split("[.,]", m[0])[1]) if re.search("[.,]", m[0]) else 0 for m in cells] or [0])
-        for way in ways:
-            if not {"NOMINAL", "MEAS"} <= way.keys():
-                continue
-            nominal, measured = way["NOMINAL"], way["MEAS"]
-            # A setting of PC-DMIS lets deviations of negative coordinates count away from zero.
-            expected = (measured - nominal, abs(measured) - abs(nominal))
-            if "DEV" not in names or ("DEV" in way and min(abs(way["DEV"] - e) for e in expected) <= 1.6 * step):
-                return way
-        return None
+        below = {names[k]: v for k, v in zip(nearest, values, strict=True)}
+        return below if len(set(nearest)) == len(nearest) and _adds_up(below, "DEV" in names, step) else None
 
     def measurement(self) -> Measurement:
         source = self.source
@@ -231,3 +223,13 @@ class _Report:
 
 def _number(text: str) -> float:
     return float(text.replace(",", "."))
+
+
+def _adds_up(columns: dict[str, float], has_deviation: bool, step: float) -> bool:
+    """Whether the deviation is measured less nominal value, to the last digit printed."""
+    if not {"NOMINAL", "MEAS"} <= columns.keys() or (has_deviation and "DEV" not in columns):
+        return False
+    nominal, measured = columns["NOMINAL"], columns["MEAS"]
+    # A setting of PC-DMIS lets deviations of negative coordinates count away from zero.
+    expected = (measured - nominal, abs(measured) - abs(nominal))
+    return not has_deviation or min(abs(columns["DEV"] - e) for e in expected) <= 1.6 * step

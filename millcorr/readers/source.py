@@ -6,7 +6,7 @@ Here the caller's words meet the file's: what the file does not say is demanded,
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,6 +30,9 @@ NORMAL_ROUNDING = 1e-4
 
 RADIUS_TOLERANCE = 1e-4
 """Two radii of a probe ball that differ by no more than this, in mm, are the same."""
+
+LONGEST_LINE = 5000
+"""No line of a measurement file has more characters; patterns never meet a longer one."""
 
 LARGEST_BALL = 100.0
 """No probe ball has a larger radius, in mm."""
@@ -83,6 +86,13 @@ class Source:
             If the file is no text.
         """
         return decode(self.data.translate(None, drop) if drop else self.data, self.name)
+
+    def lines(self, *, drop: bytes = b"") -> Iterator[tuple[int, str]]:
+        """Lines of the file with their numbers from 1; FormatError for one of absurd length, or if it is no text."""
+        for number, line in enumerate(self.text(drop=drop).split("\n"), 1):
+            if len(line) > LONGEST_LINE:
+                raise self.error(f"a line of {len(line)} characters: not a measurement file, or damaged", number)
+            yield number, line
 
     def error(self, message: str, line: int | None = None) -> FormatError:
         """Error that names the file, and the line where known (from 1)."""

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A few hundred of the damaged files that tests/fuzz/readers.py makes by the ten thousand."""
 
+import time
+import tracemalloc
+
 import pytest
 
 from millcorr import readers
@@ -16,6 +19,29 @@ def test_damaged_files_end_in_points_or_an_error(format):
     outcomes = readers_fuzz.run(format, 300, seed=7)
     assert outcomes["format"] > 30 and outcomes["points"] > 10
     readers_fuzz.run(format, 100, seed=8, by_content=True)
+
+
+@pytest.mark.parametrize("format", readers_fuzz.DRESSES)
+def test_memory_follows_the_file(format):
+    for subject in readers_fuzz.large(format, 800):
+        tracemalloc.start()
+        assert readers_fuzz.outcome(format, subject.data, subject.options) == "points"
+        peak = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+        assert peak < 10 * len(subject.data) + 500_000
+
+
+@pytest.mark.parametrize("format", [f for f in readers.FORMATS if f != "text"])
+@pytest.mark.parametrize(
+    "filling", [" ", "(", "[GC:", "DIM A= B OF ", "X", "9", "-", "<a>", "$", ",", "FA(", "&a;", "\t#"]
+)
+def test_monotonous_files_end_soon(format, filling):
+    subject = next(s for s in readers_fuzz.subjects() if s.format == format)
+    begun = time.perf_counter()
+    for data in (subject.data + filling.encode() * 200_000, subject.data + (filling + "\n").encode() * 50_000):
+        readers_fuzz.outcome(format, data, subject.options)
+        readers.recognised(data)
+    assert time.perf_counter() - begun < 10
 
 
 @pytest.mark.parametrize("reader", readers.FORMATS)
