@@ -36,6 +36,10 @@ OUTCOME = {
 }
 SAME = ("G330_Untransformed.msr", "G330_Detransformed.msr", 1e-4)
 """The same points before and after their G330, and how far their four decimals may be apart in mm."""
+DEVIATIONS = {"G330_Untransformed.msr": (81, -0.3248, 0.3623)}
+"""Number of points, lowest and highest deviation from the file's own nominals in mm, to four decimals."""
+STATED = {"QIF_PTS_SAMPLE_v30.QIF": 4, "QIF_Results_Sample_v30.QIF": 2}
+"""Number of profile values stored in the file, each to be met to 1e-9 mm."""
 
 
 def main() -> int:
@@ -51,9 +55,10 @@ def main() -> int:
             trouble, line = found
             wrong += bool(trouble)
             print(f"{'WRONG' if trouble else 'ok   '} {verb:<7} {file.relative_to(directory)}: {trouble or line}")
-    trouble = same_points({file.name: file for file in files})
-    wrong += bool(trouble)
-    print(f"{len(files)} files, {2 * len(files)} readings, {wrong} wrong" + (f": {trouble}" if trouble else ""))
+    named = {file.name: file for file in files}
+    troubles = [t for t in (same_points(named), *figures(named)) if t]
+    wrong += len(troubles)
+    print(f"{len(files)} files, {2 * len(files)} readings, {wrong} wrong" + "".join(f"; {t}" for t in troubles))
     return 1 if wrong else 0
 
 
@@ -114,6 +119,29 @@ def same_points(files: dict[str, Path]) -> str:
         return f"{first} and {second} differ in their number of points"
     largest = float(np.abs(tables[0] - tables[1]).max())
     return _unless(largest <= apart, f"{first} and {second} are {largest:.5f} mm apart")
+
+
+def figures(files: dict[str, Path]) -> list[str]:
+    """What is wrong with deviations recomputed from the files' own nominals."""
+    sys.path.insert(0, str(REPOSITORY))
+    from millcorr import readers
+
+    trouble = []
+    for name in (DEVIATIONS.keys() | STATED.keys()) & files.keys():
+        measurement = readers.read(files[name])
+        found = measurement.from_nominal()
+        if found is None:
+            trouble.append(f"{name} gives no deviations")
+        elif name in DEVIATIONS:
+            got = (len(found), round(float(found.min()), 4), round(float(found.max()), 4))
+            trouble.append(_unless(got == DEVIATIONS[name], f"{name} has {got}, not {DEVIATIONS[name]}"))
+        else:
+            stated = np.full(len(found), np.nan) if measurement.stated is None else measurement.stated
+            there = ~np.isnan(stated)
+            trouble.append(_unless(int(there.sum()) == STATED[name], f"{name} has {int(there.sum())} stored values"))
+            apart = np.abs(found - stated)[there].max(initial=0.0)
+            trouble.append(_unless(apart <= 1e-9, f"{name}: stored values are {apart:.2g} mm off"))
+    return trouble
 
 
 def millcorr(*arguments: object) -> subprocess.CompletedProcess[str]:
