@@ -2,7 +2,7 @@
 """Files of measured points. `read` goes by the content, not by the suffix.
 
 One module a format. Each offers ``recognises(data)`` and ``read(source)``; the last, `millcorr.readers.text`,
-takes what no other module claims.
+takes what no other module claims. Text whose columns a mapping explains goes to `millcorr.readers.mapped`.
 """
 
 from __future__ import annotations
@@ -16,7 +16,8 @@ from typing import Protocol
 from millcorr.errors import FormatError, UsageError
 from millcorr.measurement import Measurement
 
-from . import dmis, dprnt, grbl, linuxcnc, msr, pcdmis, qif, text, xyzijk
+from . import dmis, dprnt, grbl, linuxcnc, mapped, msr, pcdmis, qif, renishaw, text, xyzijk
+from .mapping import TextMapping, load
 from .source import Source
 
 
@@ -49,6 +50,7 @@ FORMATS: dict[str, Format] = {
     "linuxcnc": linuxcnc,
     "grbl": grbl,
     "dprnt": dprnt,
+    "renishaw": renishaw,
     "text": text,
 }
 """Module of each format by the name that ``--format`` takes; the last one takes whatever is left."""
@@ -65,6 +67,7 @@ def read(
     units: str | None = None,
     format: str | None = None,
     work_offset: tuple[float, float, float] | None = None,
+    mapping: str | Path | TextMapping | None = None,
 ) -> Measurement:
     """Measured points from a file.
 
@@ -83,6 +86,8 @@ def read(
         Name from `FORMATS`; by default recognised from the content.
     work_offset : tuple of 3 float, optional
         Origin of the work frame in the machine frame, in mm, for files in the machine frame.
+    mapping : str, Path or TextMapping, optional
+        What the columns of a text file are, or the TOML file that says it; takes the place of a format.
 
     Returns
     -------
@@ -107,10 +112,14 @@ def read(
         raise UsageError(f"--probe-radius {probe_radius:g} is no radius in mm")
     if work_offset is not None and not all(map(math.isfinite, work_offset)):
         raise UsageError(f"--work-offset {work_offset} is no place")
+    if mapping is not None and format is not None:
+        raise UsageError(f"--mapping is for text that no format covers: leave --format {format} out")
+    layout = load(mapping) if isinstance(mapping, (str, Path)) else mapping
     data = _content(path)
-    name = format or recognised(data)
     source = Source(data, str(path), sha256(data).hexdigest(), points, probe_radius, units, work_offset)
-    return FORMATS[name].read(source)
+    if layout is not None:
+        return mapped.read(source, layout)
+    return FORMATS[format or recognised(data)].read(source)
 
 
 def recognised(data: bytes) -> str:

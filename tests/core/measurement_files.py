@@ -318,6 +318,25 @@ def dprnt(part: Part, *, normals: bool = True, number: bool = True, ending: str 
     return "\x12" + ending.join([*lines, *(["%"] if heads else []), ""]) + "\x14"
 
 
+def renishaw(part: Part, *, has_z: bool = True, tight: bool = False, others: bool = True) -> str:
+    """Print-out of inspection cycles with the contact points, and a bore and an axis touch if `others`."""
+    rule, gap = "-" * 49, "" if tight else " "
+
+    def row(word: str, axis: str, nominal: float, actual: float) -> str:
+        a, b = round(nominal, 4), round(actual, 4)
+        return f"{word} {axis}{gap}{a:.4f} ACTUAL {b:.4f} TOL 0.1000 DEV {b - a:.4f}"
+
+    lines = []
+    for k, (n, p) in enumerate(zip(part.nominal, part.contact, strict=True), 1):
+        lines += [rule, f"COMPONENT NO 12   FEATURE NO {k}", rule]
+        lines += [row("POSN", axis, n[c], p[c]) for c, axis in enumerate("XYZ" if has_z else "XY")]
+    if others:
+        lines += [rule, "COMPONENT NO 12   FEATURE NO 901", rule, row("POSN", "X", 1.0, 1.01)]
+        lines += [rule, "COMPONENT NO 12   FEATURE NO 902", rule, row("POSN", "X", 1, 1), row("POSN", "Y", 2, 2.1)]
+        lines += [row("SIZE", "D", 10.0, 10.02), "+++OUT OF TOL+++ ERROR 0.0010"]
+    return "\r\n".join([*lines, ""])
+
+
 # --- damage -----------------------------------------------------------------------------------------------
 
 _SPICE = (

@@ -137,6 +137,12 @@ def _dprnt(n: int) -> list[Dress]:
     return [(files.dprnt(part, **dress).encode(), {"points": "contact"}) for dress in dresses]  # type: ignore[arg-type]
 
 
+def _renishaw(n: int) -> list[Dress]:
+    part = files.ellipse(n)
+    dresses = ({"others": n < 100}, {"has_z": False, "tight": True, "others": n < 100})
+    return [(files.renishaw(part, **dress).encode(), {"points": "contact"}) for dress in dresses]
+
+
 def _text(n: int) -> list[Dress]:
     rows = np.hstack([files.ellipse(n).contact, files.ellipse(n).normals]).tolist()
     tables = [
@@ -155,5 +161,6 @@ DRESSES: dict[str, Callable[[int], list[Dress]]] = {
     "linuxcnc": _linuxcnc,
     "grbl": _grbl,
     "dprnt": _dprnt,
+    "renishaw": _renishaw,
     "text": _text,
 }

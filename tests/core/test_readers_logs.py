@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Logs of probing on the machine: LinuxCNC, GRBL, DPRNT."""
+"""Logs of probing on the machine: LinuxCNC, GRBL, DPRNT, Renishaw."""
 
 import numpy as np
 import pytest
@@ -160,6 +160,52 @@ def test_nc_programs_are_no_measurements(log_file, program):
         readers.read(log_file(program), points="contact")
 
 
+# --- Renishaw ---------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("tight", [False, True])
+@pytest.mark.parametrize("has_z", [False, True])
+def test_renishaw(log_file, tight, has_z):
+    path = log_file(files.renishaw(PART, tight=tight, has_z=has_z))
+    m = readers.read(path, points="contact")
+    assert m.format == "renishaw" and m.has_z == has_z and m.elements == ("12.1", "12.2", "12.3", "12.4")
+    axes = 3 if has_z else 2
+    np.testing.assert_allclose(m.points[:, :axes], PART.contact[:, :axes], atol=1e-4)
+    np.testing.assert_allclose(m.nominal[:, :axes], PART.nominal[:, :axes], atol=1e-4)
+    assert "one axis only, as feature 12.901" in m.notes[0] and "1 features with a size" in m.notes[1]
+    with pytest.raises(UsageError, match="--points"):
+        readers.read(path)
+
+
+FEATURE = """COMPONENT NO 1 FEATURE NO 2
+POSN X 10.0000 ACTUAL 10.0300 TOL 0.1000 DEV 0.0300
+POSN Y 5.0000 ACTUAL 4.9900 TOL 0.1000 DEV -0.0100
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "says"),
+    [
+        ("DEV 0.0300", "DEV 0.3000", 2, "DEV is not"),
+        ("ACTUAL 10.0300", "ACTUAL 10.O300", 2, "no whole POSN"),
+        ("ACTUAL 10.0300", "ACTUAL ******", 2, "no whole POSN"),
+        ("POSN Y", "POSN X", 3, "twice"),
+        ("POSN Y", "POSN Z", 1, "none of 1 features"),
+        ("-0.0100\n", "-0.0100\n" + FEATURE, 4, "twice"),
+        (
+            "-0.0100\n",
+            "-0.0100\n" + FEATURE.replace("NO 2", "NO 3") + "POSN Z 1.0 ACTUAL 1.0 DEV 0.0\n",
+            1,
+            "no POSN Z",
+        ),
+    ],
+)
+def test_renishaw_refused_with_the_line(log_file, old, new, line, says):
+    with pytest.raises(FormatError, match=says) as caught:
+        readers.read(log_file(FEATURE.replace(old, new, 1)), points="contact")
+    assert caught.value.line == line
+
+
 # --- round trips ------------------------------------------------------------------------------------------
 
 
@@ -167,15 +213,15 @@ def test_nc_programs_are_no_measurements(log_file, program):
 @given(
     n=st.integers(1, 9),
     seed=st.integers(0, 99),
-    kind=st.sampled_from(["linuxcnc", "grbl", "dprnt"]),
+    kind=st.sampled_from(["linuxcnc", "grbl", "dprnt", "renishaw"]),
     inch=st.booleans(),
     offset=st.tuples(*[st.integers(-500, 500).map(float)] * 3),
 )
 def test_written_and_read_back(tmp_path, n, seed, kind, inch, offset):
     part = files.ellipse(n, seed=seed)
     path = tmp_path / "round"
-    if kind == "dprnt":
-        path.write_text(files.dprnt(part), newline="")
+    if kind in ("dprnt", "renishaw"):
+        path.write_text(files.dprnt(part) if kind == "dprnt" else files.renishaw(part), newline="")
         m = readers.read(path, points="contact")
     elif kind == "linuxcnc":
         path.write_text(files.linuxcnc(part, inch=inch))
@@ -184,4 +230,4 @@ def test_written_and_read_back(tmp_path, n, seed, kind, inch, offset):
         path.write_text(files.grbl(part, offset=offset, inch=inch), newline="")
         m = readers.read(path, probe_radius=1.5, work_offset=offset)
     assert m.format == kind
-    np.testing.assert_allclose(m.points, part.contact if kind == "dprnt" else part.centres, atol=1e-4)
+    np.testing.assert_allclose(m.points, part.contact if m.ball_radius == 0 else part.centres, atol=1e-4)

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Print-outs of Renishaw's inspection cycles: a heading a feature, a POSN line an axis.
+
+A point is a feature with POSN lines of X and Y, and Z where they all have it, and without SIZE. Every line is
+checked by DEV = ACTUAL less nominal. The layout is from descriptions, no public real print-out was available.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from millcorr.measurement import Measurement
+
+from .source import Source, shown
+
+_HEADING = re.compile(r"COMPONENT\s+NO\.?\s*(\d{1,9})\s+FEATURE\s+NO\.?\s*(\d{1,9})\b", re.ASCII)
+_NUMBER = r"([+-]?[ \t]*(?:\d+\.?\d*|\.\d+))(?![\w.,])"
+_POSITION = re.compile(
+    rf"POSN\s*([A-Z])\s*{_NUMBER}\s+ACTUAL\s*{_NUMBER}(?:\s+TOL\s*(?:TP)?\s*{_NUMBER})?\s+DEV\s*{_NUMBER}", re.ASCII
+)
+_CONTROLS = b"\x00\x11\x12\x13\x14\x1a"
+_LARGEST = 1e6
+
+
+@dataclass(slots=True)
+class _Feature:
+    """Feature of a part: per axis the nominal and the actual value."""
+
+    name: str
+    line: int
+    axes: dict[str, tuple[float, float]] = field(default_factory=dict)
+    sized: bool = False
+
+
+def recognises(data: bytes) -> bool:
+    """Whether a file holds the heading of a feature."""
+    head = data[:65536].translate(None, b"\x00")
+    return bool(re.search(rb"COMPONENT\s{1,20}NO\.?\s{0,20}\d{1,9}\s{1,80}FEATURE\s{1,20}NO", head))
+
+
+def read(source: Source) -> Measurement:
+    """Points of a print-out, with their nominals.
+
+    Parameters
+    ----------
+    source : Source
+        Must say what the points are: some cycles compensate the ball, and some only along an axis.
+
+    Returns
+    -------
+    Measurement
+
+    Raises
+    ------
+    FormatError
+        If a line is damaged, DEV does not add up, or no feature is a point; names the line.
+    UsageError
+        If the caller does not say what the points are.
+    """
+    ball = source.ball_radius()
+    features: list[_Feature] = []
+    for number, raw in source.lines(drop=_CONTROLS):
+        text = raw.strip().upper()
+        found = _HEADING.search(text)
+        if found:
+            features.append(_Feature(f"{found[1]}.{found[2]}", number))
+        elif text.startswith("POSN"):
+            _position(source, features, number, text)
+        elif text.startswith("SIZE") and features:
+            features[-1].sized = True
+    return _measurement(source, features, ball)
+
+
+def _position(source: Source, features: list[_Feature], number: int, text: str) -> None:
+    found = _POSITION.match(text)
+    if found is None:
+        raise source.error(f"{shown(text)} is no whole POSN line: print the results again", number)
+    if not features:
+        raise source.error("a POSN line without COMPONENT NO and FEATURE NO above it", number)
+    axis, fields = found[1], [found[k] for k in (2, 3, 5)]
+    nominal, actual, deviation = (float(re.sub(r"\s", "", f)) for f in fields)
+    if not max(abs(nominal), abs(actual), abs(deviation)) <= _LARGEST:
+        raise source.error("a value is no length that a machine can travel", number)
+    step = 10.0 ** -max(len(f.partition(".")[2]) for f in fields)
+    if abs(deviation - (actual - nominal)) > 1.6 * step:
+        raise source.error(f"axis {axis}: DEV is not ACTUAL less nominal, the line is damaged", number)
+    if axis in features[-1].axes:
+        raise source.error(f"axis {axis} of feature {features[-1].name} is there twice", number)
+    features[-1].axes[axis] = (nominal, actual)
+
+
+def _measurement(source: Source, features: list[_Feature], ball: float) -> Measurement:
+    points = [f for f in features if not f.sized and {"X", "Y"} <= f.axes.keys()]
+    lone = [f for f in features if not f.sized and len(f.axes.keys() & {"X", "Y", "Z"}) == 1]
+    if not points:
+        raise source.error(
+            f"none of {len(features)} features has POSN X and POSN Y without SIZE: measure the contour by points",
+            features[0].line if features else None,
+        )
+    heights = [f for f in points if "Z" in f.axes]
+    if heights and len(heights) < len(points):
+        other = next(f for f in points if "Z" not in f.axes)
+        raise source.error(f"feature {other.name} has no POSN Z, others have", other.line)
+    names = [f.name for f in points]
+    if len(set(names)) < len(names):
+        again = next(f for k, f in enumerate(points) if f.name in names[:k])
+        raise source.error(f"component and feature {again.name} are there twice: keep one print-out", again.line)
+    notes = []
+    if lone:
+        notes.append(
+            f"{len(lone)} features left out: measured along one axis only, as feature {lone[0].name} "
+            f"(line {lone[0].line}); print where the ball stood"
+        )
+    sized = sum(f.sized for f in features)
+    if sized:
+        notes.append(f"{sized} features with a size left out")
+    table = np.array([[f.axes.get(a, (0.0, 0.0)) for a in "XYZ"] for f in points])
+    return source.measurement(
+        "renishaw", table[:, :, 1], [f.line for f in points], ball_radius=ball, unit=source.unit(None),
+        nominal=table[:, :, 0], elements=names, has_z=bool(heights), notes=notes,
+    )  # fmt: skip
