@@ -288,6 +288,10 @@ def align(
     q = fit.coarse()
     basis, undetermined = fit.determined(q)
     q, look, weights = fit.least_squares(basis @ (basis.T @ q), basis)
+    if undetermined:
+        # Which way an undetermined direction points is known well only at the end.
+        basis, undetermined = fit.determined(q)
+        q, look, weights = fit.least_squares(basis @ (basis.T @ q), basis)
     iterations = weights.iterations
     if freedom.zone:
         q, look, more = fit.minimum_zone(q, basis, weights.weight >= 0.5)

@@ -31,7 +31,7 @@ FINEST = 1e-4
 """No measurement is taken to scatter by less than this, in mm."""
 
 TRIAL = 1.0
-"""A direction of the motion is tried by a move of this many mm (for a turn: at the points' mean lever)."""
+"""A direction of the motion is tried by a move of about this many mm (for a turn: at the points' mean lever)."""
 
 VISIBLE = 1e-3
 """A trial move must change the deviations by this much, in mm root mean square, and ..."""
@@ -173,8 +173,7 @@ class RigidFit:
             if wider < 0.7 * spread:
                 q = other
         look = self.look(q, self.few)
-        gap = np.hypot(*(look.xy - look.feet.foot).T) - self.radius
-        far = float(np.mean(np.abs(gap) > REACH))
+        far = float(np.mean(np.abs(self._off(look.xy, look.feet)) > REACH))
         if far > 0.5:
             raise FitError(
                 f"{self.source}: alignment: {100 * far:.0f} % of the points stay farther than {REACH:g} mm from the "
@@ -201,17 +200,21 @@ class RigidFit:
                 break
         return q, float(np.quantile(np.abs(e - np.median(e)), 0.8))
 
+    def _off(self, xy: Floats, feet: FootPoints) -> Floats:
+        """Deviations, (n,) mm; of points beyond an open end, the distance from that end."""
+        gap = np.hypot(*(xy - feet.foot).T)
+        out: Floats = np.where(feet.place == Place.END, gap, feet.distance) - self.radius
+        return out
+
     def _pulled(self, q: Floats, look: Look) -> tuple[Floats, Floats]:
         """Deviations and slopes in which points beyond an open end are drawn back to that end."""
         beyond = np.flatnonzero(look.feet.place == Place.END)
         if not len(beyond):
             return look.value, look.slope
         away = look.xy[beyond] - look.feet.foot[beyond]
-        gap = np.hypot(*away.T)
-        value, slope = look.value.copy(), look.slope.copy()
-        value[beyond] = gap - self.radius
-        slope[beyond] = self.slope(q, look.xy[beyond], away / np.maximum(gap, 1e-12)[:, None])
-        return value, slope
+        slope = look.slope.copy()
+        slope[beyond] = self.slope(q, look.xy[beyond], away / np.maximum(np.hypot(*away.T), 1e-12)[:, None])
+        return self._off(look.xy, look.feet), slope
 
     def _starts(self) -> list[Floats]:
         """The most promising of many turns and shifts."""
@@ -222,17 +225,16 @@ class RigidFit:
         poses = np.stack(np.meshgrid(xs, ys, angles * self.lever, indexing="ij"), axis=-1).reshape(-1, 3)
         xy = np.concatenate([self.transform(q).points(self.points[self.fewer]) for q in poses])
         feet = self.search.find(xy)
-        gap = np.abs(np.hypot(*(xy - feet.foot).T) - self.radius).reshape(len(poses), -1)
-        score = np.quantile(gap, 0.8, axis=1)
+        score = np.quantile(np.abs(self._off(xy, feet)).reshape(len(poses), -1), 0.8, axis=1)
         return [poses[i] for i in np.argsort(score, kind="stable")[:6]]
 
     def determined(self, q: Floats) -> tuple[Floats, tuple[str, ...]]:
         """Basis (3, k) of the directions of q that the points determine, and the others in words.
 
         The eigenvectors of the normal matrix are tried one by one: the foot points, which lie on the profile, are
-        moved along by `TRIAL`, the other directions may compensate, and the deviations that are left must be seen
-        (`VISIBLE`) and certain (`CERTAIN`). A finite move sees through the facets of a rounded profile, which a
-        derivative takes for shape.
+        moved along by `TRIAL` and more than twice as far, the other directions may compensate, and the deviations that
+        are left must be seen (`VISIBLE`) and certain (`CERTAIN`), in proportion to the move. Finite moves see through
+        the facets of a rounded profile, which a derivative takes for shape.
         """
         look = self.look(q, self.few)
         used = np.flatnonzero(self.usable(look))
@@ -240,13 +242,18 @@ class RigidFit:
         foot, value = look.feet.foot[used], look.value[used]
         noise = max(1.4826 * float(np.median(np.abs(value - np.median(value)))), FINEST)
         a = self.slope(q, foot, look.feet.normal[used]) @ self.free
-        _, vectors = np.linalg.eigh(a.T @ a)
+        values, vectors = np.linalg.eigh(a.T @ a)
+        heard = values > 1e-12 * len(used)
         share = len(self.points) / len(self.few)
         keep, words = [], []
         for i in range(vectors.shape[1]):
-            others = a @ np.delete(vectors, i, axis=1)
+            others = a @ vectors[:, heard & (np.arange(len(heard)) != i)]
             direction = self.free @ vectors[:, i]
-            change = min(self._change(q, foot, sign * TRIAL * direction, others) for sign in (-1.0, 1.0))
+            change = min(
+                self._change(q, foot, sign * move * direction, others) / move**2
+                for move in (0.97 * TRIAL, 2.3 * TRIAL)
+                for sign in (-1.0, 1.0)
+            )
             if change <= VISIBLE**2 * len(used) or change * share <= (CERTAIN * noise) ** 2:
                 words.append(self._name(q, direction))
             else:
@@ -299,31 +306,60 @@ class RigidFit:
             If the steps do not become small.
         """
         weight, taking_part = np.zeros(len(self.points)), np.zeros(len(self.points), dtype=bool)
-        fixed, size, damping = False, math.inf, 1.0
+        fixed, size, idle = False, math.inf, 0
+        look = self.look(q)
         for iteration in range(1, _ROUNDS + 1):
-            look = self.look(q)
             if not fixed:
                 taking_part = self.usable(look)
                 self.require(int(taking_part.sum()), "can be used")
                 new = self.weights(look, taking_part, basis)
-                fixed = size < 1e-3 and (np.abs(new - weight).max() < 1e-9 or iteration > _ROUNDS // 3)
-                weight = new
+                settled = size < 1e-3 and np.abs(new - weight).max() < 1e-9
+                fixed, weight = settled or iteration > _ROUNDS // 4, new
                 self.require(int((weight > 0).sum()), "can be used")
             a = look.slope @ basis
-            normal = a.T @ (weight[:, None] * a)
+            fall = a.T @ (weight * look.value)
             try:
-                step = -damping * (basis @ np.linalg.solve(normal, a.T @ (weight * look.value)))
+                step = np.asarray(-np.linalg.solve(a.T @ (weight[:, None] * a), fall), dtype=np.float64)
             except np.linalg.LinAlgError:
                 raise FitError(f"{self.source}: alignment: the usable points do not determine the motion") from None
-            before, size = size, float(np.abs(step).max()) if len(basis.T) else 0.0
+            before, size = size, float(np.abs(basis @ step).max(initial=0.0))
             if fixed and size < _CLOSE:
                 return q, look, Weights(weight, taking_part, iteration)
-            if fixed and size > 0.7 * before:
-                damping *= 0.5
-                if size < 1e-6 and damping < 0.01:
+            trial = self.look(q + basis @ step)
+            if fixed:
+                height = float(weight @ look.value**2)
+                step, trial = self._downhill(q, basis, step, trial, height, weight, size > 0.5 * before)
+                # A fall of the sum by this is a step of a thousandth of the standard uncertainty.
+                fallen = height - float(weight @ trial.value**2)
+                idle = idle + 1 if fallen < 1e-6 * height / float(weight.sum()) else 0
+                if idle > 3:
                     return q, look, Weights(weight, taking_part, iteration)
-            q = q + step
+            q, look = q + basis @ step, trial
         raise FitError(f"{self.source}: alignment: no end after {_ROUNDS} steps, the last one {size:.2g} mm")
+
+    def _downhill(
+        self, q: Floats, basis: Floats, step: Floats, trial: Look, height: float, weight: Floats, slow: bool
+    ) -> tuple[Floats, Look]:
+        """Step made shorter until the sum of squares does not grow, or, where it goes slowly, longer while it falls.
+
+        Between the facets of a coarse polygon a whole Gauss-Newton step may lead uphill, or no way at all.
+        """
+        reached = float(weight @ trial.value**2)
+        for _ in range(12):
+            if reached <= height * (1 + 1e-12):
+                break
+            step = step / 2
+            trial = self.look(q + basis @ step)
+            reached = float(weight @ trial.value**2)
+        else:
+            return np.zeros_like(step), self.look(q)
+        while slow and reached < height and np.abs(step).max() < 1.0:
+            longer = self.look(q + basis @ (2 * step))
+            further = float(weight @ longer.value**2)
+            if further >= reached:
+                break
+            step, trial, reached = 2 * step, longer, further
+        return step, trial
 
     def minimum_zone(self, q: Floats, basis: Floats, inside: Bools) -> tuple[Floats, Look, int]:
         """Pose of the least largest absolute deviation, by linear programmes within a trust region.

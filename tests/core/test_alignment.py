@@ -414,6 +414,17 @@ def test_turn_of_a_round_profile_is_undetermined(kind, n):
     assert math.isnan(found.scale) and found.scale_uncertainty == math.inf
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_coarse_polygon_for_a_circle_ends(seed):
+    # 100 facets 15 um high: the sum of squares has a kink at every joint that a point passes, and hardly any slope
+    # over the turn. The shift is that of the circle within what half a facet's height can push it.
+    v = facetted_circle(30.0, 100)
+    nominal = Profile.from_contours([Contour((polyline(np.vstack([v, v[:1]])),), True)])
+    _, found = align(sample(circle(), 1000, seed).measurement(Transform((0.4, -0.3))), nominal)
+    turned = Transform(rotation=found.rotation).points(np.array([[0.4, -0.3]]))[0]
+    assert found.shift == pytest.approx(tuple(turned), abs=2 * MICRON)
+
+
 def test_slide_along_a_straight_edge_is_undetermined():
     edge = [Element(np.array([10.0, 20.0]), np.array([90.0, 80.0]))]
     points = sample(edge, 200, 1, margin=8.0)
@@ -425,8 +436,8 @@ def test_slide_along_a_straight_edge_is_undetermined():
     middle = np.array([[50.0, 50.0]])
     back = found.transform.inverse()
     slide = (middle - back.points(middle)) @ back.directions(np.array([[0.8, 0.6]]))[0]
-    # The edge's direction is that of the coarse fit, some 1e-4 rad from the final one, over a move of 2 mm.
-    assert abs(slide) < 2e-4
+    # Foot points on the line give its direction to rounding; the last turn, below 1e-7 rad, times 2 mm.
+    assert abs(slide) < 2e-7
     # Residuals are those of a straight line through the points, by the closed form of total least squares.
     good = measurement.points[~points.outlier, :2]
     least = np.linalg.svd(good - good.mean(axis=0))[1][-1]
@@ -453,6 +464,14 @@ def test_a_turn_seen_through_noise_is_determined_only_where_it_is_certain():
     assert align(fine.measurement(Transform()), profile_of(elements))[1].undetermined == ()
     found = align(rough.measurement(Transform()), profile_of(elements))[1]
     assert found.rotation == 0 and found.undetermined[0].startswith("turn about")
+
+
+def test_one_place_tells_one_shift():
+    # Fifty touches of one place on the bottom side of a rectangle: only Y is known.
+    xy = np.tile([[30.0, 0.2]], (50, 1)) + np.random.default_rng(0).normal(0, 2 * MICRON, (50, 2))
+    _, found = align(measured(xy), profile("sharp"))
+    assert len(found.undetermined) == 2 and found.rotation == 0 and abs(found.shift[0]) < 1e-9
+    assert found.shift[1] == pytest.approx(-xy[:, 1].mean(), abs=1e-9)
 
 
 # ---- the minimum zone ---------------------------------------------------------------------------------------
@@ -665,3 +684,9 @@ def test_points_of_another_part():
     with pytest.raises(FitError, match="farther than 1 mm") as error:
         align(measured(sample(circle(12.0), 300).points + [20, 20]), profile("closed"))
     assert "\n" not in str(error.value)
+
+
+def test_ball_centres_on_the_wrong_side():
+    points = sample(CONTOURS["closed"], 200, 1, ball_radius=2.0, margin=2.5)
+    with pytest.raises(FitError, match="farther than 1 mm"):
+        align(points.measurement(OFF), profile("closed").reversed())
