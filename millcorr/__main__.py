@@ -95,6 +95,8 @@ def _add_measurement(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("--points", choices=("contact", "centre"), help="what the measured points are")
     verb.add_argument("--probe-radius", metavar="MM", type=float, help="ball radius, for --points centre")
     verb.add_argument("--units", choices=("mm", "inch"), help="unit of the measured file")
+    columns = "what the columns of a text file are, for layouts that no format covers"
+    verb.add_argument("--mapping", metavar="FILE.toml", type=Path, help=columns)
 
 
 def _add_inputs(verb: argparse.ArgumentParser) -> None:
@@ -157,7 +159,7 @@ def _convert(arguments: argparse.Namespace) -> None:
 
 
 def _measurement_options(arguments: argparse.Namespace) -> dict[str, Any]:
-    return {name: getattr(arguments, name) for name in ("format", "points", "probe_radius", "units")}
+    return {name: getattr(arguments, name) for name in ("format", "points", "probe_radius", "units", "mapping")}
 
 
 def _run(arguments: argparse.Namespace, output: Path | None) -> None:

@@ -31,6 +31,7 @@ def correct_program(
     probe_radius: float | None = None,
     units: str | None = None,
     format: str | None = None,
+    mapping: Path | None = None,
     nominal: str | None = None,
     tool_diameter: float | None = None,
     output: Path | None = None,
@@ -53,6 +54,8 @@ def correct_program(
         Unit of the measured file.
     format : str, optional
         Format of the measured file; by its content by default.
+    mapping : Path, optional
+        TOML file that says what the columns of a text file are.
     nominal : str, optional
         Drawing or first program; by default the contour that the program cuts.
     output : Path, optional
@@ -79,7 +82,8 @@ def correct_program(
     refuse_places({"--output": output}, report, {"program": program, "nominal": first, **inputs})
     chosen = pipeline.Settings(**(settings or {}))
     measurement, *further = (
-        readers.read(path, points=points, probe_radius=probe_radius, units=units, format=format) for path in measured
+        readers.read(path, points=points, probe_radius=probe_radius, units=units, format=format, mapping=mapping)
+        for path in measured
     )
     source = nc.read(program)
     radius = tool_diameter / 2
@@ -133,6 +137,10 @@ def correct_document(
     MillcorrError
         See `pipeline.correct`; nothing is written then.
     """
+    if measurement.pop("mapping", None) is not None:
+        raise UsageError(
+            "--mapping does not go with --document: millcorr convert FILE --mapping ... -o POINTS.csv first"
+        )
     inputs = {f"measured file {n}": path for n, path in enumerate(measured, 1)}
     refuse_places({"--output": output, "--gcode": gcode}, report, {"document": document, **inputs})
     places = {"output": output, "gcode": gcode, "report": report}
@@ -163,7 +171,7 @@ def inspect(measured: Path, **options: Any) -> str:
     ----------
     measured : Path
     **options
-        ``format, points, probe_radius, units`` as for `readers.read`; `points` may be left out.
+        ``format, points, probe_radius, units, mapping`` as for `readers.read`; `points` may be left out.
 
     Raises
     ------
@@ -206,7 +214,7 @@ def convert(measured: Path, output: Path, **options: Any) -> str:
     ----------
     measured, output : Path
     **options
-        ``format, points, probe_radius, units`` as for `readers.read`.
+        ``format, points, probe_radius, units, mapping`` as for `readers.read`.
 
     Raises
     ------

@@ -100,7 +100,7 @@ def read(source: Source) -> Measurement:
         raise UsageError(f"--units {source.units} contradicts {name}, whose header says {layout.unit}")
     unit = source.unit(layout.unit)
     values, lines = _read_whole(text, layout) or _read_lines(text, layout, name)
-    _check_last_number(text, layout, name, int(lines[-1]))
+    check_last_number(text, name, int(lines[-1]))
     column = {c: values[:, n] for n, c in enumerate(layout.columns)}
     if tuple(layout.columns) == ("x", "y", "z"):
         points = values
@@ -151,16 +151,21 @@ def write(path: str | Path, measurement: Measurement, *, comments: Sequence[str]
     head = [f"# {line}".rstrip() for line in notes]
     row = ",".join(formats)
     body = [row % tuple(values) for values in table.tolist()]
+    replace_whole(path, "\n".join([*head, ",".join(columns), *body, ""]))
+    return path
+
+
+def replace_whole(path: Path, content: str) -> None:
+    """Write a text file that is never there in part: the old one stays until the new one is complete."""
     handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
     try:
         with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
-            stream.write("\n".join([*head, ",".join(columns), *body, ""]))
+            stream.write(content)
         os.chmod(temporary, 0o666 & ~_umask())
         os.replace(temporary, path)
     except BaseException:
         Path(temporary).unlink(missing_ok=True)
         raise
-    return path
 
 
 def _umask() -> int:
@@ -439,7 +444,7 @@ def _why_ragged(fields: list[str], layout: _Layout, content: str) -> str:
     return f"{found}: {shown(content)}"
 
 
-def _check_last_number(text: str, layout: _Layout, name: str, last: int) -> None:
+def check_last_number(text: str, name: str, last: int) -> None:
     """FormatError where a file of fixed decimals ends in mid-number: it was cut off."""
     if text.endswith("\n"):
         return

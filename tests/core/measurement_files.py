@@ -337,6 +337,39 @@ def renishaw(part: Part, *, has_z: bool = True, tight: bool = False, others: boo
     return "\r\n".join([*lines, ""])
 
 
+# --- text by a mapping ------------------------------------------------------------------------------------
+
+
+def mapped(
+    part: Part, order: list[str], *, separator: str, comma: bool, named: bool, inch: bool
+) -> tuple[str, dict[str, object]]:
+    """Text with these columns in this order, "-" being none of them, and the keys of the mapping for it."""
+    scale = 25.4 if inch else 1.0
+    numbers: dict[str, np.ndarray] = {"deviation": part.deviations / scale}
+    for keys, vectors in (("xyz", part.centres / scale), ("ijk", part.normals)):
+        numbers |= dict(zip(keys, vectors.T, strict=True))
+    numbers |= {f"nominal_{c}": v / scale for c, v in zip("xyz", part.nominal.T, strict=True)}
+    marks = {"comma": ",", "semicolon": ";", "tab": "\t", "blank": "  "}
+    between = marks.get(separator, separator)
+    lines = ["Messprotokoll"]
+    if named:
+        lines.append(between.join(f"{key}_Größe" for key in order))
+    for row, name in enumerate(part.names):
+        texts = {"id": name, "-": "note"} | {key: f"{v[row]:.9f}" for key, v in numbers.items()}
+        lines.append(between.join(texts[key].replace(".", ",") if comma else texts[key] for key in order))
+    columns = {key: f"{key}_größe" if named else place for place, key in enumerate(order, 1) if key != "-"}
+    keys = {
+        "columns": columns,
+        "separator": separator,
+        "decimal": "comma" if comma else "point",
+        "skip": 1,
+        "units": "inch" if inch else "mm",
+        "points": "centre",
+        "probe_radius": part.radius,
+    }
+    return "\n".join([*lines, ""]), keys
+
+
 # --- damage -----------------------------------------------------------------------------------------------
 
 _SPICE = (

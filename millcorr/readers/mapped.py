@@ -1,0 +1,309 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Text files whose columns a `millcorr.readers.mapping.TextMapping` explains: nothing is guessed."""
+
+from __future__ import annotations
+
+import csv
+import re
+from array import array
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr.errors import FormatError
+from millcorr.measurement import Measurement
+
+from .decimal_columns import decimal_columns
+from .decoding import decode
+from .fields import COMMA_NUMBER, NUMBER, mixed_marks, split, why_no_number
+from .mapping import DECIMALS, SEPARATORS, TextMapping
+from .source import Source, shown
+from .text import check_last_number
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+_HEADER_DEPTH = 1000
+_LINE_LIMIT = 20_000
+_MAY_BE_EMPTY = ("nominal_x", "nominal_y", "nominal_z", "deviation")
+
+
+@dataclass(frozen=True, slots=True)
+class _Table:
+    """Where in a text the rows are, and which field of a row is what."""
+
+    columns: dict[str, int]
+    """Field of each column, from 0."""
+    only: dict[int, frozenset[str]]
+    """Texts, in small letters, of which these fields must hold one."""
+    first: int
+    """Index from 0 of the first line that can be a row."""
+    width: int | None
+    """Fields that the header has."""
+
+
+def read(source: Source, mapping: TextMapping) -> Measurement:
+    """Measured points from a text file whose columns are known.
+
+    Parameters
+    ----------
+    source : Source
+    mapping : TextMapping
+
+    Returns
+    -------
+    Measurement
+        Points in mm.
+
+    Raises
+    ------
+    FormatError
+        If the file is not as the mapping says, or a row cannot be trusted.
+    UsageError
+        If the caller contradicts the mapping, or neither says what the points are.
+    """
+    told = replace(source, name=f"the mapping {mapping.source}".rstrip())
+    centres = None if mapping.points is None else mapping.points == "centre"
+    # A radius in the mapping is of use only if the points are centres.
+    radius = mapping.probe_radius if "centre" in (mapping.points, source.points) else None
+    ball_radius = told.ball_radius(centres=centres, radius=radius)
+    unit = told.unit(mapping.units)
+    text = _text(source, mapping)
+    table = _table(text, source, mapping)
+    values, lines, names = _read_whole(text, table, mapping) or _Rows(source, mapping, table).read(text)
+    if not (mapping.end or mapping.only):
+        check_last_number(text, source.name, int(lines[-1]))
+    column = dict(zip([c for c in table.columns if c != "id"], values.T, strict=True))
+
+    def vectors(*keys: str) -> Floats | None:
+        if keys[0] not in column:
+            return None
+        return np.column_stack([column.get(key, np.zeros(len(values))) for key in keys])
+
+    points = vectors("x", "y", "z")
+    assert points is not None
+    return source.measurement(
+        "mapped", points, lines, ball_radius=ball_radius, unit=unit,
+        normals=vectors("i", "j", "k"),
+        nominal=vectors("nominal_x", "nominal_y", "nominal_z"),
+        stated=column["deviation"].copy() if "deviation" in column else None,
+        elements=names,
+        has_z="z" in column,
+        notes=[f"columns by {mapping.source or 'a mapping'}" + (f" ({mapping.name})" if mapping.name else "")],
+    )  # fmt: skip
+
+
+def _text(source: Source, mapping: TextMapping) -> str:
+    if mapping.encoding is None:
+        return source.text()
+    try:
+        recoded = source.data.decode(mapping.encoding).encode()
+    except (UnicodeError, ValueError) as error:
+        raise source.error(f"no text in {mapping.encoding}, which the mapping says") from error
+    return decode(recoded, source.name)
+
+
+def _table(text: str, source: Source, mapping: TextMapping) -> _Table:
+    places: dict[str, str | int] = {**mapping.columns}
+    wanted = [p for p in places.values() if isinstance(p, str)] + [k for k in mapping.only if not k.isdecimal()]
+    names = list(dict.fromkeys(name.strip().casefold() for name in wanted))
+    header: int | None = None
+    found: list[str] = []
+    if names or mapping.header is not None:
+        header, found = _header(text, names, source, mapping)
+
+    def index(place: str | int) -> int:
+        if isinstance(place, int):
+            return place - 1
+        return found.index(place.strip().casefold())
+
+    first = max(mapping.skip, 0 if header is None else header + 1)
+    return _Table(
+        {key: index(place) for key, place in places.items()},
+        {
+            index(int(key) if key.isdecimal() else key): frozenset(t.strip().casefold() for t in texts)
+            for key, texts in mapping.only.items()
+        },
+        first,
+        # Without names the line may be anything.
+        len(found) if names else None,
+    )
+
+
+def _header(text: str, names: list[str], source: Source, mapping: TextMapping) -> tuple[int, list[str]]:
+    """Index of the line with the names, and its fields in small letters."""
+    best: tuple[int, int, list[str]] | None = None
+    for number, raw in enumerate(_lines(text, 0), 1):
+        if mapping.header is not None and number < mapping.header:
+            continue
+        if number > _HEADER_DEPTH and mapping.header is None:
+            break
+        bare = raw.strip()
+        for mark in mapping.comments:
+            bare = bare.removeprefix(mark)
+        fields = [
+            f.strip().strip("\"'").casefold()
+            for f in _split(bare, SEPARATORS.get(mapping.separator, mapping.separator))
+        ]
+        while fields and not fields[-1]:
+            fields.pop()
+        there = sum(name in fields for name in names)
+        if there == len(names):
+            for name in names:
+                if fields.count(name) > 1:
+                    raise source.error(
+                        f"two columns are named {shown(name)}: give their numbers in the mapping", number
+                    )
+            return number - 1, fields
+        if best is None or there > best[0]:
+            best = (there, number, fields)
+        if mapping.header is not None:
+            break
+    if best is None:
+        raise source.error(f"the file ends before line {mapping.header}, where the mapping has the header")
+    missing = next(name for name in names if name not in best[2])
+    where = f"line {mapping.header}" if mapping.header is not None else "no line"
+    verb = "does not name" if mapping.header is not None else "names"
+    columns = "the column" if len(names) == 1 else "all columns of the mapping; lacking:"
+    raise source.error(f"{where} {verb} {columns} {shown(missing)}", best[1] if best[0] or mapping.header else None)
+
+
+def _lines(text: str, begin: int) -> Iterator[str]:
+    """Lines of a text from a place on, without cutting it up as a whole."""
+    while begin <= len(text):
+        end = text.find("\n", begin)
+        if end < 0:
+            end = len(text)
+        yield text[begin:end]
+        begin = end + 1
+
+
+def _split(line: str, separator: str | None) -> list[str]:
+    if '"' not in line:
+        return split(line, separator)
+    try:
+        row = next(csv.reader([line], delimiter=separator or " ", skipinitialspace=True), [])
+    except csv.Error:
+        return split(line, separator)
+    return [f.strip() for f in row if separator is not None or f.strip()]
+
+
+def _read_whole(text: str, table: _Table, mapping: TextMapping) -> tuple[Floats, Ints, None] | None:
+    """Rows in one go where there are only numbers to take; None where there is more to it."""
+    if mapping.only or mapping.end or mapping.decimal == "comma" or "id" in table.columns or '"' in text:
+        return None
+    if any(mark in text for mark in mapping.comments):
+        return None
+    begin = 0
+    for _ in range(table.first):
+        begin = text.find("\n", begin) + 1
+        if not begin:
+            return None
+    separator = SEPARATORS.get(mapping.separator, mapping.separator)
+    width = table.width
+    if width is None:
+        width = len(_split(next(_lines(text, begin)), separator))
+    if max(table.columns.values()) >= width:
+        return None
+    found = decimal_columns(text, separator, width, list(table.columns.values()), begin=begin, first=table.first + 1)
+    return None if found is None else (*found, None)
+
+
+class _Rows:
+    """Rows line by line: texts between the numbers, rows that do not count, and the line that is wrong."""
+
+    def __init__(self, source: Source, mapping: TextMapping, table: _Table) -> None:
+        self.source = source
+        self.mapping = mapping
+        self.table = table
+        self.separator = SEPARATORS.get(mapping.separator, mapping.separator)
+        self.width = table.width
+        self.mark = DECIMALS[mapping.decimal]
+        self.needed = max([*table.columns.values(), *table.only]) + 1
+        marks = "|".join(re.escape(m) for m in mapping.comments)
+        self.comment = re.compile(rf"(?:^|(?<=[\s,;]))(?:{marks}).*") if marks else None
+        self.values = array("d")
+        self.lines = array("q")
+        self.names: list[str] | None = [] if "id" in table.columns else None
+        self.others: dict[str, None] = {}
+
+    def read(self, text: str) -> tuple[Floats, Ints, list[str] | None]:
+        number = 0
+        for number, raw in enumerate(_lines(text, 0), 1):
+            if number <= self.table.first:
+                continue
+            if self.mapping.end and raw.lstrip().startswith(self.mapping.end.strip()):
+                break
+            if len(raw) > _LINE_LIMIT:
+                raise self.source.error(f"a line of {len(raw)} characters is no row of numbers", number)
+            content = self.comment.sub("", raw) if self.comment else raw
+            if content.strip():
+                self._line(number, content)
+        if not self.lines:
+            raise self._nothing(number)
+        wide = len(self.table.columns) - (self.names is not None)
+        return np.array(self.values).reshape(-1, wide), np.array(self.lines, dtype=np.int64), self.names
+
+    def _line(self, number: int, content: str) -> None:
+        fields = _split(content, self.separator)
+        if not any(fields) or not self._counts(fields):
+            return
+        width = self.width = self.width or len(fields)
+        if len(fields) < width or any(fields[width:]):
+            less = "the row is incomplete, or the file was cut off" if len(fields) < width else "one too many"
+            raise self.source.error(
+                f"{len(fields)} columns where {width} were expected: {less}; {shown(content)}", number
+            )
+        if width < self.needed:
+            raise self.source.error(
+                f"{width} columns, but the mapping takes column {self.needed}: is the separator "
+                f"{self.mapping.separator}?", number
+            )  # fmt: skip
+        for column, place in self.table.columns.items():
+            if column == "id":
+                assert self.names is not None
+                self.names.append(fields[place])
+            elif not fields[place] and column in _MAY_BE_EMPTY:
+                self.values.append(np.nan)
+            else:
+                self.values.append(self._number(fields[place], number))
+        self.lines.append(number)
+
+    def _counts(self, fields: list[str]) -> bool:
+        """Whether a row is one of those that the mapping wants."""
+        for place, texts in self.table.only.items():
+            content = fields[place].casefold() if place < len(fields) else ""
+            if content not in texts:
+                if len(self.others) < 5 and content:
+                    self.others[content] = None
+                return False
+        return True
+
+    def _number(self, field: str, number: int) -> float:
+        pattern, other = (NUMBER, COMMA_NUMBER) if self.mark == "." else (COMMA_NUMBER, NUMBER)
+        plain = field.lstrip("+-").isdecimal() and field.isascii()
+        if not plain and not pattern.fullmatch(field):
+            # An exponent alone needs no mark: 1e3 is the same with either.
+            if not (other.fullmatch(field) and not {".", ","} & set(field)):
+                raise self.source.error(self._why_no_number(field, other), number)
+        value = float(field.replace(",", "."))
+        if not np.isfinite(value):
+            raise self.source.error(f"{shown(field)} is too large", number)
+        return value
+
+    def _why_no_number(self, field: str, other: re.Pattern[str]) -> str:
+        if other.fullmatch(field):
+            if self.lines:
+                return mixed_marks(field)
+            found = "comma" if self.mark == "." else "point"
+            return f"{shown(field)} has a decimal {found}: the mapping says decimal = {self.mapping.decimal!r}"
+        return why_no_number(field, self.separator)
+
+    def _nothing(self, last: int) -> FormatError:
+        if self.table.only:
+            wanted = ", ".join(sorted(t for texts in self.table.only.values() for t in texts))
+            there = f"; there are {', '.join(map(shown, self.others))}" if self.others else ""
+            return self.source.error(f"no row holds {shown(wanted)}, which the mapping asks for{there}")
+        return self.source.error("no points below the header", min(self.table.first, last) or None)

@@ -1,0 +1,260 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the columns of a text file mean, written down once as TOML and used for every file of that layout."""
+
+from __future__ import annotations
+
+import difflib
+import json
+import math
+import re
+import tomllib
+from collections.abc import Callable
+from dataclasses import dataclass, field, fields
+from pathlib import Path
+from typing import Any
+
+from millcorr.errors import FormatError
+
+from .source import LARGEST_BALL, shown
+from .text import replace_whole
+
+COLUMNS = ("x", "y", "z", "i", "j", "k", "nominal_x", "nominal_y", "nominal_z", "deviation", "id")
+"""What a column can be."""
+
+SEPARATORS = {"comma": ",", "semicolon": ";", "tab": "\t", "blank": None}
+"""Separators by name; any other single character that is no part of a number can be given itself."""
+
+DECIMALS = {"point": ".", "comma": ","}
+
+_LAST_LINE = 1_000_000
+_LAST_COLUMN = 10_000
+_LARGEST_FILE = 1 << 20
+
+
+@dataclass(frozen=True, slots=True)
+class TextMapping:
+    r"""Layout of a text file with one measured point a row.
+
+    Parameters
+    ----------
+    columns : dict of str to (str or int)
+        For each of `COLUMNS` that the file has, the column's name in the header, or its number from 1.
+    separator : str
+        Name from `SEPARATORS`, or one character.
+    decimal : {"point", "comma"}
+        Decimal mark.
+    header : int, optional
+        Number of the line with the names, from 1; by default the first that has all of them.
+    skip : int
+        So many lines at the head of the file are no rows.
+    end : str
+        The first line below the header that begins with this, and all behind it, are no rows; empty: none.
+    comments : tuple of str
+        From one of these on, at the start of a line or behind a blank, comma or semicolon, a line is no data.
+    encoding : str, optional
+        Python's name of the encoding, where it is not UTF-8, UTF-16 or Windows-1252.
+    units : {"mm", "inch"}, optional
+        Unit of coordinates and deviations.
+    points : {"contact", "centre"}, optional
+        What the coordinates are.
+    probe_radius : float, optional
+        Radius of the probe ball in mm, whatever the unit of the file.
+    only : dict of str to tuple of str
+        Only rows count in which these columns, by name or number, hold one of these texts, in upper or lower case.
+    name : str
+        What the layout is called.
+    source : str
+        File that the mapping came from.
+    """
+
+    columns: dict[str, str | int]
+    separator: str = "comma"
+    decimal: str = "point"
+    header: int | None = None
+    skip: int = 0
+    end: str = ""
+    comments: tuple[str, ...] = ("#", "//")
+    encoding: str | None = None
+    units: str | None = None
+    points: str | None = None
+    probe_radius: float | None = None
+    only: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    name: str = ""
+    source: str = field(default="", compare=False)
+
+    def __post_init__(self) -> None:
+        for item in fields(self):
+            if item.name in _CHECKS:
+                _check(item.name, getattr(self, item.name), self.source)
+        _check_together(self)
+
+
+def load(path: str | Path) -> TextMapping:
+    """Mapping from a TOML file.
+
+    Raises
+    ------
+    FormatError
+        If the file cannot be read, or a key is unknown or has no such value; names the file and the key.
+    """
+    path = Path(path)
+    try:
+        if path.stat().st_size > _LARGEST_FILE:
+            raise FormatError("too large for a mapping", path)
+        table = tomllib.loads(path.read_bytes().decode("utf-8-sig"))
+    except OSError as error:
+        raise FormatError(f"the mapping cannot be read: {error.strerror or error}", path) from error
+    except UnicodeDecodeError as error:
+        raise FormatError("the mapping is no text in UTF-8", path) from error
+    except tomllib.TOMLDecodeError as error:
+        found = re.search(r"at line (\d+)", str(error))
+        reason = re.sub(r"\s*\(at .*", "", str(error))
+        raise FormatError(f"no TOML: {shown(reason)}", path, int(found[1]) if found else None) from error
+    except (ValueError, RecursionError) as error:
+        raise FormatError("no TOML that describes a mapping", path) from error
+    return _from_table(table, str(path))
+
+
+def save(path: str | Path, mapping: TextMapping) -> Path:
+    """Write a mapping as TOML that `load` takes back; the file is replaced as a whole."""
+    path = Path(path)
+    head, tables = ["# SPDX-License-Identifier: LGPL-2.1-or-later"], []
+    for item in fields(mapping):
+        value = getattr(mapping, item.name)
+        if item.name == "source" or value is None or value == "":
+            continue
+        if isinstance(value, dict):
+            rows = [f"{_quoted(key)} = {_in_toml(v)}" for key, v in value.items()]
+            tables += ["", f"[{item.name}]", *rows] if rows else []
+        else:
+            head.append(f"{item.name} = {_in_toml(value)}")
+    replace_whole(path, "\n".join([*head, *tables, ""]))
+    return path
+
+
+def _in_toml(value: object) -> str:
+    if isinstance(value, str):
+        return _quoted(value)
+    if isinstance(value, tuple):
+        return "[" + ", ".join(map(_quoted, value)) + "]"
+    return repr(value)
+
+
+def _quoted(text: str) -> str:
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def _from_table(table: dict[str, Any], name: str) -> TextMapping:
+    known = [item.name for item in fields(TextMapping) if item.name != "source"]
+    for key in table:
+        if key not in known:
+            near = difflib.get_close_matches(key, known, 1)
+            hint = f"did you mean {near[0]}?" if near else f"a mapping has {', '.join(known)}"
+            raise FormatError(f"{shown(key)} is no key of a mapping: {hint}", name)
+    if "columns" not in table:
+        raise FormatError("[columns] is missing: it says at least which columns are x and y", name)
+    values = dict(table)
+    if isinstance(values.get("comments"), list):
+        values["comments"] = tuple(values["comments"])
+    if isinstance(values.get("probe_radius"), int) and not isinstance(values["probe_radius"], bool):
+        values["probe_radius"] = float(min(values["probe_radius"], 10**9))
+    if isinstance(values.get("only"), dict):
+        values["only"] = {key: _texts(value) for key, value in values["only"].items()}
+    return TextMapping(**values, source=name)
+
+
+def _texts(value: object) -> object:
+    return (value,) if isinstance(value, str) else tuple(value) if isinstance(value, list) else value
+
+
+def _is_number(value: object, least: int, most: int) -> bool:
+    return isinstance(value, int) and not isinstance(value, bool) and least <= value <= most
+
+
+def _is_text(value: object) -> bool:
+    return isinstance(value, str) and "\n" not in value and "\r" not in value
+
+
+def _is_encoding(value: object) -> bool:
+    try:
+        return isinstance(value, str) and b"1".decode(value) is not None
+    except UnicodeError:
+        return True
+    except (LookupError, ValueError, TypeError):
+        return False
+
+
+def _is_separator(value: object) -> bool:
+    if not isinstance(value, str):
+        return False
+    return value in SEPARATORS or (len(value) == 1 and " " < value < "\x7f" and not re.match(r'[\w.+"-]', value))
+
+
+def _is_place(value: object) -> bool:
+    return _is_number(value, 1, _LAST_COLUMN) or (_is_text(value) and bool(str(value).strip()))
+
+
+def _are_texts(value: object) -> bool:
+    return isinstance(value, tuple) and bool(value) and all(map(_is_text, value))
+
+
+_CHECKS: dict[str, tuple[Callable[[object], bool], str]] = {
+    "separator": (_is_separator, "comma, semicolon, tab, blank, or one character that is no part of a number"),
+    "decimal": (lambda v: isinstance(v, str) and v in DECIMALS, "point or comma"),
+    "header": (lambda v: v is None or _is_number(v, 1, _LAST_LINE), "the number of a line, from 1"),
+    "skip": (lambda v: _is_number(v, 0, _LAST_LINE), "a number of lines, from 0"),
+    "end": (_is_text, "a text"),
+    "comments": (
+        lambda v: v == () or (_are_texts(v) and isinstance(v, tuple) and all(t.strip() for t in v)),
+        "a list of texts",
+    ),
+    "encoding": (lambda v: v is None or _is_encoding(v), "the name of an encoding of text"),
+    "units": (lambda v: v is None or v in ("mm", "inch"), "mm or inch"),
+    "points": (lambda v: v is None or v in ("contact", "centre"), "contact or centre"),
+    "probe_radius": (
+        lambda v: v is None or (isinstance(v, float) and math.isfinite(v) and 0 < v <= LARGEST_BALL),
+        f"the radius of the probe ball in mm, up to {LARGEST_BALL:g}",
+    ),
+    "name": (_is_text, "a text"),
+    "columns": (lambda v: isinstance(v, dict), "a table"),
+    "only": (lambda v: isinstance(v, dict), "a table"),
+}
+
+
+def _check(key: str, value: object, source: str) -> None:
+    test, wanted = _CHECKS[key]
+    if not test(value):
+        raise FormatError(f"{key} is {wanted}, not {shown(repr(value))}", source or None)
+
+
+def _check_together(mapping: TextMapping) -> None:
+    """FormatError where the values of two keys, or of a table, do not go together."""
+
+    def refuse(message: str) -> None:
+        raise FormatError(message, mapping.source or None)
+
+    columns = mapping.columns
+    for key, place in columns.items():
+        if key not in COLUMNS:
+            refuse(f"columns: {shown(key)} is none of {', '.join(COLUMNS)}")
+        if not _is_place(place):
+            refuse(f"columns.{key} is a name in the header or a number from 1, not {shown(repr(place))}")
+    if len({str(p).strip().casefold() if isinstance(p, str) else p for p in columns.values()}) < len(columns):
+        refuse("columns: two are the same column of the file")
+    for key, texts in mapping.only.items():
+        if not _are_texts(texts):
+            refuse(f"only: {shown(key)} is a text or a list of texts, not {shown(repr(texts))}")
+        if not key.strip() or (key.isdecimal() and not (key.isascii() and 1 <= int(key[:9]) <= _LAST_COLUMN)):
+            refuse(f"only: {shown(key)} is no column")
+    groups = (("x", "y"), ("i", "j"), ("nominal_x", "nominal_y"))
+    for first, second in groups:
+        third = {"x": "z", "i": "k", "nominal_x": "nominal_z"}[first]
+        there = {first, second, third} & columns.keys()
+        if (there or first == "x") and not {first, second} <= there:
+            refuse(f"columns: {first if first not in there else second} is missing")
+    if "nominal_x" in columns and ("nominal_z" in columns) != ("z" in columns):
+        refuse("columns: z and nominal_z go together")
+    if mapping.probe_radius is not None and mapping.points == "contact":
+        refuse("probe_radius is for points = 'centre'; contact points need none")
+    if mapping.decimal == "comma" and mapping.separator in ("comma", ","):
+        refuse("decimal and separator cannot both be the comma")
