@@ -39,6 +39,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     except OSError as error:
         where = error.filename or ""
         return _failed(arguments, f"{where}: {error.strerror or error}", EXIT_INPUT)
+    except ModuleNotFoundError as error:
+        remedy = "pip install numpy scipy shapely, or use build/venv/bin/python after `make demo`"
+        return _failed(arguments, f"this Python lacks the package {error.name}: {remedy}", EXIT_USAGE)
     except KeyboardInterrupt:
         return _failed(arguments, "interrupted; nothing was written", 130)
     except Exception as error:  # noqa: BLE001 - the contract: one line, never a traceback

@@ -103,8 +103,14 @@ def nominal_of(
     material_right: bool,
     measurement: Measurement | None,
     name: str,
-) -> Profile:
+) -> tuple[Profile, int]:
     """The nominal profile that a program shows: the contours it cuts near the measured points.
+
+    Returns
+    -------
+    Profile
+    others : int
+        How many contours it cuts beside them.
 
     Raises
     ------
@@ -121,12 +127,19 @@ def nominal_of(
         except InputError as error:
             trouble.append(str(error))
     contours = _different([c.contour for c in found])
-    if contours and measurement is not None:
-        contours = _measured(contours, measurement)
     if not contours:
-        why = trouble[0] if trouble else "no contour that the program cuts lies near the measured points"
-        raise InputError(f"{name}: {why}")
-    return Profile.from_contours(contours)
+        raise InputError(f"{name}: {trouble[0] if trouble else 'the program cuts no contour in the XY plane'}")
+    if measurement is None:
+        return Profile.from_contours(contours), 0
+    near = _measured(contours, measurement)
+    if not near:
+        feet = FootPointSearch(Profile.from_contours(contours)).find(measurement.points[:, :2])
+        typical = float(np.median(np.abs(feet.distance - measurement.ball_radius)))
+        raise InputError(
+            f"{measurement.source}: the points lie typically {typical:.3f} mm off the nearest contour that {name} "
+            "cuts: check --tool-diameter, --side, --points, --units, and the work frame"
+        )
+    return Profile.from_contours(near), len(contours) - len(near)
 
 
 def _different(contours: list[Contour]) -> list[Contour]:

@@ -28,6 +28,9 @@ CONSTANT_OFFSET = 0.2
 SMALL_SCATTER = 0.15
 """Scatter of an offset, as a share of it, up to which it counts as constant."""
 
+MANY_REJECTED = 0.4
+"""A larger share of points that cannot be used means the wrong program, part or frame."""
+
 MISALIGNED = 0.05
 """A shift or turn of the whole part that moves points by more than this, in mm, is dangerous to correct."""
 
@@ -55,6 +58,7 @@ NAMES = (
     "outliers",
     "other-nominal",
     "stated-deviations",
+    "many-rejected",
 )
 
 
@@ -214,7 +218,10 @@ def _constant_offset(offset: float, scatter: float, ball: float, cutter_radius: 
         text = f"{seen}, the cutter's diameter: the profile was taken on the wrong side of the path: --side"
         return Finding("wrong-side", text, True)
     if ball == 0 and CONSTANT_OFFSET < offset < 10:
-        text = f"{seen}: they look like ball centres: --points centre --probe-radius {offset:.3f}"
+        text = (
+            f"{seen}: they look like centres of a ball of about that radius: --points centre with the radius from the "
+            "probe's calibration; or the tool differs from --tool-diameter"
+        )
         return Finding("ball-not-compensated", text, True)
     return Finding("constant-offset", f"{seen}: check --tool-diameter, --probe-radius and the work frame", True)
 
@@ -266,12 +273,24 @@ def examine_deviations(
                 False,
             )
         )
-    misaligned = _misalignment(deviation, machine, profile)
+    read = len(deviation) + len(deviation.rejected)
+    if len(deviation.rejected) > MANY_REJECTED * read:
+        text = (
+            f"only {len(deviation)} of {read} points can be used, most others are {_commonest(deviation)}: is the "
+            "program whole, and is it the one that cut the part?"
+        )
+        found.append(Finding("many-rejected", text, True))
+    misaligned = _misalignment(deviation, profile)
     return tuple(found) if misaligned is None else (*found, misaligned)
 
 
-def _misalignment(deviation: Deviation, machine: Floats, profile: Profile) -> Finding | None:
-    """A rigid shift or turn that explains most of the deviations, over what a constant explains."""
+def _commonest(deviation: Deviation) -> str:
+    reasons = [r.reason for r in deviation.rejected]
+    return max(set(reasons), key=reasons.count)
+
+
+def _misalignment(deviation: Deviation, profile: Profile) -> Finding | None:
+    """A rigid shift or turn that by itself explains most of the deviations."""
     if len(deviation) < 10:
         return None
     n = deviation.normal
@@ -287,11 +306,12 @@ def _misalignment(deviation: Deviation, machine: Floats, profile: Profile) -> Fi
     design = design[:, np.concatenate([[True], strong])]
     if design.shape[1] < 2 or np.linalg.cond(design) > 20:
         return None
-    clipped = np.clip(machine, *np.percentile(machine, [2, 98]))
+    clipped = np.clip(deviation.value, *np.percentile(deviation.value, [2, 98]))
     fitted = np.linalg.lstsq(design, clipped, rcond=None)[0]
     rigid = design[:, 1:] @ fitted[1:]
-    total = float(clipped.var())
-    explained = 1.0 - float((clipped - design @ fitted).var()) / total if total > 0 else 0.0
+    total = float((clipped**2).mean())
+    # A constant is no motion: what it explains is not the shift's.
+    explained = 1.0 - float(((clipped - rigid) ** 2).mean()) / total if total > 0 else 0.0
     moved = float(np.abs(rigid).max())
     if explained < 0.7 or moved < 0.005:
         return None

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from dataclasses import dataclass
 
 import numpy as np
@@ -88,6 +89,13 @@ class Measurement:
 
     def __len__(self) -> int:
         return len(self.points)
+
+    @property
+    def fingerprint(self) -> str:
+        """SHA-256 of the points to 0.1 um in any order: the same measurement, however it was saved."""
+        rounded = np.round(self.points * 1e4).astype(np.int64)
+        ordered = rounded[np.lexsort(rounded.T)]
+        return hashlib.sha256(np.ascontiguousarray(ordered, dtype="<i8").tobytes()).hexdigest()
 
     def origin(self, row: int) -> str:
         """Where a point comes from: file, line and, where the file names it, its name; `row` counts from 0."""

@@ -21,8 +21,12 @@ from .toolpath import Toolpath
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
+Bools = NDArray[np.bool_]
 
 SAMPLES = np.linspace(0.0, 1.0, 9)
+BESIDE = 0.02
+"""A move whose distance from the profile varies by less than this, in mm, runs along it."""
+
 NOWHERE = np.iinfo(np.int64).min
 
 
@@ -40,6 +44,8 @@ class Following:
         Arc length on the piece, mm, at the part's first and last sample; NaN about a joint.
     begin, end : (e,) float64
         Fractions of the move between which the part lies.
+    middle : (e,) float64
+        Arc length on the piece, mm, in the middle of the part; NaN about a joint.
     way : (e,) float64
         1 where the part runs in the profile's direction, -1 against it; 0 about a joint.
     chain : (e,) int64
@@ -47,6 +53,8 @@ class Following:
     error : (n,) float64
         For every row of the toolpath the distance in mm by which it is off the nominal's exact parallel at
         most; NaN for rows that do not follow.
+    beside : (n,) bool
+        For every row of the toolpath, whether it runs along the profile at another distance.
     distance : float
         Of the feed moves that do not follow, the smallest typical distance from the profile, mm.
     """
@@ -57,9 +65,11 @@ class Following:
     last: Floats
     begin: Floats
     end: Floats
+    middle: Floats
     way: Floats
     chain: Ints
     error: Floats
+    beside: Bools
     distance: float
 
 
@@ -97,7 +107,10 @@ def follow(
     none = np.zeros(0, dtype=np.int64)
     if not len(index):
         empty = np.zeros(0)
-        return Following(none, none, empty, empty, empty, empty, empty, none, error, np.inf)
+        beside = np.zeros(len(toolpath), dtype=bool)
+        return Following(
+            none, none, empty, empty, empty, empty, empty, empty, none, error, beside, np.inf
+        )
     points = toolpath.take(index).position(SAMPLES)[:, :, :2].reshape(-1, 2)
     label, sigma, off = _label(points, contour, radius, band)
     k = len(SAMPLES)
@@ -107,7 +120,7 @@ def follow(
     good = (label[:, inner] != NOWHERE).all(axis=1) & _steady(label, sigma, contour)
     ends_on_piece = _ends_on_their_piece(label, sigma, points.reshape(-1, k, 2), contour, radius)
     advance = _advance(label, sigma, contour)
-    row, piece, first, last, begin, end, way = [], [], [], [], [], [], []
+    row, piece, first, last, begin, end, middle, way = [], [], [], [], [], [], [], []
     for i in np.flatnonzero(good):
         names = label[i, inner]
         cuts = np.flatnonzero(np.diff(names)) + 1
@@ -117,6 +130,7 @@ def follow(
             piece.append(names[a])
             first.append(ends_on_piece[i, 0] if a == 0 else sigma[i, a + 1])
             last.append(ends_on_piece[i, 1] if b == k - 2 else sigma[i, b])
+            middle.append(sigma[i, (a + b + 1) // 2])
             way.append(np.sign(advance[i, a + 1 : b].sum()))
             begin.append(0.0 if a == 0 else float(SAMPLES[a] + SAMPLES[a + 1]) / 2)
             end.append(1.0 if b == k - 2 else float(SAMPLES[b] + SAMPLES[b + 1]) / 2)
@@ -131,6 +145,9 @@ def follow(
         between = travelled[row_array[1:]] - travelled[row_array[:-1] + 1]
         meets = np.hypot(*(toolpath.start[row_array[1:], :2] - toolpath.end[row_array[:-1], :2]).T) < 1e-9
         joined[1:] = (row_array[1:] == row_array[:-1]) | (meets & (np.abs(between) < 1e-9))
+    beside = np.zeros(len(toolpath), dtype=bool)
+    along = (np.ptp(off, axis=1) < BESIDE) & (np.abs(off).max(axis=1) < max(3 * radius, 10.0))
+    beside[index[along & ~good & (toolpath.take(index).length() > 2.0)]] = True
     distance = np.median(np.abs(off), axis=1)
     apart = distance[~good]
     return Following(
@@ -140,9 +157,11 @@ def follow(
         np.array(last),
         np.array(begin),
         np.array(end),
+        np.array(middle),
         np.array(way),
         np.cumsum(~joined) - 1,
         error,
+        beside,
         float(apart.min()) if len(apart) else np.inf,
     )
 
@@ -221,7 +240,10 @@ def _ends_on_their_piece(
     k = label.shape[1]
     out = sigma[:, [0, k - 1]].copy()
     for column, end, inside in ((0, 0, 1), (1, k - 1, k - 2)):
-        rows = np.flatnonzero((label[:, end] != label[:, inside]) & (label[:, inside] >= 0))
+        piece = np.maximum(label[:, inside], 0)
+        # At the only corner of a contour the foot may lie at the piece's other end.
+        jumps = ~contour.closed[piece] & (np.abs(sigma[:, end] - sigma[:, inside]) > contour.length[piece] / 2)
+        rows = np.flatnonzero(((label[:, end] != label[:, inside]) | jumps) & (label[:, inside] >= 0))
         if len(rows):
             step = sigma[rows, inside] - sigma[rows, 2 * inside - end]
             guess = sigma[rows, inside] + np.where(np.isfinite(step), step, 0.0)

@@ -29,6 +29,9 @@ Ints = NDArray[np.int64]
 
 log = logging.getLogger(__name__)
 
+LARGEST_TOLERANCE = 0.05
+"""Path errors beyond this, in mm, are as large as the deviations worth correcting."""
+
 
 @dataclass(frozen=True, slots=True)
 class Settings:
@@ -64,6 +67,10 @@ class Settings:
         for name in ("limit", "tolerance"):
             if not getattr(self, name) > 0:
                 raise UsageError(f"--{name} {getattr(self, name):g}: must be above 0")
+        if self.tolerance > LARGEST_TOLERANCE:
+            raise UsageError(
+                f"--tolerance {self.tolerance:g}: more than {LARGEST_TOLERANCE:g} mm would hide what is to be corrected"
+            )
         if not self.dead_band >= 0:
             raise UsageError(f"--dead-band {self.dead_band:g}: must not be negative")
 
@@ -252,7 +259,7 @@ def correct(request: Request) -> Result:
         raise UsageError(f"the tool diameter {2 * request.radius:g} mm must be a length above 0")
     warnings: list[str] = []
     carried = provenance.marks(program.comments())
-    digests = [m.digest for m in request.measurements]
+    digests = [m.fingerprint for m in request.measurements]
     if len(set(digests)) < len(digests):
         raise UsageError("the same measurement is given twice: averaging needs different parts")
     provenance.refuse_second_use(carried, digests, program.name, request.nominal is not None)
@@ -260,7 +267,7 @@ def correct(request: Request) -> Result:
     usable, path_radius = _usable(program, request.radius, settings)
     nominal = request.nominal
     if nominal is None:
-        nominal = _own_contour(program, settings, measurement, request.radius, path_radius, usable)
+        nominal = _own_contour(program, settings, measurement, request.radius, path_radius, usable, warnings)
     nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, request.nominal is not None)
     program.require_plain(beside_the_path(toolpath, commanded.following))
 
@@ -293,6 +300,7 @@ def correct(request: Request) -> Result:
         rows=usable,
         nominal_from_path=request.nominal is None,
     )
+    _refuse_detour(toolpath, regeneration)
     text = _written(request, regeneration)
     emitted = gcode.parse(text, program.name).toolpath
     if len(emitted) != len(regeneration.toolpath):
@@ -356,7 +364,7 @@ def nominal_from_program(
             f"{program.name}:{carried[-1].line}: --nominal names a corrected program; give the first, uncorrected one"
         )
     usable, path_radius = _usable(program, radius, settings)
-    return _own_contour(program, settings, measurement, radius, path_radius, usable)
+    return _own_contour(program, settings, measurement, radius, path_radius, usable, [])
 
 
 def _own_contour(
@@ -366,10 +374,15 @@ def _own_contour(
     radius: float,
     path_radius: float,
     usable: NDArray[np.bool_],
+    warnings: list[str],
 ) -> Profile:
     """The contour that the program cuts near the measured points."""
     right = choose_side(program.toolpath, usable, settings.side, measurement, radius, path_radius)
-    return nominal_of(program.toolpath, usable, path_radius, right, measurement, program.name)
+    nominal, others = nominal_of(program.toolpath, usable, path_radius, right, measurement, program.name)
+    if others:
+        contours = "another contour" if others == 1 else f"{others} other contours"
+        warnings.append(f"the program cuts {contours} without measured points: left as it is")
+    return nominal
 
 
 def _usable(program: gcode.Program, radius: float, settings: Settings) -> tuple[NDArray[np.bool_], float]:
@@ -552,6 +565,20 @@ def _refuse_crossing(nominal: Profile, contour: CompensatedContour) -> None:
             )
 
 
+def _refuse_detour(toolpath: Toolpath, regeneration: Regeneration) -> None:
+    """LimitError where the corrected path is much longer or shorter than the path it replaces."""
+    rows = np.unique(regeneration.origin[regeneration.following])
+    before = float(np.nansum(toolpath.take(rows).length()))
+    moves = regeneration.toolpath.take(np.flatnonzero(regeneration.following))
+    after = float(np.nansum(moves.length()))
+    # Every corner lengthens or shortens the path by a few times the correction.
+    if abs(after - before) > 0.01 * before + 8 * len(rows) * regeneration.largest_shift:
+        raise LimitError(
+            f"the corrected path along the contour would be {after:.3f} mm long in place of {before:.3f} mm: the "
+            "program does not run along the nominal as expected; check --nominal"
+        )
+
+
 def _written(request: Request, regeneration: Regeneration) -> bytes:
     """The corrected program; decimals as the program has them where the tolerance allows."""
     program, tolerance = request.program, request.settings.tolerance
@@ -573,7 +600,7 @@ def _header(request: Request) -> tuple[str, ...]:
     if request.measurement is None:
         return (f"millcorr {__version__} path laid on the exact nominal, no correction",)
     return provenance.header(
-        [(m.source, m.digest) for m in request.measurements],
+        [(m.source, m.fingerprint) for m in request.measurements],
         (program.name, program.digest),
         request.settings.in_words(),
     )
@@ -586,8 +613,9 @@ def _advice(work: _Work, loops: int, settings: Settings) -> tuple[str, ...]:
     if settings.gain != 1.0:
         left = 100 * (1 - settings.gain)
         return (f"gain {settings.gain:g} leaves {left:.0f} % of the determined deviation on purpose",)
+    ordinal = {1: "", 2: "twice ", 3: "three times "}.get(loops, f"{loops} times ")
     return (
-        "an elastic machine gives back MS/(1+MS) of every shift: after this correction expect that share "
-        f"to the power {loops} of the first deviation to be left (MS 0.05: {100 * (0.05 / 1.05) ** loops:.2g} %)",
+        f"tool and machine give way: a share MS/(1+MS) of every shift comes back, {ordinal}taken of the first "
+        f"deviation by now (a stiff machine, MS 0.05: {100 * (0.05 / 1.05) ** loops:.2g} % is left); measure the next part",
     )
 

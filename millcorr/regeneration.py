@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from .curve_moves import Intervals, fit_moves
 from .errors import LimitError, UsageError
+from .leads import carry_along, own_work
 from .path_following import Following, follow
 from .reconstruction import CompensatedContour
 from .theoretical_contour import SAME_POINT
@@ -148,8 +149,9 @@ def _vertices(
 
     this, after = _neighbours(toolpath, parts)
     a, b = parts.piece[this], parts.piece[after]
+    turned = _passes_joint(contour, parts, this, after)
     # Within one piece the vertex keeps the foot it has; both parts sample the same point.
-    same = (a == b) & (a >= 0)
+    same = (a == b) & (a >= 0) & ~turned
     t, f = this[same], after[same]
     near = np.abs(_wrapped(contour, parts.piece[t], sigma1[t] - sigma0[f])) <= 0.05 + 2 * np.abs(
         _part_length(parts, t)
@@ -159,19 +161,14 @@ def _vertices(
     start[f[near]] = end[t[near]]
 
     joints = contour.joints
-    by_pair: dict[tuple[int, int], tuple[int, bool]] = {}
-    for number, (p, q) in enumerate(zip(joints.before.tolist(), joints.after.tolist(), strict=True)):
-        by_pair[p, q] = (number, False)
-        by_pair.setdefault((q, p), (number, True))
-    found = [
-        (i, *by_pair[p, q])
-        for i, (p, q) in enumerate(zip(a.tolist(), b.tolist(), strict=True))
-        if p != q and (p, q) in by_pair
-    ]
-    if found:
-        rows = np.array([f[0] for f in found], dtype=np.int64)
-        j = np.array([f[1] for f in found], dtype=np.int64)
-        back = np.array([f[2] for f in found])
+    number = {pair: j for j, pair in enumerate(zip(joints.before.tolist(), joints.after.tolist(), strict=True))}
+    # Two pieces may meet at two joints; the direction of the path says which of them is passed.
+    forward = parts.way[this] >= 0
+    passed = zip(np.where(forward, a, b).tolist(), np.where(forward, b, a).tolist(), strict=True)
+    joint = np.array([number.get(pair, -1) for pair in passed], dtype=np.int64)
+    rows = np.flatnonzero((joint >= 0) & ((a != b) | turned))
+    if len(rows):
+        j, back = joint[rows], ~forward[rows]
         on_before, on_after = contour.meet(j, radius)
         t, f = this[rows], after[rows]
         sigma1[t] = np.where(back, on_after, on_before)
@@ -182,16 +179,26 @@ def _vertices(
     for i in np.flatnonzero((a >= 0) != (b >= 0)):
         t, f = int(this[i]), int(after[i])
         side, arc = (t, f) if parts.piece[t] >= 0 else (f, t)
-        piece, joint = int(parts.piece[side]), -1 - int(parts.piece[arc])
-        if piece not in (joints.before[joint], joints.after[joint]):
+        piece, about = int(parts.piece[side]), -1 - int(parts.piece[arc])
+        if piece not in (joints.before[about], joints.after[about]):
             raise LimitError(_lost(toolpath, int(parts.row[t])))
-        at = contour.high[piece] if piece == joints.before[joint] else contour.low[piece]
+        leaves_at_its_end = (side == t) == (parts.way[side] >= 0)
+        at = contour.high[piece] if leaves_at_its_end else contour.low[piece]
         vertex = contour.evaluate(np.array([piece]), np.array([at]), radius)[0][0]
         (sigma1 if side == t else sigma0)[side] = at
         end[t], start[f] = vertex, vertex
-    _end_at_known_corners(toolpath, parts, start, end, this, after, a != b)
+    _end_at_known_corners(toolpath, parts, start, end, this, after, (a != b) | turned)
     _round_corner_ends(toolpath, contour, radius, parts, start, end, this, after)
     return start, end, sigma0, sigma1
+
+
+def _passes_joint(contour: CompensatedContour, parts: Following, this: Ints, after: Ints) -> Bools:
+    """Pairs of parts on one piece between which the path passes the only corner of the contour."""
+    same = (parts.piece[this] == parts.piece[after]) & (parts.piece[this] >= 0)
+    open_ = ~contour.closed[np.maximum(parts.piece[this], 0)]
+    step = np.nan_to_num(parts.middle[after] - parts.middle[this])
+    out: Bools = same & open_ & (step * parts.way[this] < 0)
+    return out
 
 
 def _end_at_known_corners(
@@ -335,8 +342,7 @@ def _shifts(
 ) -> tuple[Floats, Floats]:
     """Displacement of the start and end of every row, (n, 2) each, in mm.
 
-    From each following chain the displacement is handed on, rigidly, along everything up to the next rapid in
-    XY; between two chains each move takes that of the nearer one, and one link takes up the difference.
+    Leads go along rigidly, see `leads`.
     """
     n = len(toolpath)
     shift0, shift1 = np.zeros((n, 2)), np.zeros((n, 2))
@@ -346,43 +352,7 @@ def _shifts(
     shift1[parts.row[last]] = end[last] - toolpath.end[parts.row[last], :2]
     following = np.zeros(n, dtype=bool)
     following[parts.row] = True
-    reached = np.full((n, 2), np.inf)
-    reached[following] = 0.0
-    travel = np.hypot(*(toolpath.end[:, :2] - toolpath.start[:, :2]).T)
-    round_travel = np.where(toolpath.sweep != 0, np.nan_to_num(toolpath.length()), 0.0)
-    travel = np.maximum(np.nan_to_num(travel), round_travel)
-    jump = np.asarray((toolpath.kind == int(Kind.RAPID)) & (travel > 1e-9))
-    broken = np.asarray(~np.isfinite(np.hstack([toolpath.start[:, :2], toolpath.end[:, :2]])).all(axis=1))
-
-    chains = np.flatnonzero(following)
-    heads = chains[np.concatenate([[True], np.diff(chains) > 1])]
-    tails = chains[np.concatenate([np.diff(chains) > 1, [True]])]
-    for tail in tails:
-        moved, distance = shift1[tail], 0.0
-        for i in range(int(tail) + 1, n):
-            if following[i]:
-                break
-            if distance < reached[i, 0]:
-                shift0[i], reached[i, 0] = moved, distance
-            if jump[i] or broken[i]:
-                break
-            distance += float(travel[i])
-            if distance < reached[i, 1]:
-                shift1[i], reached[i, 1] = moved, distance
-    for head in heads:
-        moved, distance = shift0[head], 0.0
-        for i in range(int(head) - 1, -1, -1):
-            if following[i]:
-                break
-            if not np.isfinite(toolpath.end[i, :2]).all():
-                break
-            if distance < reached[i, 1]:
-                shift1[i], reached[i, 1] = moved, distance
-            if jump[i] or broken[i]:
-                break
-            distance += float(travel[i])
-            if distance < reached[i, 0]:
-                shift0[i], reached[i, 0] = moved, distance
+    carry_along(toolpath, following, own_work(toolpath, following, parts.beside), shift0, shift1)
     return shift0, shift1
 
 

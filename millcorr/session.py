@@ -75,6 +75,8 @@ def correct_program(
     MillcorrError
         See `pipeline.correct`; nothing is written then.
     """
+    if points == "contact" and probe_radius is not None:
+        raise UsageError("--probe-radius belongs to --points centre: contact points lie on the part already")
     if tool_diameter is None:
         raise UsageError("--program needs --tool-diameter: the program does not say how large the cutter is")
     first = None if nominal is None else Path(nominal.partition("#")[0])
@@ -277,8 +279,12 @@ def replaced_whole(path: Path | None, data: bytes) -> Iterator[None]:
         return
     # A link stays a link; the file it names is replaced.
     path = path.resolve()
-    path.parent.mkdir(parents=True, exist_ok=True)
-    handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+    if not path.parent.is_dir():
+        raise UsageError(f"--output {path}: there is no directory {path.parent}")
+    try:
+        handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+    except OSError as error:
+        raise UsageError(f"--output {path}: cannot be written: {error.strerror}") from error
     try:
         with os.fdopen(handle, "wb") as file:
             file.write(data)

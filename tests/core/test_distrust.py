@@ -8,7 +8,7 @@ import pytest
 
 from millcorr import gcode, pipeline
 from millcorr.distrust import NAMES
-from millcorr.errors import DistrustError, InputError, UsageError
+from millcorr.errors import DistrustError, InputError, RefusedError, UsageError
 from millcorr.measurement import Measurement
 from millcorr.simulated_machine import reference_contour
 from tests.core.loop_programs import measured
@@ -36,7 +36,7 @@ CENTRES = measured(NOMINAL, lambda k, s: wave(k, s) + 1.0).points
 DANGEROUS = {
     "unit": (changed(PLAIN / 25.4), "--units inch"),
     "mirrored": (changed(PLAIN * [-1, 1, 1]), "x reversed"),
-    "ball-not-compensated": (changed(CENTRES), r"--points centre --probe-radius 1\.01"),
+    "ball-not-compensated": (changed(CENTRES), r"ball of about that radius: --points centre"),
     "compensated-twice": (changed(PLAIN, 1.0), "--points contact"),
     "diameter-for-radius": (changed(CENTRES, 2.0), "--probe-radius 1"),
     "radius-for-diameter": (changed(CENTRES, 0.5), "--probe-radius 1"),
@@ -90,8 +90,28 @@ def test_outliers_are_counted() -> None:
 
 
 def test_a_small_shift_is_only_a_warning() -> None:
-    result = run(changed(PLAIN + [0.02, 0.0, 0.0]))
-    assert any("shift of X+2" in w for w in result.warnings)
+    result = run(changed(PLAIN + [0.04, 0.0, 0.0]))
+    assert any("shift of X+" in w for w in result.warnings)
+
+
+def test_a_tool_error_is_no_shift() -> None:
+    result = run(measured(NOMINAL, lambda k, s: 0.02 + 0.005 * np.cos(2 * np.pi * s / NOMINAL.total[0])))
+    assert not any("shift" in w for w in result.warnings)
+
+
+def test_half_a_program_is_refused() -> None:
+    whole = PROGRAM.data.splitlines(keepends=True)
+    half = gcode.parse(b"".join(whole[: len(whole) // 3]), "cut.nc")
+    with pytest.raises(DistrustError, match="is the program whole"):
+        pipeline.correct(pipeline.Request(half, 5.0, changed(PLAIN), None, pipeline.Settings(side="right")))
+
+
+def test_the_same_points_saved_differently_are_the_same_measurement() -> None:
+    first = changed(PLAIN)
+    reversed_ = Measurement(PLAIN[::-1].copy(), None, 0.0, np.arange(1, len(PLAIN) + 1), "again.csv", "ef" * 32)
+    program = gcode.parse(run(first).text, "second.nc")
+    with pytest.raises(RefusedError, match="applied on"):
+        pipeline.correct(pipeline.Request(program, 5.0, reversed_, NOMINAL))
 
 
 def test_names_to_accept_must_exist() -> None:

@@ -141,7 +141,7 @@ def test_reference_contour_through_three_loops_on_an_elastic_machine() -> None:
     share = ms / (1 + ms)
     # The path itself is exact to the tolerance of a micrometre.
     assert left == pytest.approx([wanted * share**k for k in range(4)], abs=0.0005)
-    assert "to the power 3" in " ".join(result.advice)
+    assert "three times taken" in " ".join(result.advice)
 
 
 def spline_program(nominal, radius: float, count: int = 800):
@@ -362,3 +362,46 @@ def test_full_circles_both_ways(word: str, side: str, halves: bool) -> None:
     result = pipeline.correct(pipeline.Request(program, 5.0, measurement, None, pipeline.Settings(filter="none")))
     assert result.verification.path_error_max <= 0.001
     assert np.abs(result.predicted).max() < 1e-9
+
+
+CHAINED = """G21 G90
+G0 X-20 Y-20
+G0 Z5
+G1 Z-5 F100
+G1 X-5.3 Y-5.3 F300
+X105.3
+Y55.3
+X-5.3
+Y-5.3
+X-5 Y-5
+X105
+Y55
+X-5
+Y-5
+Y-9
+G1 Z5
+G1 X200 Y25
+G1 Z-5
+G3 X200 Y25 I20 J0
+G1 Z5
+G0 Z20
+M30
+"""
+
+
+def test_other_contours_and_roughing_passes_stay_where_they_are() -> None:
+    """A roughing pass, the finishing pass and another contour, chained by feed moves; only the second is measured."""
+    program = gcode.parse(CHAINED, "chained.nc")
+    nominal = nominal_of("mitres")[1]
+    measurement = programs.measured(nominal, lambda k, s: np.full(len(s), -0.15))
+    result = pipeline.correct(pipeline.Request(program, 5.0, measurement, nominal, pipeline.Settings(filter="none")))
+    text = [line for line in result.text.decode().splitlines() if not line.startswith("(")]
+    kept = ["X105.3", "Y55.3", "X-5.3", "G1 X200 Y25", "G3 X200 Y25 I20 J0"]
+    assert [line for line in text if line in kept] == kept
+    for line in ("X105.15", "Y55.15", "X-5.15"):
+        assert line in text
+    before, after = program.toolpath, gcode.parse(result.text).toolpath
+    # The roughing pass ends where it ended; the link to the finishing pass takes up the difference.
+    assert after.end[7].tolist() == before.end[7].tolist()
+    plunge = np.flatnonzero((after.kind == 1) & (np.abs(after.end - after.start)[:, :2].max(axis=1) == 0))
+    assert len(plunge) == len(np.flatnonzero((before.kind == 1) & (np.abs(before.end - before.start)[:, :2].max(axis=1) == 0)))

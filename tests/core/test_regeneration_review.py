@@ -93,11 +93,8 @@ def go(profile: Profile, elements: list[Element], climb: bool) -> None:
     check(done, contour, sum(e.length for e in elements))
 
 
-open_bug = pytest.mark.xfail(strict=True, reason="contours with one corner, or with two run backwards")
-
-
 @pytest.mark.parametrize(
-    ("climb", "mitre"), [(False, False), (False, True), (True, False), pytest.param(True, True, marks=open_bug)]
+    ("climb", "mitre"), [(False, False), (False, True), (True, False), (True, True)]
 )
 def test_two_corners(mitre, climb):
     """Run backwards, the joint from piece 1 to piece 0 is taken for the other joint between the same two."""
@@ -105,7 +102,6 @@ def test_two_corners(mitre, climb):
     go(part.profile, part.path(R, mitre), climb)
 
 
-@open_bug
 @pytest.mark.parametrize("mitre", [False, True])
 @pytest.mark.parametrize("climb", [False, True])
 def test_one_corner(mitre, climb):
@@ -114,7 +110,6 @@ def test_one_corner(mitre, climb):
     go(part.profile, part.path(R, mitre), climb)
 
 
-@open_bug
 @pytest.mark.parametrize("climb", [False, True])
 def test_one_inner_corner(climb):
     vertices = rectangle(60.0, 40.0).vertices[::-1].copy()
