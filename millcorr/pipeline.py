@@ -616,6 +616,7 @@ def _advice(work: _Work, loops: int, settings: Settings) -> tuple[str, ...]:
     ordinal = {1: "", 2: "twice ", 3: "three times "}.get(loops, f"{loops} times ")
     return (
         f"tool and machine give way: a share MS/(1+MS) of every shift comes back, {ordinal}taken of the first "
-        f"deviation by now (a stiff machine, MS 0.05: {100 * (0.05 / 1.05) ** loops:.2g} % is left); measure the next part",
+        f"deviation by now (a stiff machine, MS 0.05: {100 * (0.05 / 1.05) ** loops:.2g} % is left); measure the next "
+        "part",
     )
 

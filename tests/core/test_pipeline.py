@@ -403,5 +403,7 @@ def test_other_contours_and_roughing_passes_stay_where_they_are() -> None:
     before, after = program.toolpath, gcode.parse(result.text).toolpath
     # The roughing pass ends where it ended; the link to the finishing pass takes up the difference.
     assert after.end[7].tolist() == before.end[7].tolist()
-    plunge = np.flatnonzero((after.kind == 1) & (np.abs(after.end - after.start)[:, :2].max(axis=1) == 0))
-    assert len(plunge) == len(np.flatnonzero((before.kind == 1) & (np.abs(before.end - before.start)[:, :2].max(axis=1) == 0)))
+    def plunges(path):
+        return int(((path.kind == 1) & (np.abs(path.end - path.start)[:, :2].max(axis=1) == 0)).sum())
+
+    assert plunges(after) == plunges(before)
