@@ -98,6 +98,7 @@ def _add_measurement(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("--points", choices=("contact", "centre"), help="what the measured points are")
     verb.add_argument("--probe-radius", metavar="MM", type=float, help="ball radius, for --points centre")
     verb.add_argument("--units", choices=("mm", "inch"), help="unit of the measured file")
+    verb.add_argument("--part", metavar="N", type=int, help="which of several measured parts in one file, from 1")
     columns = "what the columns of a text file are, for layouts that no format covers"
     verb.add_argument("--mapping", metavar="FILE.toml", type=Path, help=columns)
 
@@ -162,7 +163,7 @@ def _convert(arguments: argparse.Namespace) -> None:
 
 
 def _measurement_options(arguments: argparse.Namespace) -> dict[str, Any]:
-    return {name: getattr(arguments, name) for name in ("format", "points", "probe_radius", "units", "mapping")}
+    return {name: getattr(arguments, name) for name in ("format", "points", "probe_radius", "units", "mapping", "part")}
 
 
 def _run(arguments: argparse.Namespace, output: Path | None) -> None:

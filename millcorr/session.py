@@ -32,6 +32,7 @@ def correct_program(
     units: str | None = None,
     format: str | None = None,
     mapping: Path | None = None,
+    part: int | None = None,
     nominal: str | None = None,
     tool_diameter: float | None = None,
     output: Path | None = None,
@@ -56,6 +57,8 @@ def correct_program(
         Format of the measured file; by its content by default.
     mapping : Path, optional
         TOML file that says what the columns of a text file are.
+    part : int, optional
+        Which of several measured parts in one file, from 1.
     nominal : str, optional
         Drawing or first program; by default the contour that the program cuts.
     output : Path, optional
@@ -84,7 +87,15 @@ def correct_program(
     refuse_places({"--output": output}, report, {"program": program, "nominal": first, **inputs})
     chosen = pipeline.Settings(**(settings or {}))
     measurement, *further = (
-        readers.read(path, points=points, probe_radius=probe_radius, units=units, format=format, mapping=mapping)
+        readers.read(
+            path,
+            points=points,
+            probe_radius=probe_radius,
+            units=units,
+            format=format,
+            mapping=mapping,
+            part=part,
+        )
         for path in measured
     )
     source = nc.read(program)
@@ -139,10 +150,11 @@ def correct_document(
     MillcorrError
         See `pipeline.correct`; nothing is written then.
     """
-    if measurement.pop("mapping", None) is not None:
-        raise UsageError(
-            "--mapping does not go with --document: millcorr convert FILE --mapping ... -o POINTS.csv first"
-        )
+    for option in ("mapping", "part"):
+        if measurement.pop(option, None) is not None:
+            raise UsageError(
+                f"--{option} does not go with --document: millcorr convert FILE --{option} ... -o POINTS.csv first"
+            )
     inputs = {f"measured file {n}": path for n, path in enumerate(measured, 1)}
     refuse_places({"--output": output, "--gcode": gcode}, report, {"document": document, **inputs})
     places = {"output": output, "gcode": gcode, "report": report}
@@ -173,7 +185,7 @@ def inspect(measured: Path, **options: Any) -> str:
     ----------
     measured : Path
     **options
-        ``format, points, probe_radius, units, mapping`` as for `readers.read`; `points` may be left out.
+        ``format, points, probe_radius, units, mapping, part`` as for `readers.read`; `points` may be left out.
 
     Raises
     ------
@@ -216,7 +228,7 @@ def convert(measured: Path, output: Path, **options: Any) -> str:
     ----------
     measured, output : Path
     **options
-        ``format, points, probe_radius, units, mapping`` as for `readers.read`.
+        ``format, points, probe_radius, units, mapping, part`` as for `readers.read`.
 
     Raises
     ------

@@ -16,7 +16,7 @@ from typing import Protocol
 from millcorr.errors import FormatError, UsageError
 from millcorr.measurement import Measurement
 
-from . import dmis, dprnt, grbl, linuxcnc, mapped, msr, pcdmis, qif, renishaw, text, xyzijk
+from . import dmis, dprnt, grbl, linuxcnc, mapped, msr, pcdmis, qdas, qif, renishaw, text, xyzijk
 from .mapping import TextMapping, load
 from .source import Source
 
@@ -51,12 +51,15 @@ FORMATS: dict[str, Format] = {
     "grbl": grbl,
     "dprnt": dprnt,
     "renishaw": renishaw,
+    "qdas": qdas,
     "text": text,
 }
 """Module of each format by the name that ``--format`` takes; the last one takes whatever is left."""
 
 _POINTS = ("contact", "centre")
 _UNITS = ("mm", "inch")
+_SEVERAL_PARTS = ("qdas",)
+"""Formats whose files can hold several measured parts."""
 
 
 def read(
@@ -68,6 +71,7 @@ def read(
     format: str | None = None,
     work_offset: tuple[float, float, float] | None = None,
     mapping: str | Path | TextMapping | None = None,
+    part: int | None = None,
 ) -> Measurement:
     """Measured points from a file.
 
@@ -88,6 +92,8 @@ def read(
         Origin of the work frame in the machine frame, in mm, for files in the machine frame.
     mapping : str, Path or TextMapping, optional
         What the columns of a text file are, or the TOML file that says it; takes the place of a format.
+    part : int, optional
+        Which of several measured parts in one file, counted from 1.
 
     Returns
     -------
@@ -116,10 +122,13 @@ def read(
         raise UsageError(f"--mapping is for text that no format covers: leave --format {format} out")
     layout = load(mapping) if isinstance(mapping, (str, Path)) else mapping
     data = _content(path)
-    source = Source(data, str(path), sha256(data).hexdigest(), points, probe_radius, units, work_offset)
+    source = Source(data, str(path), sha256(data).hexdigest(), points, probe_radius, units, work_offset, part)
+    name = "mapped" if layout is not None else format or recognised(data)
+    if part is not None and name not in _SEVERAL_PARTS:
+        raise UsageError(f"--part {part}: {path} holds one measured part")
     if layout is not None:
         return mapped.read(source, layout)
-    return FORMATS[format or recognised(data)].read(source)
+    return FORMATS[name].read(source)
 
 
 def recognised(data: bytes) -> str:

@@ -6,7 +6,6 @@ from __future__ import annotations
 import csv
 import re
 from array import array
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,7 +16,7 @@ from millcorr.measurement import Measurement
 
 from .decimal_columns import decimal_columns
 from .decoding import decode
-from .fields import COMMA_NUMBER, NUMBER, mixed_marks, split, why_no_number
+from .fields import COMMA_NUMBER, NUMBER, lines_of, mixed_marks, split, why_no_number
 from .mapping import DECIMALS, SEPARATORS, TextMapping
 from .source import Source, shown
 from .text import check_last_number
@@ -135,7 +134,7 @@ def _table(text: str, source: Source, mapping: TextMapping) -> _Table:
 def _header(text: str, names: list[str], source: Source, mapping: TextMapping) -> tuple[int, list[str]]:
     """Index of the line with the names, and its fields in small letters."""
     best: tuple[int, int, list[str]] | None = None
-    for number, raw in enumerate(_lines(text, 0), 1):
+    for number, raw in enumerate(lines_of(text, 0), 1):
         if mapping.header is not None and number < mapping.header:
             continue
         if number > _HEADER_DEPTH and mapping.header is None:
@@ -170,16 +169,6 @@ def _header(text: str, names: list[str], source: Source, mapping: TextMapping) -
     raise source.error(f"{where} {verb} {columns} {shown(missing)}", best[1] if best[0] or mapping.header else None)
 
 
-def _lines(text: str, begin: int) -> Iterator[str]:
-    """Lines of a text from a place on, without cutting it up as a whole."""
-    while begin <= len(text):
-        end = text.find("\n", begin)
-        if end < 0:
-            end = len(text)
-        yield text[begin:end]
-        begin = end + 1
-
-
 def _split(line: str, separator: str | None) -> list[str]:
     if '"' not in line:
         return split(line, separator)
@@ -204,7 +193,7 @@ def _read_whole(text: str, table: _Table, mapping: TextMapping) -> tuple[Floats,
     separator = SEPARATORS.get(mapping.separator, mapping.separator)
     width = table.width
     if width is None:
-        width = len(_split(next(_lines(text, begin)), separator))
+        width = len(_split(next(lines_of(text, begin)), separator))
     if max(table.columns.values()) >= width:
         return None
     found = decimal_columns(text, separator, width, list(table.columns.values()), begin=begin, first=table.first + 1)
@@ -231,7 +220,7 @@ class _Rows:
 
     def read(self, text: str) -> tuple[Floats, Ints, list[str] | None]:
         number = 0
-        for number, raw in enumerate(_lines(text, 0), 1):
+        for number, raw in enumerate(lines_of(text, 0), 1):
             if number <= self.table.first:
                 continue
             if self.mapping.end and raw.lstrip().startswith(self.mapping.end.strip()):

@@ -62,6 +62,8 @@ class Source:
         Unit of the coordinates; None: what the file says.
     work_offset : tuple of 3 float, or None
         Origin of the work frame in the machine frame, in mm, for files in the machine frame.
+    part : int or None
+        Which of several measured parts in the file, from 1.
     """
 
     data: bytes
@@ -71,6 +73,7 @@ class Source:
     probe_radius: float | None = None
     units: str | None = None
     work_offset: tuple[float, float, float] | None = None
+    part: int | None = None
 
     def text(self, *, drop: bytes = b"") -> str:
         r"""Text of the file, lines ending in ``\n``.

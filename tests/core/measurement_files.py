@@ -370,6 +370,42 @@ def mapped(
     return "\n".join([*lines, ""]), keys
 
 
+# --- Q-DAS ------------------------------------------------------------------------------------------------
+
+
+def qdas(
+    parts: list[Part],
+    *,
+    lines: bool = False,
+    names: str = "{}.X",
+    key: int = 2001,
+    inch: bool = False,
+    has_z: bool = True,
+    nominal: bool = True,
+    ending: str = "\n",
+) -> str:
+    """Q-DAS file of one part measured several times; `lines` puts the values in lines, else in K0001 fields."""
+    scale = 25.4 if inch else 1.0
+    axes = "XYZ" if has_z else "XY"
+    part = parts[0]
+    rows = ["K0100 " + str(len(axes) * len(part.names) + 1), "K1001/1 4711", "K1002/1 Cam"]
+    rows += ["K2001/1 Diameter", "K2101/1 12"]
+    places = [(name, axis) for name in range(len(part.names)) for axis in range(len(axes))]
+    for index, (name, axis) in enumerate(places, 2):
+        title = names.replace("X", axes[axis]).format(part.names[name])
+        rows += [f"K{key}/{index} {title}", f"K2142/{index} {'inch' if inch else 'mm'}"]
+        if nominal:
+            rows.append(f"K2101/{index} {part.nominal[name, axis] / scale:.9f}")
+    for measured in parts:
+        values = ["12.01", *(f"{measured.centres[name, axis] / scale:.9f}" for name, axis in places)]
+        if lines:
+            rows.append("\x0f".join(f"{v}\x140\x1429.02.2024/10:31:07" for v in values))
+        else:
+            for index, v in enumerate(values, 1):
+                rows += [f"K0001/{index} {v}", f"K0004/{index} 29.02.2024/10:31:07"]
+    return ending.join([*rows, ""])
+
+
 # --- damage -----------------------------------------------------------------------------------------------
 
 _SPICE = (

@@ -152,6 +152,12 @@ def _text(n: int) -> list[Dress]:
     return [(t.encode(), {"points": "contact"}) for t in tables]
 
 
+def _qdas(n: int) -> list[Dress]:
+    part = files.ellipse(n)
+    dresses = ({}, {"lines": True}, {"names": "X_{}", "inch": True}, {"lines": True, "has_z": False})
+    return [(files.qdas([part], **dress).encode(), {"points": "centre", "probe_radius": 1.5}) for dress in dresses]  # type: ignore[arg-type]
+
+
 DRESSES: dict[str, Callable[[int], list[Dress]]] = {
     "msr": _msr,
     "qif": _qif,
@@ -162,5 +168,6 @@ DRESSES: dict[str, Callable[[int], list[Dress]]] = {
     "grbl": _grbl,
     "dprnt": _dprnt,
     "renishaw": _renishaw,
+    "qdas": _qdas,
     "text": _text,
 }
