@@ -186,9 +186,20 @@ def test_nothing_belongs_to_one_machine(what):
     assert not found
 
 
-def test_the_index_of_the_documentation_is_complete():
+def test_every_page_is_reached_from_the_index():
     docs = REPOSITORY / "docs"
-    linked = set(re.findall(r"\]\(([^)#]+)", (docs / "README.md").read_text(encoding="utf-8")))
-    there = {p.relative_to(docs).as_posix() for p in docs.rglob("*.md") if p.name != "README.md"}
-    assert not there - linked
-    assert not {link for link in linked if "://" not in link and not (docs / link).exists()}
+    reached, waiting = set(), [docs / "README.md"]
+    while waiting:
+        page = waiting.pop()
+        if page in reached or docs not in page.parents:
+            continue
+        reached.add(page)
+        for link in re.findall(r"\]\(([^)#\s]+)", page.read_text(encoding="utf-8")):
+            if "://" in link:
+                continue
+            target = (page.parent / link).resolve()
+            assert target.exists(), f"{page.relative_to(REPOSITORY)} links to {link}, which is not there"
+            if target.suffix == ".md":
+                waiting.append(target)
+    left = sorted(p.relative_to(docs).as_posix() for p in set(docs.rglob("*.md")) - reached)
+    assert not left
