@@ -99,6 +99,8 @@ def _add_measurement(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("--probe-radius", metavar="MM", type=float, help="ball radius, for --points centre")
     verb.add_argument("--units", choices=("mm", "inch"), help="unit of the measured file")
     verb.add_argument("--part", metavar="N", type=int, help="which of several measured parts in one file, from 1")
+    offset = "origin of the work frame in the machine frame, mm, for files in the machine frame"
+    verb.add_argument("--work-offset", metavar=("X", "Y", "Z"), nargs=3, type=float, help=offset)
     columns = "what the columns of a text file are, for layouts that no format covers"
     verb.add_argument("--mapping", metavar="FILE.toml", type=Path, help=columns)
 
@@ -163,7 +165,9 @@ def _convert(arguments: argparse.Namespace) -> None:
 
 
 def _measurement_options(arguments: argparse.Namespace) -> dict[str, Any]:
-    return {name: getattr(arguments, name) for name in ("format", "points", "probe_radius", "units", "mapping", "part")}
+    names = ("format", "points", "probe_radius", "units", "part", "work_offset", "mapping")
+    given = {name: getattr(arguments, name) for name in names}
+    return {name: value for name, value in given.items() if value is not None}
 
 
 def _run(arguments: argparse.Namespace, output: Path | None) -> None:

@@ -38,6 +38,7 @@ def correct_program(
     output: Path | None = None,
     report: Path | None = None,
     settings: Mapping[str, Any] | None = None,
+    **reading: Any,
 ) -> str:
     """Correct an NC program from a measured file; without `output`, only check.
 
@@ -67,6 +68,8 @@ def correct_program(
         Directory for the report.
     settings : mapping, optional
         Fields of `pipeline.Settings`.
+    **reading
+        How the measured files are read: `readers.read`.
 
     Returns
     -------
@@ -78,7 +81,7 @@ def correct_program(
     MillcorrError
         See `pipeline.correct`; nothing is written then.
     """
-    if points == "contact" and probe_radius is not None:
+    if reading.get("points") == "contact" and reading.get("probe_radius") is not None:
         raise UsageError("--probe-radius belongs to --points centre: contact points lie on the part already")
     if tool_diameter is None:
         raise UsageError("--program needs --tool-diameter: the program does not say how large the cutter is")
@@ -125,7 +128,7 @@ def correct_document(
     gcode: Path | None = None,
     report: Path | None = None,
     settings: Mapping[str, Any] | None = None,
-    **measurement: Any,
+    **reading: Any,
 ) -> str:
     """Correct an operation of a FreeCAD document, in a process of FreeCAD's command line.
 
@@ -137,7 +140,7 @@ def correct_document(
         Label of the operation; may be left out where the document has one Profile.
     gcode : Path, optional
         Posted program.
-    measured, nominal, output, report, settings, measurement
+    measured, nominal, output, report, settings, reading
         As in `correct_program`; `nominal` is the label of an object of the document, as ``#LABEL``, or a file.
 
     Returns
@@ -150,13 +153,14 @@ def correct_document(
     MillcorrError
         See `pipeline.correct`; nothing is written then.
     """
-    for option in ("mapping", "part"):
-        if measurement.pop(option, None) is not None:
-            raise UsageError(
-                f"--{option} does not go with --document: millcorr convert FILE --{option} ... -o POINTS.csv first"
-            )
     inputs = {f"measured file {n}": path for n, path in enumerate(measured, 1)}
     refuse_places({"--output": output, "--gcode": gcode}, report, {"document": document, **inputs})
+    for name in ("work_offset", "mapping", "part"):
+        if reading.pop(name, None) is not None:
+            option = "--" + name.replace("_", "-")
+            raise UsageError(
+                f"{option} does not go with --document: millcorr convert FILE {option} ... -o POINTS.csv first"
+            )
     places = {"output": output, "gcode": gcode, "report": report}
     summary = freecad_process.call(
         "correct",
@@ -166,7 +170,7 @@ def correct_document(
             "measured": [str(path.resolve()) for path in measured],
             "nominal": nominal,
             **{name: None if place is None else str(place.resolve()) for name, place in places.items()},
-            **measurement,
+            **reading,
             **(settings or {}),
         },
     )
