@@ -31,7 +31,7 @@ def test_memory_follows_the_file(format):
         assert peak < 10 * len(subject.data) + 500_000
 
 
-@pytest.mark.parametrize("format", [f for f in readers.FORMATS if f != "text"])
+@pytest.mark.parametrize("format", [f for f in readers_fuzz.DRESSES if f != "text"])
 @pytest.mark.parametrize(
     "filling", [" ", "(", "[GC:", "DIM A= B OF ", "X", "9", "-", "<a>", "$", ",", "FA(", "&a;", "\t#"]
 )
