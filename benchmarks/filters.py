@@ -13,6 +13,7 @@ import time
 
 import numpy as np
 from scipy.ndimage import gaussian_filter1d, uniform_filter1d
+from scipy.signal import lfilter
 
 from millcorr.filtering import Filter, separate
 
@@ -51,6 +52,8 @@ def main(n):
         "gauss:0.008": lambda d: gaussian_filter1d(d, sigma(0.008), mode="wrap"),
         "gauss:0.8": lambda d: gaussian_filter1d(d, sigma(0.8), mode="wrap"),
         "gauss:8": lambda d: gaussian_filter1d(d, sigma(8.0), mode="wrap"),
+        "robust:0.02": None,
+        "robust:0.1": None,
         "robust:0.8": None,
         "auto": None,
     }
@@ -65,6 +68,21 @@ def main(n):
             theirs = timed(lambda rival=rival: rival(rows["even"][1]))
             line += f" {theirs:8.3f} {ours['even'] / theirs:7.2f}"
         print(line)
+    print("auto, noise of the process with a memory (correlation exp(-distance / memory)), 224 mm:")
+    for points in (200, 20_000, n):
+        s = np.arange(points) * (224.0 / points)
+        form = 0.01 * np.cos(2 * np.pi * s / 224.0) + 0.003 * np.cos(2 * np.pi * 3 * s / 224.0)
+        for memory in (0.1, 1.0, 5.0):
+            a = np.exp(-224.0 / points / memory)
+            noise = lfilter([0.002 * np.sqrt(1 - a * a)], [1, -a], np.random.default_rng(0).normal(size=points))
+            results = []
+            seconds = timed(
+                lambda s=s, d=form + noise, results=results: results.append(
+                    separate(s, d, length=224.0, closed=True, filter=Filter.parse("auto"))
+                )
+            )
+            error = np.sqrt(np.mean((results[0].determined - form) ** 2)) / 0.002
+            print(f"{points:>9} points, memory {memory} mm: {seconds:6.2f} s, error {error:.2f} of the noise")
     memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
     print(f"largest memory of the process: {memory:.0f} MB")
 

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .errors import InputError, UsageError
-from .gaussian_regression import local_line
-from .spline_regression import spline_regression
+from .gaussian_regression import LocalLine, local_line, local_line_on_grid
+from .spline_regression import MOST_NODES, PLACES_PER_KNOT, spline_regression
 
 Floats = NDArray[np.float64]
 
@@ -26,6 +26,9 @@ _GAP = 5.0
 _BIWEIGHT = 4.447807
 _ROBUST_ROUNDS = 50
 _LEAST_TRUST = 1e-6
+# From this number of points on the robust regression is taken on a grid.
+_MANY = 20_000
+_STEADY = 0.8
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +118,7 @@ class Separation:
     variance_factor : float
         Mean over the points of var(determined) / var(noise) for white noise: q of the correction's error
         balance, 0.2 for a mean of 5 on a closed contour. From the linear operator as it ended; the choice
-        that 'auto' makes from the data is not in it.
+        that 'auto' makes from the data is not in it. Where 'auto' finds the noise correlated, for such noise.
     description : str
         What was done and which wavelengths come through.
     warnings : tuple of str
@@ -244,9 +247,7 @@ def separate(s: ArrayLike, d: ArrayLike, *, length: float, closed: bool, filter:
     warnings = parts.warnings
     if deviations.size == 1:
         warnings += ("a single point: its deviation is taken as it is, the random part cannot be known",)
-    return Separation(
-        determined, parts.random_std, parts.variance_factor, parts.description, warnings, weights
-    )
+    return Separation(determined, parts.random_std, parts.variance_factor, parts.description, warnings, weights)
 
 
 def _check(s: Floats, d: Floats, length: float) -> None:
@@ -426,22 +427,20 @@ def _robust_gaussian(row: Row, cutoff: float) -> Parts:
     trust = np.ones_like(row.d)
     warnings = list(_sampling_warnings(row, cutoff))
     values = np.full_like(row.d, math.inf)
-    for _ in range(_ROBUST_ROUNDS):
-        before = values
+    step = np.zeros_like(row.d)
+    for rounds in range(_ROBUST_ROUNDS):
+        before, last = values, step
         # Where a whole window is distrusted the floor brings the plain regression back.
-        values = local_line(
-            row.s,
-            row.d,
-            lengths * np.maximum(trust, _LEAST_TRUST),
-            cutoff=cutoff,
-            length=row.length,
-            closed=row.closed,
-            figures=False,
-        ).values
-        size = np.abs(row.d - values)
-        median = float(np.median(size))
-        if float(np.sqrt(np.mean((values - before) ** 2))) <= 1e-3 * median:
+        values = _local_line(row, lengths * np.maximum(trust, _LEAST_TRUST), cutoff, figures=False).values
+        step = values - before
+        median = float(np.median(np.abs(row.d - values)))
+        if float(np.sqrt(np.mean(step**2))) <= 1e-3 * median:
             break
+        if rounds >= 3 and rounds % 3 == 0 and row.s.size >= _MANY:
+            # The rounds close in on the limit by a nearly constant ratio: take the rest of the way at once.
+            ratio = min(max(float(step @ last) / float(last @ last), 0.0), _STEADY)
+            values = values + ratio / (1.0 - ratio) * step
+        size = np.abs(row.d - values)
         if median <= 1e-12 * float(np.max(np.abs(row.d))):
             # More than half of the points lie on the line: whatever does not is an outlier.
             median = 1e-12 * float(np.max(np.abs(row.d)))
@@ -450,14 +449,7 @@ def _robust_gaussian(row: Row, cutoff: float) -> Parts:
         trust = np.clip(1.0 - (size / (_BIWEIGHT * median)) ** 2, 0.0, 1.0) ** 2
     else:
         warnings.append(f"the robust regression did not settle within {_ROBUST_ROUNDS} rounds")
-    fit = local_line(
-        row.s,
-        row.d,
-        lengths * np.maximum(trust, _LEAST_TRUST),
-        cutoff=cutoff,
-        length=row.length,
-        closed=row.closed,
-    )
+    fit = _local_line(row, lengths * np.maximum(trust, _LEAST_TRUST), cutoff, figures=True)
     squared = float(fit.squared_weights.sum())
     freedom = row.d.size - 2.0 * float(fit.own_weight.sum()) + squared
     share = freedom / row.d.size
@@ -474,6 +466,18 @@ def _robust_gaussian(row: Row, cutoff: float) -> Parts:
         tuple(warnings),
         trust,
     )
+
+
+def _local_line(row: Row, weights: Floats, cutoff: float, *, figures: bool) -> LocalLine:
+    """Gaussian regression, of many points on a grid: the trust in them is no more exact than that."""
+    fit = None
+    if row.s.size >= _MANY:
+        fit = local_line_on_grid(
+            row.s, row.d, weights, cutoff=cutoff, length=row.length, closed=row.closed, figures=figures
+        )
+    if fit is None:
+        fit = local_line(row.s, row.d, weights, cutoff=cutoff, length=row.length, closed=row.closed, figures=figures)
+    return fit
 
 
 def _biweight_std(residual: Floats) -> float:
@@ -504,10 +508,23 @@ def _regression(row: Row, noise_floor: float) -> Parts:
     outliers = int(np.count_nonzero(fit.weights < 0.5))
     if outliers:
         warnings.append(f"{outliers} point(s) far off their neighbours were taken as outliers and ignored")
+    finest = 2.0 * fit.knot_spacing
     if not fit.settled:
         warnings.append(
             f"the residuals are still correlated with knots every {fit.knot_spacing:.3g} mm"
-            f" (z = {fit.moran.z:.1f}): the random part may hold something determined; measure more densely"
+            f" (z = {fit.moran.z:.1f}): the random part may hold something determined, and what is random but"
+            f" correlated over more than {finest:.3g} mm is taken as determined; compare with a second part"
+        )
+    if not math.isnan(fit.correlation_length):
+        warnings.append(
+            f"the residuals stay correlated over {fit.correlation_length:.3g} mm: they are spread over all places"
+            f" and over the wavelengths below {finest:.3g} mm as noise is, and are taken as random; only a second"
+            " part can tell"
+        )
+    if fit.settled and 2 * fit.parameters > min(row.place_s.size, MOST_NODES) // PLACES_PER_KNOT > 4:
+        warnings.append(
+            f"knots every {fit.knot_spacing:.3g} mm are nearly as close as the points allow: what is random but"
+            " correlated over several points cannot be told from what is determined; compare with a second part"
         )
     if fit.parameters == 1:
         shape = "a constant"
@@ -524,7 +541,7 @@ def _regression(row: Row, noise_floor: float) -> Parts:
         fit.random_std,
         fit.variance_factor,
         f"regression on {shape}; Moran's I of the residuals {fit.moran.index:+.3f}, z = {fit.moran.z:+.2f}"
-        f" (correlated above 1.64){_shortest(row)}",
+        f" (correlated above 1.64); {fit.fits} fits{_shortest(row)}",
         tuple(warnings),
         fit.weights,
     )

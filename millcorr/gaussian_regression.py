@@ -104,6 +104,113 @@ def local_line(
     return LocalLine(values, own, np.maximum(squares, 0.0))
 
 
+def local_line_on_grid(
+    s: Floats, d: Floats, weights: Floats, *, cutoff: float, length: float, closed: bool, figures: bool = True
+) -> LocalLine | None:
+    """Fit the lines of `local_line` to a thousandth of the scatter of the points, many times as fast.
+
+    Parameters
+    ----------
+    s, d, weights, cutoff, length, closed, figures
+        As for `local_line`.
+
+    Returns
+    -------
+    LocalLine or None
+        None where a grid of a quarter of the weighting function's width would be no gain, or too coarse: with
+        more cells than points, with more empty cells than others, or with fewer cells than the function reaches.
+
+    Notes
+    -----
+    The points enter by their moments up to the second about the grid's centres; the local lines are fitted
+    there and interpolated by cubics.
+    """
+    from scipy.fft import next_fast_len
+
+    width = cutoff * ALPHA / math.sqrt(math.pi)
+    origin = 0.0 if closed else float(s[0])
+    cells = math.ceil((length if closed else float(s[-1]) - origin) / (_BOX * width))
+    if cells > s.size or cells < 2 * (math.ceil(_REACH / _BOX) + 1) + 4:
+        return None
+    if closed:
+        cells = int(next_fast_len(cells, real=True))
+    step = length / cells if closed else _BOX * width
+    place = (s - origin) / step
+    cell = np.minimum(place.astype(np.int64), cells - 1)
+    if 2 * np.count_nonzero(np.bincount(cell)) < cells:
+        return None
+    y = (place - cell - 0.5) * (step / width)
+    w = weights / float(np.max(weights))
+    (s0, s1, s2), (t0, t1, _) = _grid_sums(cell, y, (w, w * d), cells, step / width, closed)
+    determinant = s0 * s2 - s1 * s1
+    some = s0 > 1e-9
+    line = some & (determinant > 1e-2 * s0 * s0)
+    s0 = np.where(some, s0, 1.0)
+    s1 = np.where(line, s1, 0.0)
+    s2 = np.where(line, s2, 1.0)
+    determinant = np.where(line, determinant, s0)
+    values = _interpolated((s2 * t0 - s1 * t1) / determinant, place - 0.5, closed)
+    if not figures:
+        return LocalLine(values, np.empty(0), np.empty(0))
+    own = w * _interpolated(s2 / determinant, place - 0.5, closed)
+    # g^2 is g in units shorter by sqrt(2).
+    root = math.sqrt(2.0)
+    ((r0, r1, r2),) = _grid_sums(cell, y * root, (w * w,), cells, step / width * root, closed)
+    squares = (s2 * s2 * r0 - 2.0 * s1 * s2 * r1 / root + s1 * s1 * r2 / 2.0) / determinant**2
+    return LocalLine(values, own, np.maximum(_interpolated(squares, place - 0.5, closed), 0.0))
+
+
+def _grid_sums(
+    cell: NDArray[np.int64], y: Floats, charges: tuple[Floats, ...], cells: int, step: float, closed: bool
+) -> list[tuple[Floats, Floats, Floats]]:
+    """Sum charge * u^p exp(-u^2) for p = 0, 1, 2 at the centres of the cells; u from centre to point.
+
+    The points lie at y from the centre of their cell; all lengths in units of the width.
+    """
+    from scipy.fft import irfft, next_fast_len, rfft
+
+    reach = math.ceil(_REACH / step) + 1
+    size = cells if closed else int(next_fast_len(cells + reach, real=True))
+    # Taps in the order of a circular convolution: how far the centre lies ahead of the point's cell.
+    lag = np.arange(-reach, reach + 1)
+    x = lag * step
+    g = np.exp(-x * x)
+    # With u = y - x: Taylor's series of u^p exp(-u^2) in y.
+    series = (
+        (g, 2.0 * x * g, (4.0 * x**2 - 2.0) * g),
+        (-x * g, (1.0 - 2.0 * x**2) * g, (6.0 * x - 4.0 * x**3) * g),
+        (x**2 * g, (2.0 * x**3 - 2.0 * x) * g, (4.0 * x**4 - 10.0 * x**2 + 2.0) * g),
+    )
+    taps = [[rfft(np.bincount(lag % size, weights=kernel, minlength=size)) for kernel in row] for row in series]
+    results = []
+    for charge in charges:
+        moments = (charge, charge * y, 0.5 * charge * y * y)
+        spectra = [rfft(np.bincount(cell, weights=moment, minlength=size)) for moment in moments]
+        sums = [
+            irfft(sum(tap * spectrum for tap, spectrum in zip(row, spectra, strict=True)), size)[:cells] for row in taps
+        ]
+        results.append((sums[0], sums[1], sums[2]))
+    return results
+
+
+def _interpolated(values: Floats, place: Floats, closed: bool) -> Floats:
+    """Cubic through the four values around every place; at open ends the last four."""
+    n = values.size
+    first = np.floor(place).astype(np.int64)
+    if not closed:
+        first = np.clip(first, 1, n - 3)
+    x = place - first
+    below, above = x + 1.0, x - 2.0
+    middle = x - 1.0
+    result: Floats = (
+        -x * middle * above / 6.0 * values[(first - 1) % n]
+        + below * middle * above / 2.0 * values[first % n]
+        - below * x * above / 2.0 * values[(first + 1) % n]
+        + below * x * middle / 6.0 * values[(first + 2) % n]
+    )
+    return result
+
+
 def _squared_sums(t: Floats, charge: Floats, s1: Floats, s2: Floats, period: float | None) -> Floats:
     """Sum charge * (sum over the images of (s2 - s1 u) exp(-u^2))^2 over the points."""
 
@@ -151,9 +258,7 @@ def _gauss_sums(t: Floats, charges: tuple[Floats, ...], period: float | None) ->
     return _transformed_sums(t, charges, period)
 
 
-def _windowed_sums(
-    t: Floats, charges: tuple[Floats, ...], period: float | None, window: int
-) -> list[Floats]:
+def _windowed_sums(t: Floats, charges: tuple[Floats, ...], period: float | None, window: int) -> list[Floats]:
     """Take the sums pair by pair, all points at once for the 1st, 2nd, ... neighbour."""
     results = [np.stack((charge, np.zeros_like(t), -2.0 * charge)) for charge in charges]
     for lag in range(1, window + 1):

@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import math
+import re
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.signal import lfilter
 
 from millcorr.errors import InputError, UsageError
 from millcorr.filtering import Filter, separate
-from millcorr.gaussian_regression import ALPHA, local_line
+from millcorr.gaussian_regression import ALPHA, local_line, local_line_on_grid
 from millcorr.spatial_correlation import moran_test, neighbour_links
 
 KINDS = ["none", "mean:5", "mean:1,2,3,2,1", "gauss:9", "robust:9", "auto"]
@@ -20,9 +22,7 @@ def run(s, d, text, *, length, closed):
 
 def operator(s, text, *, length, closed):
     """The matrix of a linear filter, column by column."""
-    return np.stack(
-        [run(s, unit, text, length=length, closed=closed).determined for unit in np.eye(len(s))], axis=1
-    )
+    return np.stack([run(s, unit, text, length=length, closed=closed).determined for unit in np.eye(len(s))], axis=1)
 
 
 # --- parsing
@@ -256,6 +256,44 @@ def test_gap_is_named():
         assert any("gap" in warning and "31 mm" in warning for warning in result.warnings), text
 
 
+@pytest.mark.parametrize("closed", [True, False])
+@pytest.mark.parametrize("per_cutoff", [20, 100])
+def test_lines_on_a_grid_against_the_exact_ones(closed, per_cutoff):
+    rng = np.random.default_rng(1)
+    n, length = 20000, 300.0
+    s = np.sort(rng.uniform(0, length, n))
+    s = s[(s < 100) | (s > 120)]
+    d, w = rng.normal(size=s.size), rng.uniform(0.5, 1.0, s.size)
+    cutoff = per_cutoff * length / n
+    grid = local_line_on_grid(s, d, w, cutoff=cutoff, length=length, closed=closed)
+    exact = local_line(s, d, w, cutoff=cutoff, length=length, closed=closed)
+    # The third moments: 0.125^3 / 6 times the third derivative, 0.0016 of the scatter a point, less in their mean.
+    assert np.sqrt(np.mean((grid.values - exact.values) ** 2)) < 1e-3
+    assert grid.own_weight.sum() == pytest.approx(exact.own_weight.sum(), rel=2e-3)
+    assert grid.squared_weights.sum() == pytest.approx(exact.squared_weights.sum(), rel=2e-3)
+
+
+def test_rows_that_a_grid_does_not_suit():
+    s = np.append(np.linspace(0, 1, 5000), np.linspace(2, 100, 50))
+    assert local_line_on_grid(s, s, np.ones(5050), cutoff=0.5, length=100.0, closed=False) is None
+    assert local_line_on_grid(s, s, np.ones(5050), cutoff=90.0, length=100.0, closed=False) is None
+
+
+def test_many_points_with_outliers_on_the_grid():
+    rng = np.random.default_rng(2)
+    n, length = 40000, 400.0
+    s = rng.uniform(0, length, n)
+    truth = 5 * np.cos(2 * np.pi * s / 100)
+    d = truth + rng.normal(size=n)
+    bad = rng.choice(n, n // 50, replace=False)
+    d[bad] += 15.0
+    result = run(s, d, "robust:0.5", length=length, closed=True)
+    assert np.all(result.weights[bad] < 0.05)
+    # 1 / sqrt(50 points to the cutoff) would be 0.14; a biweight and uneven points cost some more.
+    assert np.sqrt(np.mean((result.determined - truth) ** 2)) < 0.25
+    assert result.random_std == pytest.approx(1.0, rel=0.05)
+
+
 # --- outliers
 
 
@@ -436,6 +474,98 @@ def test_many_points_are_gathered_without_harm():
         assert result.random_std == pytest.approx(1.0, rel=5 / math.sqrt(2 * n))
 
 
+# --- noise that is correlated along the contour
+
+LENGTH = 224.0
+
+
+def three_harmonics(s):
+    x = 2 * np.pi * s / LENGTH
+    return 3 * np.cos(x) + 2 * np.sin(2 * x) + np.cos(3 * x)
+
+
+def process_noise(n, memory, seed):
+    """Unit noise whose correlation falls as exp(-distance / memory in mm)."""
+    a = math.exp(-LENGTH / n / memory)
+    e = np.random.default_rng(seed).normal(size=n)
+    e[0] /= math.sqrt(1 - a * a)
+    return lfilter([math.sqrt(1 - a * a)], [1, -a], e)
+
+
+def number_of_fits(result):
+    return int(re.search(r"(\d+) fits", result.description).group(1))
+
+
+@pytest.mark.parametrize("closed", [True, False])
+@pytest.mark.parametrize(("n", "memory"), [(200, 2.0), (5000, 0.1), (5000, 1.0), (20000, 0.1), (20000, 1.0)])
+def test_correlated_noise_is_not_followed(n, memory, closed):
+    s = np.arange(n) * (LENGTH / n) if closed else np.linspace(0, LENGTH, n)
+    # Such noise has length / (2 memory) independent values. Three harmonics take a spline of 8 parameters, each
+    # of which catches the variance of one value; a bend whose lack costs less than that cannot be proven, and
+    # chance adds a few parameters: three times 8. Raw data, or a spline that follows the noise, err by 1.
+    expected = math.sqrt(3 * 8 * 2 * memory / LENGTH)
+    errors, deviations, warned = [], [], 0
+    for seed in range(10):
+        result = run(s, three_harmonics(s) + process_noise(n, memory, seed), "auto", length=LENGTH, closed=closed)
+        errors.append(np.mean((result.determined - three_harmonics(s)) ** 2))
+        deviations.append(result.random_std)
+        warned += any("stay correlated over" in warning for warning in result.warnings)
+        assert number_of_fits(result) <= 300
+    assert math.sqrt(np.mean(errors)) < expected
+    # Every memory twice over is one value: that many values tell the deviation to 1 / sqrt(2 values).
+    assert np.mean(deviations) == pytest.approx(1.0, abs=5 * math.sqrt(memory / LENGTH / 10) + 0.05)
+    assert warned >= (10 if n > 200 else 8)
+
+
+def test_variance_factor_for_correlated_noise():
+    # The variance that 2 memory / length of it a parameter leave in the determined part.
+    n, memory = 20000, 0.5
+    s = np.arange(n) * (LENGTH / n)
+    ratios = []
+    for seed in range(10):
+        result = run(s, process_noise(n, memory, seed), "auto", length=LENGTH, closed=True)
+        parameters = re.search(r"of (\d+) parameters", result.description)
+        ratios.append(result.variance_factor / (2 * memory / LENGTH) / (int(parameters[1]) if parameters else 1))
+    assert np.mean(ratios) == pytest.approx(1.0, rel=0.25)
+
+
+@pytest.mark.parametrize("closed", [True, False])
+def test_short_waves_and_marks_stand_out_of_correlated_noise(closed):
+    n, memory = 20000, 0.1
+    s = np.arange(n) * (LENGTH / n) if closed else np.linspace(0, LENGTH, n)
+    shapes = (np.cos(2 * np.pi * 40 * s / LENGTH), 8 * np.exp(-(((s - 80) / 2) ** 2)))
+    for shape in shapes:
+        truth = three_harmonics(s) + shape
+        errors = []
+        for seed in range(5):
+            result = run(s, truth + process_noise(n, memory, seed), "auto", length=LENGTH, closed=closed)
+            errors.append(np.sqrt(np.mean((result.determined - truth) ** 2)))
+            assert np.max(np.abs(result.determined - truth)) < 5.0
+        # Knots every 1 mm follow either to a thousandth: 224 parameters, in steps of a quarter up to 280.
+        assert np.median(errors) < math.sqrt(300 * 2 * memory / LENGTH)
+
+
+@pytest.mark.parametrize("n", [200, 5000, 20000])
+def test_noise_as_wide_as_the_form_is_followed_and_said(n):
+    # Correlated over 5 mm it has no flat spectrum below the three harmonics: nothing tells it from them.
+    s = np.arange(n) * (LENGTH / n)
+    for seed in range(5):
+        result = run(s, three_harmonics(s) + process_noise(n, 5.0, seed), "auto", length=LENGTH, closed=True)
+        assert any("second part" in warning for warning in result.warnings)
+        assert number_of_fits(result) <= 300
+
+
+def test_dense_white_noise_is_not_called_correlated():
+    n = 20000
+    s = np.arange(n) * (LENGTH / n)
+    for seed in range(10):
+        noise = np.random.default_rng(seed).normal(size=n)
+        result = run(s, three_harmonics(s) + noise, "auto", length=LENGTH, closed=True)
+        assert not result.warnings
+        assert np.sqrt(np.mean((result.determined - three_harmonics(s)) ** 2)) < math.sqrt(30 / n)
+        assert result.random_std == pytest.approx(1.0, rel=5 / math.sqrt(2 * n))
+
+
 # --- symmetries
 
 rows = st.integers(2, 60).flatmap(
@@ -461,6 +591,24 @@ def test_order_of_the_points_does_not_matter(text, closed, row):
     # The mean that is taken off first is summed in the order of the input: rounding only.
     np.testing.assert_allclose(one.determined[shuffled], two.determined, atol=1e-8)
     assert one.variance_factor == pytest.approx(two.variance_factor, rel=1e-6)
+
+
+@pytest.mark.parametrize("row", [[22, 4, 5, 14, 2, 0, 1, 3, 21], [8, 2, 4, 5, 6, 0, 1, 3, 7]])
+def test_few_points_on_a_short_part_of_a_contour(row):
+    # The peak of the first harmonic, where the knots begin, may fall into the long empty part.
+    s = np.array(row) / 10
+    for seed in range(40):
+        d = np.random.default_rng(seed).normal(size=s.size)
+        result = run(s, d, "auto", length=100.0, closed=True)
+        np.testing.assert_allclose(
+            run(s[::-1], d[::-1], "auto", length=100.0, closed=True).determined[::-1], result.determined, atol=1e-8
+        )
+
+
+def test_search_goes_on_where_outliers_leave_few_places():
+    s = np.array([22, 4, 5, 14, 2, 0, 1, 3, 21]) / 10
+    d = [-0.09375, 0.0, 0.0, -0.0625, 0.0625, 0.0, 0.0, 0.0, -0.09375]
+    assert np.isfinite(run(s, d, "auto", length=100.0, closed=True).determined).all()
 
 
 @pytest.mark.parametrize("text", LINEAR)
