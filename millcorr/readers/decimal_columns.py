@@ -5,15 +5,19 @@ Most measured files hold nothing but digits, signs and points between separators
 are one 64-bit word, whose digits three multiplications put together (Lemire, Number parsing at a gigabyte per
 second, 2021). A whole number below 2^53 divided by a power of ten up to 10^22 is the nearest double to the
 decimal, since both are exact and division rounds once (Clinger, How to read floating point numbers accurately,
-1990). Whatever does not fit that, a block of rows at a time, is left to `numpy.loadtxt`.
+1990); for up to 19 digits the exact remainder corrects it. A few unusual numbers are read one by one; a block of
+rows with more of them, or anything else, is left to `numpy.loadtxt`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from .fields import NUMBER
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -21,15 +25,17 @@ Words = NDArray[np.uint64]
 
 _BLOCK = 1 << 17
 """Characters of a block: its arrays stay within a processor's cache."""
-_MARGIN = 16
+_MARGIN = 32
 """Characters in front of the text that may be looked at, and mean nothing."""
-_LONGEST = 18
-"""More digits than a 64-bit word can add up."""
+_LONGEST = 19
+"""Digits that a 64-bit word can add up."""
 _EXACT = np.uint64(1 << 53)
+_FEW = 0.1
+"""Share of numbers in a block that may be unusual: longer, or with an exponent."""
 
 _NEWLINE, _BLANK, _PLUS, _MINUS, _POINT = 10, 32, 43, 45, 46
 
-_TENS = 10.0 ** np.arange(_LONGEST + 1)
+_TENS = np.array([float(10**k) for k in range(_LONGEST + 1)])
 _WHOLE_TENS = 10 ** np.arange(_LONGEST + 1, dtype=np.uint64)
 _ZEROS = np.uint64(0x3030303030303030)
 _ABOVE_NINE = np.uint64(0x7676767676767676)
@@ -206,46 +212,74 @@ def _fields_by_blanks(text: NDArray[np.uint8], width: int) -> tuple[Ints, Ints] 
 
 
 def _decimals(text: NDArray[np.uint8], words: Words, starts: Ints, points: Ints, ends: Ints) -> Floats | None:
-    """Doubles nearest to the decimals that fill the fields; None where one is no plain decimal or too long."""
+    """Doubles nearest to the numbers that fill the fields; None where one is no number, or many are unusual."""
     head = text[starts]
     minus = head == _MINUS
-    starts = starts + (minus | (head == _PLUS))
-    whole = points - starts
+    begins = starts + (minus | (head == _PLUS))
+    whole = points - begins
     places = np.maximum(ends - points - 1, 0)
-    digits = whole + places
-    fits = whole.min() >= 0 and whole.max() <= 8 and places.max() <= 16
-    if not (fits and digits.min() >= 1 and digits.max() <= _LONGEST):
-        return None
+    odd = (whole < 0) | (whole > 8) | (places > _LONGEST) | (whole + places < 1)
+    if odd.any():
+        whole, places = np.where(odd, 0, whole), np.where(odd, 0, places)
     at = _MARGIN - 8 - 1
-    parsed = _number(words[points + at], whole)
-    if parsed is None:
-        return None
-    # The last eight decimal places, and what stands before them.
-    few = np.minimum(places, 8)
-    last = _number(words[ends + at], few)
-    if last is None:
-        return None
-    if places.max() > 8:
-        middle = _number(words[ends + (at - 8)], np.maximum(places - 8, 0))
-        if middle is None:
-            return None
-        parsed = parsed * _WHOLE_TENS[places - few] + middle
-    # One power of ten for all is the common case, and faster.
-    ten = _WHOLE_TENS[few[0]] if few.min() == few.max() else _WHOLE_TENS[few]
-    parsed = parsed * ten + last
+    parsed, wrong = _number(words[points + at], whole)
+    odd |= (parsed != 0) & (whole + places > _LONGEST)
+    # Decimal places, eight at a time from the left, the last ones being whole.
+    for behind in range((int(places.max()) - 1) // 8 * 8, -1, -8):
+        some = np.clip(places - behind, 0, 8)
+        more, amiss = _number(words[ends + (at - behind)], some)
+        wrong |= amiss
+        # One power of ten for all is the common case, and faster.
+        parsed = parsed * (_WHOLE_TENS[some[0]] if some.min() == some.max() else _WHOLE_TENS[some]) + more
+    odd |= (wrong & _HIGH) != 0
+    tens = _TENS[places[0]] if places.min() == places.max() else _TENS[places]
+    values = parsed.astype(np.float64) / tens
     if parsed.max() >= _EXACT:
-        return None
-    values = parsed.astype(np.float64) / (_TENS[places[0]] if places.min() == places.max() else _TENS[places])
-    out: Floats = np.where(minus, -values, values)
+        values = _corrected(values, parsed, tens)
+    values = np.where(minus, -values, values)
+    few = np.flatnonzero(odd)
+    return values if not len(few) or _one_by_one(values, few, text, starts, ends) else None
+
+
+def _one_by_one(values: Floats, few: Ints, text: NDArray[np.uint8], starts: Ints, ends: Ints) -> bool:
+    """Put unusual numbers in their places; False where one is no number, or there are too many of them."""
+    if len(few) > _FEW * len(values) + 1:
+        return False
+    for k in few.tolist():
+        field = text[starts[k] : ends[k]].tobytes().decode("ascii", "replace")
+        if not NUMBER.fullmatch(field):
+            return False
+        values[k] = float(field)
+    return bool(np.isfinite(values[few]).all())
+
+
+def _corrected(quotients: Floats, wholes: Words, tens: Floats | np.float64) -> Floats:
+    """The doubles nearest to wholes / tens, from quotients that miss them by at most an ulp or two.
+
+    The remainder is exact (product in two parts after Dekker 1971), and what it is divided to is off by less than
+    2^-102 of the value, while a decimal of 19 digits that is no tie is at least 2^-99 of it away from one.
+    """
+    rounded = wholes.astype(np.float64)
+    rest = (wholes - rounded.astype(np.uint64)).view(np.int64).astype(np.float64)
+    product = quotients * tens
+    a, b = _halves(quotients)
+    c, d = _halves(tens)
+    beyond = ((a * c - product) + a * d + b * c) + b * d
+    out: Floats = quotients + ((rounded - product) - beyond + rest) / tens
     return out
 
 
-def _number(words: Words, digits: Ints) -> Words | None:
-    """Whole numbers that the last `digits` (0 to 8) characters of each word are; None where one is no digit."""
+def _halves(values: Any) -> tuple[Any, Any]:
+    """Doubles as sums of two with 26 bits each."""
+    large = values * 134217729.0
+    high = large - (large - values)
+    return high, values - high
+
+
+def _number(words: Words, digits: Ints) -> tuple[Words, Words]:
+    """Whole numbers that the last `digits` (0 to 8) characters of words are; bits of `_HIGH` where one is no digit."""
     words = (words ^ _ZEROS) & _LAST[digits]
-    if np.bitwise_or.reduce((words + _ABOVE_NINE) | words) & _HIGH:
-        return None
+    wrong = (words + _ABOVE_NINE) | words
     words = words * np.uint64(2561) >> np.uint64(8)
     words = (words & np.uint64(0x00FF00FF00FF00FF)) * np.uint64(6553601) >> np.uint64(16)
-    out: Words = (words & np.uint64(0x0000FFFF0000FFFF)) * np.uint64(42949672960001) >> np.uint64(32)
-    return out
+    return (words & np.uint64(0x0000FFFF0000FFFF)) * np.uint64(42949672960001) >> np.uint64(32), wrong

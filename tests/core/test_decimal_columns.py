@@ -14,7 +14,9 @@ number = st.one_of(
     st.from_regex(r"[+-]?[0-9]{0,3}\.[0-9]{1,17}", fullmatch=True),
     st.from_regex(r"[+-]?[0-9]{1,20}", fullmatch=True),
     st.floats(-1e6, 1e6).map(repr),
-    st.sampled_from(["-0.0", "+.5", "5.", "-0", "9007199254740993", "0.9007199254740993", "900719925.4740993"]),
+    st.sampled_from(
+        ["-0.0", "+.5", "5.", "-0", "9007199254740993", "0.9007199254740993", "900719925.4740993", "1e-7", "2.5E3"]
+    ),
 )
 
 
@@ -77,3 +79,21 @@ def test_blank_lines_and_odd_numbers_cost_their_block_only(monkeypatch):
 @pytest.mark.parametrize("text", ["", "\n\n", "1.0,2.0\n3.0\n", "1.0,2.0,3.0\n", "1.0,nan\n", "1.0,2_0.0\n", "1.0,\n"])
 def test_none_where_there_is_no_such_table(text):
     assert decimal_columns(text, ",", 2, [0, 1]) is None
+
+
+def test_ties_and_their_neighbours():
+    # Halfway between two doubles, and one digit in the last place beside it.
+    random = np.random.default_rng(5)
+    halves = [(int(k) | 1) * 125 for k in random.integers(2**53, 2**54, 20_000)]
+    texts = [f"{n + d}"[:8] + "." + f"{n + d}"[8:] for n in halves for d in (-1, 0, 1)]
+    values, _ = decimal_columns("\n".join(texts), ",", 1, [0])
+    np.testing.assert_array_equal(values[:, 0], [float(t) for t in texts])
+
+
+def test_every_digit_that_python_prints(monkeypatch):
+    monkeypatch.setattr(module, "_by_numpy", None)
+    random = np.random.default_rng(6)
+    table = 10 ** random.uniform(-2.5, 5, (5000, 3)) * random.choice([-1, 1], (5000, 3))
+    table[7] = 1e-7, -2.5e300, 0.0
+    values, _ = decimal_columns("\n".join(";".join(map(repr, row)) for row in table.tolist()), ";", 3, [0, 1, 2])
+    np.testing.assert_array_equal(values, table)
