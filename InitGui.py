@@ -4,6 +4,14 @@
 import FreeCADGui
 
 import millcorr.gui.viewproviders  # noqa: F401  objects find their views through it
+from millcorr.gui import cam_menu, commands, macros, preferences, translations
+
+translations.add()
+preferences.add_page()
+# Here and not in Initialize: CAM's menu offers them before this workbench was ever shown.
+commands.register()
+macros.register()
+cam_menu.add()
 
 
 class MillcorrWorkbench(FreeCADGui.Workbench):
@@ -18,11 +26,20 @@ class MillcorrWorkbench(FreeCADGui.Workbench):
         self.__class__.ToolTip = Qt.translate("Workbench", "Correct milling toolpaths from measured parts")
 
     def Initialize(self):
-        from millcorr.gui import commands
+        from FreeCAD import Qt
 
-        names = commands.register()
+        from millcorr.gui import commands, macros
+
+        names = list(commands.NAMES)
         self.appendToolbar("Millcorr", names)
+        self.appendToolbar("Millcorr macros", list(macros.NAMES))
         self.appendMenu("Millcorr", names)
+        self.appendMenu(["Millcorr", Qt.translate("Workbench", "Macros")], list(macros.NAMES))
+
+    def Activated(self):
+        from millcorr.gui import guide
+
+        guide.watch_links()
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"

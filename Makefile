@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 .DEFAULT_GOAL := help
-.PHONY: help demo test benchmarks lint clean
+.PHONY: help demo test benchmarks exhaustive lint screenshots translations clean
 PYTHON = build/venv/bin/python
 
 help:
@@ -8,6 +8,8 @@ help:
 	@echo 'make test        core tests, tests inside FreeCAD, FreeCAD window on a virtual screen'
 	@echo 'make benchmarks  times and errors beside what one would use instead'
 	@echo 'make lint        ruff, and mypy --strict on the core'
+	@echo 'make screenshots  the pictures of docs/tutorial.md, from the real window'
+	@echo 'make translations  texts of the window in other languages, brought up to date'
 	@echo 'make clean       remove build/'
 	@echo 'Each installs what it needs first (Debian 12: apt; Python packages only in build/venv).'
 
@@ -24,10 +26,21 @@ benchmarks:
 	@$(PYTHON) -m pip install --quiet --disable-pip-version-check open3d pyarrow || echo 'without Open3D and pyarrow: their rows are left out'
 	@set -e; for script in benchmarks/*.py; do echo "== $$script"; PYTHONPATH=. $(PYTHON) "$$script"; done
 
+exhaustive:
+	@tools/setup test
+	$(PYTHON) -m pytest tests/core --hypothesis-profile=ci
+
 lint:
 	@tools/setup test
 	$(PYTHON) -m ruff check .
 	$(PYTHON) -m mypy
+
+screenshots:
+	@tools/setup test
+	@tools/screenshots
+
+translations:
+	@tools/translations
 
 clean:
 	rm -rf build .pytest_cache .mypy_cache .ruff_cache .hypothesis

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Time and memory to read a million measured points from text, beside what else a user could take.
+"""Time and memory to read a million measured points from text, beside what else a user could take; other formats.
 
 Run from the repository root: `python benchmarks/reading.py [lines]`. Readers that are not installed are left out.
 The readers take turns, so that other work on the machine hits all alike, and the best round counts. Memory is what
@@ -111,6 +111,23 @@ def measured_memory(name: str, path: Path, small: Path) -> None:
     print(peak() - before)
 
 
+def other_formats(n: int) -> None:
+    """Processor seconds to read each format's files of n points, the slowest of its dresses."""
+    from tests.core import readers_fuzz
+
+    print(f"other formats, {n} points, processor seconds and MB of the slowest file")
+    for format in readers_fuzz.installed():
+        worst = (0.0, 0.0)
+        for subject in readers_fuzz.large(format, n):
+            best = np.inf
+            for _ in range(3):
+                begun = time.process_time()
+                assert len(readers_fuzz.read(format, subject.data, subject.options)) == n
+                best = min(best, time.process_time() - begun)
+            worst = max(worst, (best, len(subject.data) / 1e6))
+        print(f"  {format:<10}{worst[0]:7.3f} s {worst[1]:6.1f} MB", flush=True)
+
+
 def main(n: int) -> None:
     names = [name for name, (_, package) in READERS.items() if importlib.util.find_spec(package)]
     absent = sorted({package for _, package in READERS.values() if not importlib.util.find_spec(package)})
@@ -138,6 +155,7 @@ def main(n: int) -> None:
                     f"  {name:<22}{best[name]:7.3f} s {ratio:6.2f} of millcorr's {grown:5.0f} MB {arrays:5.1f} arrays"
                     f"   error {error[name]:.0e}"
                 )
+    other_formats(max(n // 50, 10))
 
 
 if __name__ == "__main__":

@@ -5,13 +5,15 @@ from __future__ import annotations
 
 import argparse
 import logging
+import os
 import sys
 import traceback
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
-from . import __version__
+from .arguments import parser
 from .errors import MillcorrError, RefusedError, UsageError
 
 EXIT_USAGE, EXIT_INPUT, EXIT_REFUSED, EXIT_FAULT = 2, 3, 4, 1
@@ -30,10 +32,10 @@ def main(argv: Sequence[str] | None = None) -> int:
     int
         0 done; 2 usage; 3 input that cannot be read or trusted; 4 correction refused; 1 a fault of millcorr.
     """
-    arguments = _parser().parse_args(argv)
+    arguments = parser().parse_args(argv)
     logging.basicConfig(level=logging.DEBUG if arguments.debug else logging.WARNING, format="%(message)s")
     try:
-        arguments.run(arguments)
+        status = _VERBS[arguments.verb](arguments)
     except MillcorrError as error:
         return _failed(arguments, error, _exit_status(error))
     except OSError as error:
@@ -46,7 +48,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         return _failed(arguments, "interrupted; nothing was written", 130)
     except Exception as error:  # noqa: BLE001 - the contract: one line, never a traceback
         return _failed(arguments, f"internal fault ({error!r}); nothing was written, --debug shows where", EXIT_FAULT)
-    return 0
+    return status or 0
 
 
 def _exit_status(error: MillcorrError) -> int:
@@ -64,84 +66,13 @@ def _failed(arguments: argparse.Namespace, error: object, status: int) -> int:
     return status
 
 
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog="millcorr", description="Correct milling toolpaths from measured parts.", allow_abbrev=False
-    )
-    parser.add_argument("--version", action="version", version=f"millcorr {__version__}")
-    verbs = parser.add_subparsers(required=True, metavar="VERB")
-    for name, run, text in (
-        ("correct", _correct, "write a corrected program or document"),
-        ("check", _check, "deviations and report only"),
-    ):
-        verb = verbs.add_parser(name, help=text, description=text.capitalize() + ".", allow_abbrev=False)
-        verb.set_defaults(run=run)
-        _add_inputs(verb)
-        if name == "correct":
-            _add_outputs(verb)
-        verb.add_argument("--report", metavar="DIR", type=Path, help="write report.html, .json, .csv there")
-        verb.add_argument("--debug", action="store_true", help="show the traceback of an error")
-    inspect = verbs.add_parser("inspect", help="what a measured file holds", allow_abbrev=False)
-    inspect.set_defaults(run=_inspect)
-    convert = verbs.add_parser("convert", help="measured file to text x,y,z[,i,j,k]", allow_abbrev=False)
-    convert.set_defaults(run=_convert)
-    convert.add_argument("--output", "-o", metavar="POINTS.csv", type=Path, required=True, help="file to write")
-    for verb in (inspect, convert):
-        verb.add_argument("measured", metavar="FILE", type=Path, help="measured file")
-        _add_measurement(verb)
-        verb.add_argument("--debug", action="store_true", help="show the traceback of an error")
-    return parser
-
-
-def _add_measurement(verb: argparse.ArgumentParser) -> None:
-    verb.add_argument("--format", metavar="NAME", help="format of the measured file (by content by default)")
-    verb.add_argument("--points", choices=("contact", "centre"), help="what the measured points are")
-    verb.add_argument("--probe-radius", metavar="MM", type=float, help="ball radius, for --points centre")
-    verb.add_argument("--units", choices=("mm", "inch"), help="unit of the measured file")
-    verb.add_argument("--part", metavar="N", type=int, help="which of several measured parts in one file, from 1")
-    offset = "origin of the work frame in the machine frame, mm, for files in the machine frame"
-    verb.add_argument("--work-offset", metavar=("X", "Y", "Z"), nargs=3, type=float, help=offset)
-    columns = "what the columns of a text file are, for layouts that no format covers"
-    verb.add_argument("--mapping", metavar="FILE.toml", type=Path, help=columns)
-
-
-def _add_inputs(verb: argparse.ArgumentParser) -> None:
-    source = verb.add_mutually_exclusive_group(required=True)
-    source.add_argument("--program", metavar="PART.nc", type=Path, help="NC program to correct")
-    source.add_argument("--document", metavar="JOB.FCStd", type=Path, help="FreeCAD document with a job")
-    verb.add_argument("--operation", metavar="LABEL", help="operation of the document (the only one by default)")
-    several = "measured points; given several times, the deviations of the parts are averaged"
-    verb.add_argument("--measured", metavar="FILE", type=Path, required=True, action="append", help=several)
-    _add_measurement(verb)
-    verb.add_argument("--nominal", metavar="FILE", help="profile: document#label, step, iges, brep, dxf, json, nc")
-    verb.add_argument("--tool-diameter", metavar="MM", type=float, help="cutter diameter")
-    verb.add_argument("--side", choices=("left", "right", "auto"), default="auto", help="cutter's side of the contour")
-    verb.add_argument(
-        "--cutter-compensation",
-        choices=("contour", "wear"),
-        default="contour",
-        help="what a program with G41/G42 gives: the contour, or the centre path",
-    )
-    fits = "best fit before comparing: none, shift, rigid, or some of x, y, turn joined by +; then :zone or :all"
-    verb.add_argument("--align", default="none", metavar="FIT", help=fits)
-    verb.add_argument(
-        "--accept", action="append", default=[], metavar="NAME", help="accept a finding that would stop the correction"
-    )
-    filters = "none, mean:5, mean:1,2,3,2,1, gauss:MM, robust:MM, auto"
-    verb.add_argument("--filter", default="auto", metavar="F", help=filters)
-    verb.add_argument("--method", choices=("mirror",), default="mirror", help="how to correct")
-    verb.add_argument("--gain", type=float, default=1.0, help="share of the deviation to correct")
-    verb.add_argument("--limit", type=float, default=0.5, metavar="MM", help="largest correction")
-    verb.add_argument("--dead-band", type=float, default=0.0, metavar="MM", help="leave smaller deviations")
-    verb.add_argument("--tolerance", type=float, default=0.001, metavar="MM", help="largest path error")
-    verb.add_argument(
-        "--output-moves", choices=("keep", "lines", "arcs", "nurbs"), default="keep", help="kinds of move to write"
-    )
-
-
-def _add_outputs(verb: argparse.ArgumentParser) -> None:
-    verb.add_argument("--output", metavar="OUT", type=Path, required=True, help="corrected program or document")
-    verb.add_argument("--gcode", metavar="OUT.nc", type=Path, help="posted program of a corrected document")
+def _say(text: str) -> None:
+    """Print what was done. Where nobody can read it, a full disk or a closed pipe, it was done all the same."""
+    try:
+        print(text, flush=True)
+    except OSError:
+        # Nor must Python try again when it ends.
+        sys.stdout = open(os.devnull, "w", encoding="utf-8")
 
 
 def _correct(arguments: argparse.Namespace) -> None:
@@ -155,58 +86,152 @@ def _check(arguments: argparse.Namespace) -> None:
 def _inspect(arguments: argparse.Namespace) -> None:
     from . import session
 
-    print(session.inspect(arguments.measured, **_measurement_options(arguments)))
+    _say(session.inspect(arguments.measured, _reading(arguments)))
 
 
 def _convert(arguments: argparse.Namespace) -> None:
     from . import session
 
-    print(session.convert(arguments.measured, arguments.output, **_measurement_options(arguments)))
+    _say(session.convert(arguments.measured, arguments.output, _reading(arguments)))
 
 
-def _measurement_options(arguments: argparse.Namespace) -> dict[str, Any]:
-    names = ("format", "points", "probe_radius", "units", "part", "work_offset", "mapping")
-    given = {name: getattr(arguments, name) for name in names}
-    return {name: value for name, value in given.items() if value is not None}
+def _split(arguments: argparse.Namespace) -> None:
+    from . import session
+    from .settings import Settings
+
+    names = ("side", "cutter_compensation", "tolerance", "output_moves", "depth_along")
+    done = session.split_program(
+        arguments.program,
+        tool_diameter=arguments.tool_diameter,
+        depth=arguments.depth,
+        at=arguments.at,
+        nominal=arguments.nominal,
+        output=arguments.output,
+        settings=Settings(
+            method="transfer", depth=arguments.depth, **{name: getattr(arguments, name) for name in names}
+        ),
+    )
+    _say(done)
+
+
+def _simulate(arguments: argparse.Namespace) -> None:
+    from . import session
+    from .settings import Settings
+
+    names = ("side", "cutter_compensation", "tolerance", "output_moves", "limit", "iterate")
+    chosen = Settings(method="predicted", **{name: getattr(arguments, name) for name in names})
+    _say(
+        session.simulate_program(
+            arguments.program,
+            setup=arguments.setup,
+            report=arguments.report,
+            nominal=arguments.nominal,
+            settings=chosen,
+            heights=arguments.heights,
+        )
+    )
+
+
+def _probe(arguments: argparse.Namespace) -> None:
+    from . import measuring_task
+
+    names = (
+        "program document operation nominal tool_diameter side cutter_compensation dialect output z safe_z feed "
+        "tool log"
+    )
+    room = {name: getattr(arguments, name) for name in ("clearance", "overtravel", "stock", "free_width", "touch")}
+    done = measuring_task.measuring_program(
+        **{name: getattr(arguments, name) for name in names.split()},
+        positioning=arguments.positioning_feed,
+        probe={"ball_radius": arguments.probe_radius}
+        | {name: value for name, value in room.items() if value is not None},
+        placement={
+            "count": arguments.points_count,
+            "spacing": arguments.spacing,
+            "by_curvature": arguments.curvature,
+            "contour": arguments.contour,
+            "stretch": arguments.stretch,
+        },
+    )
+    _say(done)
+
+
+def _batch(arguments: argparse.Namespace) -> int:
+    from . import jobs
+
+    outcomes = jobs.run(
+        arguments.batch, workers=arguments.jobs, dask=arguments.dask, again=arguments.again, out=sys.stdout
+    )
+    _say(jobs.in_words(outcomes))
+    return jobs.exit_status(outcomes)
+
+
+def _reading(arguments: argparse.Namespace) -> Any:
+    from .readers.reading import FIELDS, Reading
+
+    return Reading.from_dict({name: getattr(arguments, name) for name in FIELDS if hasattr(arguments, name)})
 
 
 def _run(arguments: argparse.Namespace, output: Path | None) -> None:
-    from . import session
+    from . import pipeline, session
 
-    options = {
-        name: getattr(arguments, name)
-        for name in (
-            "side",
-            "align",
-            "filter",
-            "method",
-            "gain",
-            "limit",
-            "dead_band",
-            "tolerance",
-            "output_moves",
-            "cutter_compensation",
-        )
+    known = [field.name for field in fields(pipeline.Settings) if hasattr(arguments, field.name)]
+    given: dict[str, Any] = {name: getattr(arguments, name) for name in known}
+    settings: dict[str, Any] = {
+        name: tuple(value) if isinstance(value, list) else value for name, value in given.items()
     }
-    options["accept"] = tuple(arguments.accept)
     common: dict[str, Any] = {
         "measured": arguments.measured,
-        **_measurement_options(arguments),
+        "setup": arguments.setup,
+        "reading": _reading(arguments),
         "nominal": arguments.nominal,
         "tool_diameter": arguments.tool_diameter,
         "output": output,
         "report": arguments.report,
-        "settings": options,
+        "settings": pipeline.Settings(**settings),
     }
     if arguments.program is not None:
         if arguments.operation is not None or getattr(arguments, "gcode", None) is not None:
             raise UsageError("--operation and --gcode belong to --document; with --program use --output")
-        done = session.correct_program(arguments.program, **common)
+        table = getattr(arguments, "table", False)
+        done = session.correct_program(arguments.program, **common, table=table, **_series(arguments))
     else:
+        if _series(arguments):
+            raise UsageError("--journal and --control belong to --program: what a journal records are programs")
+        if getattr(arguments, "table", False):
+            raise UsageError("--table belongs to --program; with --document use --report, which writes points.csv")
         done = session.correct_document(
             arguments.document, operation=arguments.operation, gcode=getattr(arguments, "gcode", None), **common
         )
-    print(done)
+    _say(done)
+
+
+def _series(arguments: argparse.Namespace) -> dict[str, Any]:
+    """What was said about the series: journal and rules; empty without."""
+    names = ("journal", "control", "step_limit", "sum_limit")
+    limits = ("limit", "tolerance", "alarm", "abort")
+    given = {name: getattr(arguments, name, None) for name in names}
+    given |= {name: getattr(arguments, f"control_{name}", None) for name in limits}
+    return {name: value for name, value in given.items() if value is not None}
+
+
+def _history(arguments: argparse.Namespace) -> None:
+    from . import session
+
+    _say(session.history(arguments.journal, csv=arguments.csv, report=arguments.report))
+
+
+_VERBS: dict[str, Callable[[argparse.Namespace], int | None]] = {
+    "correct": _correct,
+    "check": _check,
+    "inspect": _inspect,
+    "convert": _convert,
+    "split": _split,
+    "simulate": _simulate,
+    "probe": _probe,
+    "batch": _batch,
+    "history": _history,
+}
 
 
 if __name__ == "__main__":

@@ -7,14 +7,16 @@ machine added. Only the second is filtered; the first may be a correction in for
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .carried import carried_correction
 from .deviation import REACH, Deviation
 from .errors import InputError, LimitError
-from .footpoint import FootPointSearch
+from .footpoint import FootPointSearch, Place
 from .measurement import Measurement
 from .path_following import follow
 from .profile import Contour, Profile
@@ -103,8 +105,11 @@ def nominal_of(
     material_right: bool,
     measurement: Measurement | None,
     name: str,
+    doubt: Callable[[Profile], None] | None = None,
 ) -> tuple[Profile, int]:
     """The nominal profile that a program shows: the contours it cuts near the measured points.
+
+    Where none is near, `doubt` is asked first, with all contours: it may know why, and refuse with that.
 
     Returns
     -------
@@ -133,6 +138,8 @@ def nominal_of(
         return Profile.from_contours(contours), 0
     near = _measured(contours, measurement)
     if not near:
+        if doubt is not None:
+            doubt(Profile.from_contours(contours))
         feet = FootPointSearch(Profile.from_contours(contours)).find(measurement.points[:, :2])
         typical = float(np.median(np.abs(feet.distance - measurement.ball_radius)))
         raise InputError(
@@ -193,17 +200,44 @@ class Commanded:
         Moves that follow the nominal.
     error : float
         Largest distance in mm of a following move from the nominal's exact parallel.
+    expected : CompensatedContour
+        Contour that they follow within `BAND`: the nominal, with the correction that the program carries.
     """
 
     path: Profile
     radius: float
     following: Bools
     error: float
+    expected: CompensatedContour
 
     @staticmethod
-    def find(toolpath: Toolpath, nominal: CompensatedContour, radius: float, usable: Bools) -> Commanded:
-        """Following moves of a program; LimitError where none follows the nominal."""
-        parts = follow(toolpath, nominal, radius, band=BAND, rows=usable)
+    def find(
+        toolpath: Toolpath, nominal: CompensatedContour, radius: float, usable: Bools, limit: float = 0.0
+    ) -> Commanded:
+        """Following moves of a program.
+
+        Parameters
+        ----------
+        toolpath : Toolpath
+        nominal : CompensatedContour
+            The nominal without a correction.
+        radius : float
+            Distance from path to contour, mm.
+        usable : (n,) bool
+            Moves that may be corrected.
+        limit : float
+            Largest correction in mm that the program may carry; 0 for a program that was not corrected.
+
+        Raises
+        ------
+        LimitError
+            If no move follows the nominal, or it cannot be told which pass carries the correction.
+        """
+        expected = nominal
+        if limit > 0:
+            carried = carried_correction(toolpath, nominal, radius, usable, band=BAND, reach=limit + BAND)
+            expected = CompensatedContour(nominal.profile, carried)
+        parts = follow(toolpath, expected, radius, band=BAND, rows=usable)
         if not len(parts.row):
             raise LimitError(
                 f"no move of the program follows the profile at {radius:g} mm: the nearest runs "
@@ -217,9 +251,8 @@ class Commanded:
             contours += path_profile(toolpath, rows, backward).contours
         following = np.zeros(len(toolpath), dtype=bool)
         following[parts.row] = True
-        return Commanded(
-            Profile.from_contours(_different(contours)), radius, following, float(np.nanmax(parts.error))
-        )
+        path = Profile.from_contours(_different(contours))
+        return Commanded(path, radius, following, float(np.nanmax(parts.error)), expected)
 
 
 def commanded_offset(commanded: Commanded, deviation: Deviation) -> Floats:
@@ -244,15 +277,19 @@ def commanded_offset(commanded: Commanded, deviation: Deviation) -> Floats:
         return np.zeros(0)
     # The cutter leaves what is a radius away from its path: the envelope, not the path shifted by a radius.
     search = FootPointSearch(commanded.path, margin=commanded.radius + 1.0)
-    out = np.zeros(len(deviation))
+    expected = commanded.expected.correction.at(deviation.stretch, deviation.s, commanded.expected.profile)
+    out = expected.copy()
     for _ in range(12):
         feet = search.find(deviation.foot + out[:, None] * deviation.normal)
         step = -feet.distance - commanded.radius
+        if commanded.radius == 0:
+            # Beyond a corner that a correction moved back nothing is commanded any more: the side's value holds on.
+            step[feet.place == Place.JOINT] = 0.0
         out += np.clip(step, -BAND, BAND)
         if np.abs(step).max() < 1e-10:
             break
-    if np.abs(out).max() > 2 * BAND + SAME_POINT:
-        worst = int(np.argmax(np.abs(out)))
+    if np.abs(out - expected).max() > 2 * BAND + SAME_POINT:
+        worst = int(np.argmax(np.abs(out - expected)))
         x, y = deviation.foot[worst]
         raise InputError(
             f"the program does not cut the profile near X{x:.3f} Y{y:.3f}, where points were measured: give the "

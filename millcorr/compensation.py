@@ -130,8 +130,13 @@ class Correction:
     @staticmethod
     def none(profile: Profile) -> Correction:
         """No correction anywhere."""
+        return Correction.even(profile, 0.0)
+
+    @staticmethod
+    def even(profile: Profile, value: float) -> Correction:
+        """The same shift everywhere, in mm, positive out of the material."""
         stretches = tuple(profile.stretches())
-        return Correction(stretches, tuple(Course.constant(0.0, t.length, t.closed) for t in stretches))
+        return Correction(stretches, tuple(Course.constant(value, t.length, t.closed) for t in stretches))
 
     @property
     def largest(self) -> float:

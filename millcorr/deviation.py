@@ -118,6 +118,10 @@ def deviations(
     InputError
         If no point can be used.
     """
+    if measurement.axis_radii is not None or measurement.probe is not None:
+        raise InputError(
+            f"{measurement.source}: the probe's radius is not taken off yet: millcorr.probe.contact_known comes first"
+        )
     points = measurement.points[:, :2]
     search = FootPointSearch(profile, margin=max(reach, 1.0) + measurement.ball_radius)
     feet = search.find(points)

@@ -2,24 +2,37 @@
 """Distrust before correction: signs that the measured points do not mean what they seem to mean.
 
 Each finding has a name, a figure, and the option that resolves it. A dangerous one stops the correction; a user
-who knows better accepts it by name, and the report records it.
+who knows better accepts it by name, and the report records it. Here: what shows from where the points lie. What a
+file shows by itself is in `distrust_file`, what the deviations show in `distrust_deviations`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
-from .deviation import REACH, Deviation
-from .errors import DistrustError, UsageError
-from .footpoint import FootPointSearch
+from . import distrust_elastic as elastic
+from .deviation import REACH
+from .distrust_coverage import examine_coverage as examine_coverage
+from .distrust_deviations import CutHeights as CutHeights
+from .distrust_deviations import examine_deviations as examine_deviations
+from .distrust_deviations import examine_sampling as examine_sampling
+from .distrust_file import examine_file as examine_file
+from .distrust_file import resolution as resolution
+from .distrust_filter import examine_determined as examine_determined
+from .distrust_parts import examine_parts as examine_parts
+from .distrust_parts import examine_program as examine_program
+from .findings import NAMES as NAMES
+from .findings import Finding as Finding
+from .findings import named as named
+from .findings import refuse_dangerous as refuse_dangerous
+from .footpoint import FootPoints, FootPointSearch, Place
 from .measurement import Measurement
+from .probe import axis_signature
 from .profile import Profile
 
 Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
 
 INCH = 25.4
 CONSTANT_OFFSET = 0.2
@@ -28,94 +41,34 @@ CONSTANT_OFFSET = 0.2
 SMALL_SCATTER = 0.15
 """Scatter of an offset, as a share of it, up to which it counts as constant."""
 
-MANY_REJECTED = 0.4
-"""A larger share of points that cannot be used means the wrong program, part or frame."""
+LARGE = 0.05
+"""Deviations typically beyond this, in mm, make it worth looking whether another frame fits far better."""
 
-MISALIGNED = 0.05
-"""A shift or turn of the whole part that moves points by more than this, in mm, is dangerous to correct."""
+FAR_BETTER = 0.2
+"""Another frame fits far better where the deviations are at most this share of what they were."""
 
 OTHER_NOMINAL = 0.05
 """The file's own nominal points lie at most this far, in mm, from the profile if both mean the same part."""
 
-STATED = 6e-4
-"""Deviations that the file states agree with its own points within this, in mm: half a unit of 0.001 and a bit."""
+THIN_WALL = 2.0
+"""Walls below this, in mm, can be taken for their other side: points are believed up to 1 mm off."""
+
+CERTAIN = 0.25
+"""Without normals a side is certain up to deviations of this share of the wall: the other is three times as far."""
+
+SOME = 0.02
+"""A larger share of points on the wrong side of a wall is no slip at single points."""
+
+LARGER = 1.5
+"""Points spread at most this much wider than the profile that they were measured on."""
 
 SAMPLE = 2000
 """So many points, evenly chosen, are enough to recognise a wrong unit or frame."""
 
-NAMES = (
-    "unit",
-    "mirrored",
-    "ball-not-compensated",
-    "compensated-twice",
-    "diameter-for-radius",
-    "radius-for-diameter",
-    "wrong-side",
-    "constant-offset",
-    "misalignment",
-    "identical-to-nominal",
-    "below-the-cut",
-    "outliers",
-    "other-nominal",
-    "stated-deviations",
-    "many-rejected",
-)
 
-
-@dataclass(frozen=True, slots=True)
-class Finding:
-    """Something about a measurement that a user should know before correcting from it.
-
-    Parameters
-    ----------
-    name : str
-        One of `NAMES`; what ``--accept`` takes.
-    text : str
-        What was seen, with its figure, and what to do.
-    dangerous : bool
-        True where correcting would probably scrap the part.
-    """
-
-    name: str
-    text: str
-    dangerous: bool
-
-
-def refuse_dangerous(findings: Iterable[Finding], accepted: Collection[str], source: str) -> tuple[str, ...]:
-    """Stop at the first dangerous finding that was not accepted.
-
-    Parameters
-    ----------
-    findings : iterable of Finding
-    accepted : collection of str
-        Names the user accepts.
-    source : str
-        Name of the measured file.
-
-    Returns
-    -------
-    tuple of str
-        Notes for the report: harmless findings, and accepted ones, marked as such.
-
-    Raises
-    ------
-    UsageError
-        If a name to accept does not exist.
-    DistrustError
-        If a dangerous finding was not accepted.
-    """
-    unknown = sorted(set(accepted) - set(NAMES))
-    if unknown:
-        raise UsageError(f"--accept {unknown[0]}: there is no such finding; known are {', '.join(NAMES)}")
-    notes = []
-    for finding in findings:
-        if finding.dangerous and finding.name not in accepted:
-            raise DistrustError(f"{source}: {finding.text} (if it is right as it is: --accept {finding.name})")
-        notes.append(f"accepted {finding.name}: {finding.text}" if finding.dangerous else finding.text)
-    return tuple(notes)
-
-
-def examine_points(measurement: Measurement, profile: Profile, cutter_radius: float) -> tuple[Finding, ...]:
+def examine_points(
+    measurement: Measurement, profile: Profile, cutter_radius: float, depth: float = 0.0
+) -> tuple[Finding, ...]:
     """Signs of a wrong unit, frame, side or probe radius, from where the points lie.
 
     Parameters
@@ -125,6 +78,8 @@ def examine_points(measurement: Measurement, profile: Profile, cutter_radius: fl
         Nominal.
     cutter_radius : float
         mm; tells a wrong side.
+    depth : float
+        Depth in mm along the normal that the part was cut at, where elastic deviations are expected; 0 elsewhere.
 
     Returns
     -------
@@ -135,44 +90,95 @@ def examine_points(measurement: Measurement, profile: Profile, cutter_radius: fl
     points = measurement.points[::step, :2]
     if not len(points):
         return ()
-    own = _against_itself(measurement, search, step)
+    own = _other_nominal(measurement, search, step)
     ball = measurement.ball_radius
-    value = search.find(points).distance - ball
+    feet = search.find(points)
+    value = feet.distance - ball
     offset, scatter = _middle(value)
-    near = float((np.abs(value) <= REACH).mean())
-    if near < 0.9:
-        wrong_frame = _wrong_frame(points, search, ball, near)
+    size = np.abs(value)
+    near, typical = float((size <= REACH).mean()), float(np.median(size))
+    if near < 0.9 or scatter > LARGE:
+        wrong_frame = _wrong_frame(points, search, ball, near, typical)
         if wrong_frame is not None:
             return (wrong_frame, *own)
-    if abs(offset) < CONSTANT_OFFSET or scatter > SMALL_SCATTER * abs(offset):
-        return own
-    return (_constant_offset(offset, scatter, ball, cutter_radius), *own)
+    if abs(offset) >= CONSTANT_OFFSET and scatter <= SMALL_SCATTER * abs(offset):
+        constant = _constant_offset(offset, scatter, ball, cutter_radius, depth)
+        if constant.dangerous:
+            return (constant, *own)
+        own = (constant, *own)
+    shifted = axis_signature(measurement, profile)
+    if shifted is not None:
+        return (Finding(*shifted), *own)
+    return (*_sides(measurement, search, feet, value, step), *own)
 
 
-def _against_itself(measurement: Measurement, search: FootPointSearch, step: int) -> tuple[Finding, ...]:
-    """What the file says twice, compared: its nominal with the profile, its deviations with its points."""
-    found = []
-    if measurement.nominal is not None:
-        nominal = measurement.nominal[::step, :2]
-        nominal = nominal[np.isfinite(nominal).all(axis=1)]
-        away = float(np.median(np.abs(search.find(nominal).distance))) if len(nominal) else 0.0
-        if away > OTHER_NOMINAL:
+def _other_nominal(measurement: Measurement, search: FootPointSearch, step: int) -> tuple[Finding, ...]:
+    """The file's own nominal points compared with the profile."""
+    if measurement.nominal is None:
+        return ()
+    nominal = measurement.nominal[::step, :2]
+    nominal = nominal[np.isfinite(nominal).all(axis=1)]
+    away = float(np.median(np.abs(search.find(nominal).distance))) if len(nominal) else 0.0
+    if away <= OTHER_NOMINAL:
+        return ()
+    text = (
+        f"the file's own nominal points lie {away:.3f} mm off the profile: check --nominal, the operation and "
+        "the work frame"
+    )
+    return (Finding("other-nominal", text, True),)
+
+
+def _sides(
+    measurement: Measurement, search: FootPointSearch, feet: FootPoints, value: Floats, step: int
+) -> tuple[Finding, ...]:
+    """Normals that point into the material, and points that may belong to the other side of a thin wall."""
+    points = measurement.points[::step, :2]
+    belongs = (np.abs(value) <= REACH) & (feet.place == Place.SMOOTH)
+    if not belongs.any():
+        return ()
+    wall = _wall(search, feet, belongs)
+    thin = wall < THIN_WALL
+    if measurement.normals is None:
+        doubtful = thin & (np.abs(value) >= CERTAIN * wall)
+        said, remedy = "so far off that the other side may be meant, and the file has no normals", "export normals"
+    else:
+        normals = measurement.normals[::step, :2]
+        facing = (normals * feet.normal).sum(axis=1)
+        against = belongs & (facing < -0.5 * np.maximum(np.hypot(*normals.T), 1e-12)) & (np.hypot(*normals.T) > 0.1)
+        if against.sum() > 0.5 * belongs.sum():
             text = (
-                f"the file's own nominal points lie {away:.3f} mm off the profile: check --nominal, the operation and "
-                "the work frame"
+                f"the normals of {int(against.sum())} of {int(belongs.sum())} points point into the material: export "
+                "normals out of the material, not directions of approach"
             )
-            found.append(Finding("other-nominal", text, True))
-    recomputed = measurement.from_nominal()
-    if recomputed is not None and measurement.stated is not None:
-        gap = np.nan_to_num(np.abs(recomputed - measurement.stated))
-        worst = int(np.argmax(gap))
-        if gap[worst] > STATED:
-            text = (
-                f"{measurement.origin(worst)} states a deviation of {measurement.stated[worst]:+.4f} mm, its points "
-                f"give {recomputed[worst]:+.4f} mm: check what the file's columns mean"
-            )
-            found.append(Finding("stated-deviations", text, True))
-    return tuple(found)
+            return (Finding("normals-reversed", text, bool(thin.any())),)
+        doubtful = thin & against
+        said, remedy = "nearer to the side that their normals do not mean", "check the normals and the work frame"
+    if not doubtful.any():
+        return ()
+    worst = int(np.argmin(np.where(doubtful, wall, np.inf)))
+    x, y = points[worst]
+    count = int(doubtful.sum())
+    text = (
+        f"{count} {'point' if count == 1 else 'points'} on a wall of {wall[worst]:.3f} mm (X{x:.3f} Y{y:.3f}, "
+        f"{measurement.origin(worst * step)}) {'lies' if count == 1 else 'lie'} {said}: {remedy}"
+    )
+    return (Finding("thin-wall", text, bool(count >= 3 and count > SOME * len(value))),)
+
+
+def _wall(search: FootPointSearch, feet: FootPoints, rows: Bools) -> Floats:
+    """Thickness of the material behind foot points, mm; infinite from THIN_WALL on and where no side faces away.
+
+    Seen from half of THIN_WALL below the surface the opposite side is at the thickness less that half.
+    """
+    wall = np.full(len(feet.distance), np.inf)
+    at = np.flatnonzero(rows)
+    depth = 0.5 * THIN_WALL
+    other = search.find(feet.foot[at] - depth * feet.normal[at])
+    away = (other.normal * feet.normal[at]).sum(axis=1) < -0.7
+    thickness = depth - other.distance
+    found = away & (thickness < THIN_WALL) & (thickness > 0.0)
+    wall[at[found]] = thickness[found]
+    return wall
 
 
 def _middle(value: Floats) -> tuple[float, float]:
@@ -181,29 +187,52 @@ def _middle(value: Floats) -> tuple[float, float]:
     return float(middle), float((high - low) / 1.349)
 
 
-def _wrong_frame(points: Floats, search: FootPointSearch, ball: float, near: float) -> Finding | None:
-    """A unit or mirroring in which clearly more points lie on the profile than the share `near`.
+def _wrong_frame(points: Floats, search: FootPointSearch, ball: float, near: float, typical: float) -> Finding | None:
+    """A unit, mirroring or turn in which clearly more points lie on the profile, or all of them far nearer.
 
-    A part whose zero is at its corner has half of its points on the profile in either unit.
+    A part whose zero is at its corner has half of its points on the profile in either unit; one that is nearly
+    its own mirror image has all of them nearly on it.
     """
+    x, y = points.T
+    mirror, turn = "mirror the work frame of the measurement", "turn the work frame of the measurement back"
     attempts = (
         ("unit", f"times {INCH}", points * INCH, "the file is in inches: --units inch"),
         ("unit", f"divided by {INCH}", points / INCH, "the file is in millimetres or was converted twice: --units mm"),
-        ("mirrored", "with x reversed", points * [-1, 1], "mirror the work frame of the measurement"),
-        ("mirrored", "with y reversed", points * [1, -1], "mirror the work frame of the measurement"),
-        ("mirrored", "with x and y exchanged", points[:, ::-1], "exchange the columns x and y"),
+        ("mirrored", "with x reversed", np.column_stack([-x, y]), mirror),
+        ("mirrored", "with y reversed", np.column_stack([x, -y]), mirror),
+        ("mirrored", "with x and y exchanged", np.column_stack([y, x]), "exchange the columns x and y"),
+        ("mirrored", "with x and y exchanged and reversed", np.column_stack([-y, -x]), mirror),
+        ("turned", "turned by 180 degrees", -points, turn),
+        ("turned", "turned by 90 degrees", np.column_stack([-y, x]), turn),
+        ("turned", "turned by -90 degrees", np.column_stack([y, -x]), turn),
     )
+    best: tuple[float, Finding] | None = None
+    # A part with its zero at a corner lies on the profile as a speck, too: in its unit it is as large as the profile.
+    size, wanted = _extent(points), _extent(np.reshape(search.profile.bounding_box(), (2, 2)))
     for name, how, changed, remedy in attempts:
+        times = _extent(changed) / size if size > 0 else 1.0
+        if (times > 2.0 and _extent(changed) > LARGER * wanted) or (times < 0.5 and size < LARGER * wanted):
+            continue
         # The probe radius is in millimetres already.
         value = np.abs(search.find(np.ascontiguousarray(changed)).distance - ball)
-        share = float((value <= REACH).mean())
+        share, middle = float((value <= REACH).mean()), float(np.median(value))
         if share > max(0.5, 1.2 * near):
             text = f"{100 * near:.0f} % of the points lie on the profile, but {how} {100 * share:.0f} %: {remedy}"
-            return Finding(name, text, True)
-    return None
+        elif share >= near and typical > LARGE and middle < FAR_BETTER * typical:
+            text = f"the points lie typically {typical:.3f} mm off the profile, but {how} {middle:.3f} mm: {remedy}"
+        else:
+            continue
+        if best is None or middle < best[0]:
+            best = middle, Finding(name, text, True)
+    return None if best is None else best[1]
 
 
-def _constant_offset(offset: float, scatter: float, ball: float, cutter_radius: float) -> Finding:
+def _extent(points: Floats) -> float:
+    """Diagonal in mm of the box round points."""
+    return float(np.hypot(*np.ptp(points, axis=0))) if len(points) else 0.0
+
+
+def _constant_offset(offset: float, scatter: float, ball: float, cutter_radius: float, depth: float) -> Finding:
     seen = f"the points lie {offset:+.3f} mm off the profile all along, with only {scatter:.3f} mm of scatter"
     near = SMALL_SCATTER
     if ball > 0 and abs(offset + ball) < near * ball:
@@ -217,6 +246,9 @@ def _constant_offset(offset: float, scatter: float, ball: float, cutter_radius: 
     if abs(abs(offset) - 2 * cutter_radius) < near * cutter_radius:
         text = f"{seen}, the cutter's diameter: the profile was taken on the wrong side of the path: --side"
         return Finding("wrong-side", text, True)
+    if elastic.expected(offset, offset, depth) and (ball > 0 or not elastic.like_a_ball(offset)):
+        text = f"{seen}: what a transfer function of {elastic.transfer(offset, depth):.3f} leaves of {depth:g} mm"
+        return Finding("constant-offset", f"{text}; check --tool-diameter if that seems much", False)
     if ball == 0 and CONSTANT_OFFSET < offset < 10:
         text = (
             f"{seen}: they look like centres of a ball of about that radius: --points centre with the radius from the "
@@ -224,104 +256,3 @@ def _constant_offset(offset: float, scatter: float, ball: float, cutter_radius: 
         )
         return Finding("ball-not-compensated", text, True)
     return Finding("constant-offset", f"{seen}: check --tool-diameter, --probe-radius and the work frame", True)
-
-
-def examine_deviations(
-    deviation: Deviation, machine: Floats, profile: Profile, lowest_cut: float | None
-) -> tuple[Finding, ...]:
-    """Signs of misalignment, outliers, nominal in place of measured data and a wrong height.
-
-    Parameters
-    ----------
-    deviation : Deviation
-        Used points.
-    machine : (n,) float64
-        Deviations less the program's own offset, mm.
-    profile : Profile
-    lowest_cut : float or None
-        Lowest height of the following moves, mm; None where it or the points' height is not known.
-
-    Returns
-    -------
-    tuple of Finding
-    """
-    found = []
-    if len(deviation) >= 3 and np.abs(deviation.value).max() < 1e-6:
-        text = "every deviation is 0: the nominal was probably exported in place of the measured points"
-        return (Finding("identical-to-nominal", text, False),)
-    if lowest_cut is not None and len(deviation):
-        below = deviation.z < lowest_cut - 0.01
-        if below.any():
-            found.append(
-                Finding(
-                    "below-the-cut",
-                    f"{int(below.sum())} points (from Z{float(deviation.z.min()):.3f}) lie below the deepest pass at "
-                    f"Z{lowest_cut:.3f}: check the height of the work frame",
-                    False,
-                )
-            )
-    offset, scatter = _middle(machine)
-    far = np.abs(machine - offset) > 8 * max(scatter, 1e-4)
-    if far.any() and far.mean() <= 0.1:
-        worst = int(np.argmax(np.where(far, np.abs(machine - offset), 0.0)))
-        x, y = deviation.foot[worst]
-        found.append(
-            Finding(
-                "outliers",
-                f"{int(far.sum())} outliers, the largest {machine[worst] * 1000:+.1f} um at X{x:.3f} Y{y:.3f}: "
-                "the filters auto and robust leave them out, mean and gauss do not",
-                False,
-            )
-        )
-    read = len(deviation) + len(deviation.rejected)
-    if len(deviation.rejected) > MANY_REJECTED * read:
-        text = (
-            f"only {len(deviation)} of {read} points can be used, most others are {_commonest(deviation)}: is the "
-            "program whole, and is it the one that cut the part?"
-        )
-        found.append(Finding("many-rejected", text, True))
-    misaligned = _misalignment(deviation, profile)
-    return tuple(found) if misaligned is None else (*found, misaligned)
-
-
-def _commonest(deviation: Deviation) -> str:
-    reasons = [r.reason for r in deviation.rejected]
-    return max(set(reasons), key=reasons.count)
-
-
-def _misalignment(deviation: Deviation, profile: Profile) -> Finding | None:
-    """A rigid shift or turn that by itself explains most of the deviations."""
-    if len(deviation) < 10:
-        return None
-    n = deviation.normal
-    left, bottom, right, top = profile.bounding_box()
-    middle = np.array([(left + right) / 2, (bottom + top) / 2])
-    size = max(right - left, top - bottom) / 2
-    arm = (deviation.foot - middle) / size
-    turn = arm[:, 0] * n[:, 1] - arm[:, 1] * n[:, 0]
-    design = np.column_stack([np.ones(len(n)), n, turn])
-    # Directions that the points hardly determine (one straight edge, a round part) say nothing.
-    inside = design - design.mean(axis=0)
-    strong = np.sqrt((inside[:, 1:] ** 2).mean(axis=0)) > 0.1
-    design = design[:, np.concatenate([[True], strong])]
-    if design.shape[1] < 2 or np.linalg.cond(design) > 20:
-        return None
-    clipped = np.clip(deviation.value, *np.percentile(deviation.value, [2, 98]))
-    fitted = np.linalg.lstsq(design, clipped, rcond=None)[0]
-    rigid = design[:, 1:] @ fitted[1:]
-    total = float((clipped**2).mean())
-    # A constant is no motion: what it explains is not the shift's.
-    explained = 1.0 - float(((clipped - rigid) ** 2).mean()) / total if total > 0 else 0.0
-    moved = float(np.abs(rigid).max())
-    if explained < 0.7 or moved < 0.005:
-        return None
-    parameters = np.zeros(3)
-    parameters[strong] = fitted[1:]
-    dx, dy, turned = parameters
-    return Finding(
-        "misalignment",
-        f"{100 * explained:.0f} % of the deviations are what a shift of X{dx * 1000:+.0f} Y{dy * 1000:+.0f} um and a "
-        f"turn of {np.degrees(turned / size) * 3600:+.0f} arc seconds would give: check the alignment of the "
-        "measurement (--align), or correct the work offset",
-        moved > MISALIGNED,
-    )

@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -125,6 +126,11 @@ class Separation:
         What the user should know about this result.
     weights : ndarray, shape (n,)
         Trust in every point, 0 (outlier, ignored) to 1; read-only.
+    variance : ndarray, shape (n,)
+        var(determined) / var(noise) at every point, whose mean is `variance_factor`; read-only.
+    smooth : callable
+        The filter as it ended, with its weights and knots held: values (n,) at the same points to their smoothed
+        values (n,). Linear, and leaves a constant as it is.
     """
 
     determined: Floats
@@ -133,6 +139,8 @@ class Separation:
     description: str
     warnings: tuple[str, ...]
     weights: Floats
+    variance: Floats
+    smooth: Callable[[Floats], Floats]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -178,11 +186,12 @@ class Row:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Parts:
-    """What a filter hands back: values at the sorted points, and its operator's figures."""
+    """What a filter hands back: values at the sorted points, its operator and the operator's figures."""
 
     values: Floats
     random_std: float
-    variance_factor: float
+    variance: Floats
+    smooth: Callable[[Floats], Floats]
     description: str
     warnings: tuple[str, ...] = ()
     weights: Floats | None = None
@@ -227,7 +236,9 @@ def separate(s: ArrayLike, d: ArrayLike, *, length: float, closed: bool, filter:
     mean = float(np.mean(deviations))
     row = _row(places, deviations - mean, float(length), closed)
     if filter.kind == "none":
-        parts = Parts(row.d, math.nan, 1.0, "no filter: all of the deviation is taken as determined")
+        parts = Parts(
+            row.d, math.nan, np.ones_like(row.d), _unchanged, "no filter: all of the deviation is taken as determined"
+        )
     elif filter.kind == "mean":
         parts = _moving_average(row, filter.mask)
     elif filter.kind == "gauss":
@@ -243,11 +254,24 @@ def separate(s: ArrayLike, d: ArrayLike, *, length: float, closed: bool, filter:
     weights = np.ones_like(deviations)
     if parts.weights is not None:
         weights[row.order] = parts.weights
-    determined.flags.writeable = weights.flags.writeable = False
+    variance = np.empty_like(deviations)
+    variance[row.order] = parts.variance
+    determined.flags.writeable = weights.flags.writeable = variance.flags.writeable = False
     warnings = parts.warnings
     if deviations.size == 1:
         warnings += ("a single point: its deviation is taken as it is, the random part cannot be known",)
-    return Separation(determined, parts.random_std, parts.variance_factor, parts.description, warnings, weights)
+
+    def smooth(values: Floats) -> Floats:
+        out = np.empty(len(row.order))
+        out[row.order] = parts.smooth(values[row.order])
+        return out
+
+    factor = float(np.mean(parts.variance))
+    return Separation(determined, parts.random_std, factor, parts.description, warnings, weights, variance, smooth)
+
+
+def _unchanged(values: Floats) -> Floats:
+    return values
 
 
 def _check(s: Floats, d: Floats, length: float) -> None:
@@ -312,22 +336,26 @@ def _moving_average(row: Row, mask: tuple[float, ...]) -> Parts:
             f"the points are unevenly spaced (up to {row.spacing.max():.3g} mm, median"
             f" {row.typical_spacing:.3g} mm) and the moving average counts points: prefer gauss:MM or auto"
         )
-    total = _correlate(row.place_d, f, row.closed)
     divisor = _correlate(np.ones(m), f, row.closed)
     # At an open end the mask is cut off; where what is left of it sums to 0, eq. (5) has no value.
     void = np.abs(divisor) <= 1e-9 * np.abs(f).sum()
     if void.any():
         warnings.append("the mask sums to 0 at an end of the row: those points are left unfiltered")
         divisor = np.where(void, 1.0, divisor)
-    values = np.where(void, row.place_d, total / divisor)
+
+    def smooth(d: Floats) -> Floats:
+        place_d = np.bincount(row.place, weights=d) / row.count
+        averaged: Floats = np.where(void, place_d, _correlate(place_d, f, row.closed) / divisor)[row.place]
+        return averaged
+
     variance = np.where(void, 1.0 / row.count, _correlate(1.0 / row.count, f * f, row.closed) / divisor**2)
     own = np.where(void, 1.0, f[f.size // 2] / divisor)
-    squared = float(row.count @ variance)
-    at_points = values[row.place]
+    at_points = smooth(row.d)
     return Parts(
         at_points,
-        _random_std(row.d - at_points, float(own.sum()), squared),
-        squared / row.d.size,
+        _random_std(row.d - at_points, float(own.sum()), float(row.count @ variance)),
+        variance[row.place],
+        smooth,
         f"moving average, mask of {f.size} points{_mask_transmission(f, row)}{_shortest(row)}",
         tuple(warnings),
     )
@@ -410,11 +438,15 @@ def _gaussian(row: Row, cutoff: float) -> Parts:
     # Points more than a quarter of the cutoff apart weigh alike, so that a gap does not blow up its edges.
     weights = _represented_length(row, cutoff / 8.0)
     fit = local_line(row.s, row.d, weights, cutoff=cutoff, length=row.length, closed=row.closed)
-    squared = float(fit.squared_weights.sum())
+
+    def smooth(d: Floats) -> Floats:
+        return local_line(row.s, d, weights, cutoff=cutoff, length=row.length, closed=row.closed, figures=False).values
+
     return Parts(
         fit.values,
-        _random_std(row.d - fit.values, float(fit.own_weight.sum()), squared),
-        squared / row.d.size,
+        _random_std(row.d - fit.values, float(fit.own_weight.sum()), float(fit.squared_weights.sum())),
+        fit.squared_weights,
+        smooth,
         f"Gaussian regression in arc length (ISO 16610-21, {_ends(row)}), 50 % transmission at a wavelength"
         f" of {cutoff:g} mm{_shortest(row)}",
         _sampling_warnings(row, cutoff),
@@ -449,7 +481,12 @@ def _robust_gaussian(row: Row, cutoff: float) -> Parts:
         trust = np.clip(1.0 - (size / (_BIWEIGHT * median)) ** 2, 0.0, 1.0) ** 2
     else:
         warnings.append(f"the robust regression did not settle within {_ROBUST_ROUNDS} rounds")
-    fit = _local_line(row, lengths * np.maximum(trust, _LEAST_TRUST), cutoff, figures=True)
+    weights = lengths * np.maximum(trust, _LEAST_TRUST)
+    fit = _local_line(row, weights, cutoff, figures=True)
+
+    def smooth(d: Floats) -> Floats:
+        return _local_line(replace(row, d=d), weights, cutoff, figures=False).values
+
     squared = float(fit.squared_weights.sum())
     freedom = row.d.size - 2.0 * float(fit.own_weight.sum()) + squared
     share = freedom / row.d.size
@@ -460,7 +497,8 @@ def _robust_gaussian(row: Row, cutoff: float) -> Parts:
     return Parts(
         fit.values,
         std,
-        squared / row.d.size,
+        fit.squared_weights,
+        smooth,
         f"robust Gaussian regression in arc length (ISO 16610-31, order 1, {_ends(row)}), 50 % transmission"
         f" at a wavelength of {cutoff:g} mm{_shortest(row)}",
         tuple(warnings),
@@ -539,7 +577,8 @@ def _regression(row: Row, noise_floor: float) -> Parts:
     return Parts(
         fit.values,
         fit.random_std,
-        fit.variance_factor,
+        fit.variance,
+        fit.smooth,
         f"regression on {shape}; Moran's I of the residuals {fit.moran.index:+.3f}, z = {fit.moran.z:+.2f}"
         f" (correlated above 1.64); {fit.fits} fits{_shortest(row)}",
         tuple(warnings),

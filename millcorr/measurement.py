@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The measurement: points that a machine touched on a part, with their origin."""
+"""The measurement: points that a machine touched on a part, with their origin, and the probe that touched them."""
 
 from __future__ import annotations
 
 import hashlib
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,6 +15,97 @@ from .errors import InputError
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
+INTERPOLATIONS = ("linear", "trigonometric")
+
+UNIT_LENGTH = 1e-6
+"""A direction of travel has length 1 to within this."""
+
+LARGEST_LOBING = 0.1
+"""Effective radii of one probe differ by less than this, in mm: its pre-travel is a few hundredths."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Probe:
+    """Calibrated touch probe: how large its ball acts in each direction, and where it sits below the spindle.
+
+    Parameters
+    ----------
+    radius : float
+        Effective radius in mm: distance from where the control sees the ball's centre to the surface touched.
+    directions : (k,) float64, optional
+        Directions of touch in rad, from X+ anticlockwise, increasing, within one turn: the way from the ball's
+        centre to the surface, which is where the ball travels if it travels along the normal.
+    radii : (k,) float64, optional
+        Effective radius in mm in each of `directions`; in the others interpolated.
+    interpolation : {"linear", "trigonometric"}
+        Between `directions`, round the whole turn; trigonometric needs even spacing.
+    offset : (float, float)
+        Ball's centre less the position that the control reports, mm, in the frame of the points.
+    control_radii : (float, float), optional
+        Radii in mm by which the control shifts touches along X and along Y, where they are known.
+    source : str
+        File that the calibration came from.
+    """
+
+    radius: float
+    directions: Floats | None = None
+    radii: Floats | None = None
+    interpolation: str = "linear"
+    offset: tuple[float, float] = (0.0, 0.0)
+    control_radii: tuple[float, float] | None = None
+    source: str = ""
+
+    def __post_init__(self) -> None:
+        for key, lengths in (("radius", (self.radius,)), ("control_radius", self.control_radii or ())):
+            if not all(math.isfinite(r) and r > 0 for r in lengths):
+                raise self._error(key, "a length in mm above 0")
+        if not all(map(math.isfinite, self.offset)):
+            raise self._error("offset", "two lengths in mm")
+        if self.interpolation not in INTERPOLATIONS:
+            raise self._error("interpolation", " or ".join(INTERPOLATIONS))
+        if any(abs(r - self.radius) > LARGEST_LOBING for r in self.control_radii or ()):
+            raise self._error("control_radius", f"within {LARGEST_LOBING:g} mm of the effective radius")
+        if self.directions is None or self.radii is None:
+            if self.directions is not self.radii:
+                raise self._error("directions", "given together with radii")
+            return
+        self._check_table(self.directions, self.radii)
+        self.directions.flags.writeable = self.radii.flags.writeable = False
+
+    def _error(self, key: str, wanted: str) -> InputError:
+        return InputError(f"{self.source or 'probe'}: {key} must be {wanted}")
+
+    def _check_table(self, directions: Floats, radii: Floats) -> None:
+        k = len(directions)
+        if directions.shape != (k,) or radii.shape != (k,) or k < 3:
+            raise self._error("radii", "as many as directions, at least three")
+        if not np.isfinite(directions).all() or (np.diff(directions) <= 0).any() or np.ptp(directions) >= 2 * np.pi:
+            raise self._error("directions", "angles that increase and stay within one turn")
+        if not (np.abs(radii - self.radius) <= LARGEST_LOBING).all():
+            raise self._error("radii", f"lengths in mm within {LARGEST_LOBING:g} mm of the effective radius")
+        even = directions[0] + 2 * np.pi * np.arange(k) / k
+        if self.interpolation == "trigonometric" and np.abs(directions - even).max() > 1e-9:
+            raise self._error("interpolation", "linear where the directions are not evenly spaced round the turn")
+
+    def effective(self, direction: Floats) -> Floats:
+        """Effective radius in mm by direction of touch in rad; (n,).
+
+        Trigonometric interpolation goes through all radii and bends least: harmonics up to half their number.
+        """
+        if self.directions is None or self.radii is None:
+            return np.full(len(direction), self.radius)
+        if self.interpolation == "linear":
+            return np.interp(direction, self.directions, self.radii, period=2 * np.pi)
+        k = len(self.radii)
+        harmonics = np.fft.rfft(self.radii) / k
+        # Harmonics but the first, and the last of an even number, stand for themselves and their mirror image.
+        harmonics[1 : (k + 1) // 2] *= 2
+        out = np.full(len(direction), harmonics[0].real)
+        for order, harmonic in enumerate(harmonics[1:], 1):
+            phase = order * (direction - self.directions[0])
+            out += harmonic.real * np.cos(phase) - harmonic.imag * np.sin(phase)
+        return out
+
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Measurement:
@@ -22,7 +114,9 @@ class Measurement:
     Parameters
     ----------
     points : (n, 3) float64
-        Positions in mm in the work frame. Contact points, or ball centres when `ball_radius` is not 0.
+        Positions in mm in the work frame. Contact points, or ball centres when `ball_radius` is not 0. Where
+        `axis_radii` is given, ball centres that the control shifted along the axis of travel; `ball_radius` is then
+        what lies between point and surface where the slope is a multiple of 90 degrees.
     normals : (n, 3) float64 or None
         Measured or nominal unit normals out of the material where the file has them, exact to the digits printed.
     ball_radius : float
@@ -47,6 +141,15 @@ class Measurement:
         Name of the format the file was read as; empty for points that come from no file.
     notes : tuple of str
         What the reader did or left out beyond copying numbers: frames applied, features not read.
+    axis_radii : (float, float), optional
+        Radii in mm by which the control shifted touches along X and along Y towards the material, which
+        `millcorr.probe.contact_known` has still to take back; None where it did not shift.
+    travel : (n, 3) float64, optional
+        Unit directions of travel towards the material, of points that were shifted.
+    probe : Probe, optional
+        Calibration that `millcorr.probe.contact_known` has still to apply.
+    left_out : tuple of (int, str)
+        Rows of the file's points, from 0 and increasing, that are not here, each with the reason.
     """
 
     points: Floats
@@ -62,6 +165,10 @@ class Measurement:
     unit: str = "mm"
     format: str = ""
     notes: tuple[str, ...] = ()
+    axis_radii: tuple[float, float] | None = None
+    travel: Floats | None = None
+    probe: Probe | None = None
+    left_out: tuple[tuple[int, str], ...] = ()
 
     def __post_init__(self) -> None:
         if self.points.ndim != 2 or self.points.shape[1] != 3:
@@ -78,6 +185,7 @@ class Measurement:
             ("lines", self.lines, (n,)),
             ("nominal points", self.nominal, (n, 3)),
             ("stated deviations", self.stated, (n,)),
+            ("directions of travel", self.travel, (n, 3)),
         ):
             if array is None:
                 continue
@@ -86,6 +194,20 @@ class Measurement:
             array.flags.writeable = False
         if self.elements is not None and len(self.elements) != n:
             raise InputError(f"{self.source}: {len(self.elements)} names for {n} points")
+        self._check_axis()
+
+    def _check_axis(self) -> None:
+        """InputError where what is said of a shift along the axis of travel contradicts itself."""
+        if self.axis_radii is None:
+            if self.travel is not None:
+                raise InputError(f"{self.source}: directions of travel are for points shifted along an axis")
+            return
+        if not all(math.isfinite(r) and r > 0 for r in self.axis_radii):
+            raise InputError(f"{self.source}: the radii of a shift along an axis must be above 0 mm")
+        if self.travel is not None:
+            wrong = np.flatnonzero(~(np.abs(np.sqrt((self.travel**2).sum(axis=1)) - 1.0) <= UNIT_LENGTH))
+            if len(wrong):
+                raise InputError(f"{self.origin(int(wrong[0]))}: the direction of travel has not length 1")
 
     def __len__(self) -> int:
         return len(self.points)
@@ -105,8 +227,11 @@ class Measurement:
     def contact(self) -> Floats | None:
         """Contact points in mm, (n, 3): ball centre less radius times normal; None if a normal is needed and missing.
 
-        What MSR files mean by the surface point: the normal is the file's own.
+        What MSR files mean by the surface point: the normal is the file's own. None also for points that are
+        still shifted along an axis.
         """
+        if self.axis_radii is not None:
+            return None
         if not self.ball_radius:
             return self.points
         if self.normals is None:
@@ -117,9 +242,10 @@ class Measurement:
     def from_nominal(self) -> Floats | None:
         """Deviations in mm, (n,), of the contact points from the file's own nominal points along its normals.
 
-        ``(P - N) . n - r``, positive outwards; NaN where a nominal is missing, None where all are, or the normals.
+        ``(P - N) . n - r``, positive outwards; NaN where a nominal is missing, None where all are, or the normals,
+        or where the points are still shifted along an axis.
         """
-        if self.nominal is None or self.normals is None:
+        if self.nominal is None or self.normals is None or self.axis_radii is not None:
             return None
         out: Floats = ((self.points - self.nominal) * self.normals).sum(axis=1) - self.ball_radius
         return out

@@ -41,11 +41,14 @@ class Parts:
     std : float
         Standard deviation from part to part, process and measurement together, mm: the root of the mean
         variance over the places with two parts or more. NaN where there is none.
+    values : (m, n) float64
+        What every one of the m parts says at the places, mm; NaN where it says nothing.
     """
 
     mean: Floats
     count: Ints
     std: float
+    values: Floats
 
 
 def averaged(parts: Sequence[tuple[Deviation, Floats]], profile: Profile) -> Parts:
@@ -68,27 +71,25 @@ def averaged(parts: Sequence[tuple[Deviation, Floats]], profile: Profile) -> Par
         If a further part has no point near those of the first.
     """
     first, values = parts[0]
-    total, square = values.copy(), np.zeros(len(values))
-    count = np.ones(len(values), dtype=np.int64)
     rows = [values]
     for number, (other, seen) in enumerate(parts[1:], 2):
-        at = _interpolated(first, other, seen, profile)
-        known = np.isfinite(at)
-        if not known.any():
+        at = interpolated(first, other, seen, profile)
+        if not np.isfinite(at).any():
             raise InputError(f"part {number} was measured at other places than the first: nothing can be averaged")
-        total[known] += at[known]
-        count[known] += 1
         rows.append(at)
-    mean = total / count
-    for row in rows:
-        square += np.nan_to_num(row - mean) ** 2
+    table = np.stack(rows)
+    count = np.isfinite(table).sum(axis=0)
+    mean = np.nansum(table, axis=0) / count
     several = count > 1
-    std = float(np.sqrt((square[several] / (count[several] - 1)).mean())) if several.any() else float("nan")
-    return Parts(mean, count, std)
+    square = np.nansum((table[:, several] - mean[several]) ** 2, axis=0)
+    std = float(np.sqrt((square / (count[several] - 1)).mean())) if several.any() else float("nan")
+    for array in (mean, count, table):
+        array.flags.writeable = False
+    return Parts(mean, count, std, table)
 
 
-def _interpolated(first: Deviation, other: Deviation, values: Floats, profile: Profile) -> Floats:
-    """Values of another part at the first one's points; NaN where it has no point on both sides nearby."""
+def interpolated(first: Deviation, other: Deviation, values: Floats, profile: Profile) -> Floats:
+    """Values of another part, mm, at the first one's points, (n,); NaN where it has no point on both sides nearby."""
     out = np.full(len(first), np.nan)
     stretches = profile.stretches()
     for number in np.unique(first.stretch):

@@ -3,7 +3,8 @@
 
 A move follows where all of it lies at the cutter's radius from a piece of the nominal, on a piece's straight
 continuation (the path runs past a convex corner or past an open end), or on the arc about a convex corner.
-Leads, links, ramps beside the contour, roughing passes and rapids do not follow.
+Leads, links, ramps beside the contour, roughing passes and rapids do not follow. Where the program carries a
+correction, all this is meant of the nominal with that correction.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .footpoint import FootPointSearch, Place
+from .footpoint import FootPoints, FootPointSearch, Place
 from .profile import GAP
 from .reconstruction import CompensatedContour
 from .theoretical_contour import cutting_runs
@@ -81,13 +82,13 @@ def follow(
     band: float,
     rows: NDArray[np.bool_] | None = None,
 ) -> Following:
-    """Find the moves that follow the nominal profile of `contour`.
+    """Find the moves that follow a contour.
 
     Parameters
     ----------
     toolpath : Toolpath
     contour : CompensatedContour
-        Only its nominal pieces and joints matter here.
+        What the program is expected to follow: the nominal, with the correction that the program carries.
     radius : float
         Distance in mm between path and contour.
     band : float
@@ -112,8 +113,8 @@ def follow(
             none, none, empty, empty, empty, empty, empty, empty, none, error, beside, np.inf
         )
     points = toolpath.take(index).position(SAMPLES)[:, :, :2].reshape(-1, 2)
-    label, sigma, off = _label(points, contour, radius, band)
     k = len(SAMPLES)
+    label, sigma, off = _label(points, contour, radius, band)
     label, sigma, off = label.reshape(-1, k), sigma.reshape(-1, k), off.reshape(-1, k)
     inner = slice(1, k - 1)
     _prefer_one_piece(label, sigma, off, points.reshape(-1, k, 2), contour, radius, band)
@@ -166,54 +167,108 @@ def follow(
     )
 
 
-def _label(
-    points: Floats, contour: CompensatedContour, radius: float, band: float
-) -> tuple[Ints, Floats, Floats]:
-    """Piece (or joint, or NOWHERE), arc length on it, and distance off the parallel at each point."""
+def length_in_plane(toolpath: Toolpath) -> Floats:
+    """Length of every move in mm as seen from above, known where the height is not; (n,)."""
+    level = [np.column_stack([end[:, :2], np.zeros(len(toolpath))]) for end in (toolpath.start, toolpath.end)]
+    return toolpath.with_moves(start=level[0], end=level[1]).length()
+
+
+def _label(points: Floats, contour: CompensatedContour, radius: float, band: float) -> tuple[Ints, Floats, Floats]:
+    """Piece (or joint, or NOWHERE), arc length on it, and distance off the nominal's parallel at each point."""
     profile = contour.profile
     feet = FootPointSearch(profile, margin=radius + 2.0).find(points)
     piece, sigma = contour.position_on_piece(feet.span, feet.t)
     off = feet.distance - radius
-    label = np.where(np.abs(off) <= band, piece, NOWHERE)
     ends = np.flatnonzero(feet.place == Place.END)
     if len(ends):
         normal = profile.normals(feet.span[ends], feet.t[ends])
         arm = points[ends] - feet.foot[ends]
-        along = arm[:, 1] * normal[:, 0] - arm[:, 0] * normal[:, 1]
         off[ends] = (arm * normal).sum(axis=1) - radius
-        sigma[ends] += along
-        label[ends] = np.where(np.abs(off[ends]) <= band, piece[ends], NOWHERE)
-    at_joint = np.flatnonzero(feet.place == Place.JOINT)
-    joints = contour.joints
-    if len(at_joint) and len(joints.before):
-        gap = np.hypot(
-            points[at_joint, 0] - feet.foot[at_joint, 0], points[at_joint, 1] - feet.foot[at_joint, 1]
-        )
-        which = _joint_at(contour, feet.foot[at_joint])
-        real = which >= 0
-        at_joint, gap, which = at_joint[real], gap[real], which[real]
-        arm = points[at_joint] - joints.point[which]
-        na = contour.nominal_normal(joints.before[which], contour.length[joints.before[which]])
-        nb = contour.nominal_normal(joints.after[which], np.zeros(len(which)))
-        along_a = arm[:, 1] * na[:, 0] - arm[:, 0] * na[:, 1]
-        along_b = arm[:, 1] * nb[:, 0] - arm[:, 0] * nb[:, 1]
-        off_a, off_b = (arm * na).sum(axis=1) - radius, (arm * nb).sum(axis=1) - radius
-        off_j = np.where(feet.distance[at_joint] < 0, -gap, gap) - radius
-        options = np.abs(np.stack([off_a, off_b, off_j]))
-        options[0, along_a < -1e-9] = np.inf
-        options[1, along_b > 1e-9] = np.inf
-        # The arc about the corner only where neither side's continuation fits as well.
-        options[2] += 1e-6
-        best = options.argmin(axis=0)
-        pick = np.arange(len(which))
-        off[at_joint] = np.stack([off_a, off_b, off_j])[best, pick]
-        names = np.stack([joints.before[which], joints.after[which], -1 - which])
-        places = np.stack(
-            [contour.length[joints.before[which]] + along_a, along_b, np.full(len(which), np.nan)]
-        )
-        sigma[at_joint] = places[best, pick]
-        label[at_joint] = np.where(options[best, pick] <= band, names[best, pick], NOWHERE)
+        sigma[ends] += arm[:, 1] * normal[:, 0] - arm[:, 0] * normal[:, 1]
+    label = np.where(np.abs(off - contour.correction_on(piece, sigma)) <= band, piece, NOWHERE)
+    _label_at_joints(points, feet, piece, label, sigma, off, contour, radius, band)
     return label, sigma, off
+
+
+def _label_at_joints(
+    points: Floats,
+    feet: FootPoints,
+    piece: Ints,
+    label: Ints,
+    sigma: Floats,
+    off: Floats,
+    contour: CompensatedContour,
+    radius: float,
+    band: float,
+) -> None:
+    """Points about corners: on the continuation of either side, or on the arc about the corner. In place."""
+    joints = contour.joints
+    if not len(joints.before):
+        return
+    rows, which, own = _near_joints(feet, piece, sigma, contour, radius)
+    before, after = joints.before[which], joints.after[which]
+    length = contour.length[before]
+    arm = points[rows] - joints.point[which]
+    na, nb = contour.nominal_normal(before, length), contour.nominal_normal(after, np.zeros(len(which)))
+    on_a, on_b = own == before, own == after
+    # A foot that lies on a side, not at the corner, is exact on a curved side, too.
+    along_a = np.where(on_a, sigma[rows] - length, _cross(na, arm))
+    along_b = np.where(on_b, sigma[rows], _cross(nb, arm))
+    off_a = np.where(on_a, off[rows], (arm * na).sum(axis=1) - radius)
+    off_b = np.where(on_b, off[rows], (arm * nb).sum(axis=1) - radius)
+    side = np.where(feet.distance[rows] < 0, -1.0, 1.0)
+    corner = points[rows] - contour.evaluate(before, contour.high[before])[0]
+    options = np.abs(
+        np.stack(
+            [
+                off_a - contour.correction_on(before, length + along_a),
+                off_b - contour.correction_on(after, along_b),
+                side * np.hypot(*corner.T) - radius,
+            ]
+        )
+    )
+    options[0, ~on_a & (along_a < -1e-9)] = np.inf
+    options[1, ~on_b & (along_b > 1e-9)] = np.inf
+    options[2, (_cross(na, corner) < -1e-6) | (_cross(nb, corner) > 1e-6)] = np.inf
+    # The arc about the corner only where neither side's continuation fits as well.
+    options[2] += 1e-6
+    best, pick = options.argmin(axis=0), np.arange(len(which))
+    off[rows] = np.stack([off_a, off_b, side * np.hypot(*arm.T) - radius])[best, pick]
+    sigma[rows] = np.stack([length + along_a, along_b, np.full(len(which), np.nan)])[best, pick]
+    label[rows] = np.where(options[best, pick] <= band, np.stack([before, after, -1 - which])[best, pick], NOWHERE)
+
+
+def _near_joints(
+    feet: FootPoints, piece: Ints, sigma: Floats, contour: CompensatedContour, radius: float
+) -> tuple[Ints, Ints, Ints]:
+    """Points about a corner, its joint, and the piece that their foot lies on (-1 at the corner itself).
+
+    Beside those whose foot is the corner: where a correction moves a convex corner back into the material, those
+    with the foot between the moved corner and the nominal one.
+    """
+    joints = contour.joints
+    at = np.flatnonzero(feet.place == Place.JOINT)
+    joint = _joint_at(contour, feet.foot[at])
+    rows, which, own = [at[joint >= 0]], [joint[joint >= 0]], [np.full(int((joint >= 0).sum()), -1)]
+    smooth = feet.place == Place.SMOOTH
+    for side, beyond in (
+        (joints.before, sigma - contour.high[piece] > 1e-9),
+        (joints.after, contour.low[piece] - sigma > 1e-9),
+    ):
+        joint_of = np.full(len(contour.length), -1)
+        joint_of[side] = np.arange(len(side))
+        joint = joint_of[piece]
+        found = np.flatnonzero(smooth & beyond & (joint >= 0) & (joints.turn[joint] > 0) & (radius > 0))
+        rows.append(found)
+        which.append(joint[found])
+        own.append(piece[found])
+    return np.concatenate(rows), np.concatenate(which), np.concatenate(own)
+
+
+def _cross(normal: Floats, arm: Floats) -> Floats:
+    """Length of arms along the contour whose normals are given; (n,)."""
+    out: Floats = arm[:, 1] * normal[:, 0] - arm[:, 0] * normal[:, 1]
+    return out
 
 
 def _prefer_one_piece(
@@ -228,7 +283,7 @@ def _prefer_one_piece(
             nearest = known[np.abs(np.arange(k)[:, None] - known[None]).argmin(axis=1)]
             names = np.full(k, piece)
             away, along = contour.distance_off(names, sigma[i, nearest], points[i], radius, corrected=False)
-            if (np.abs(away) <= band).all():
+            if (np.abs(away - contour.correction_on(names, along)) <= band).all():
                 label[i], sigma[i], off[i] = piece, along, away
                 break
 

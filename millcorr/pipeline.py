@@ -5,83 +5,44 @@ from __future__ import annotations
 
 import logging
 from dataclasses import dataclass, field, replace
+from functools import partial
+from pathlib import PurePath
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import __version__, alignment, distrust, gcode, provenance
+from .combined_control import AxisTransfer, Machine
 from .commanded import Commanded, beside_the_path, choose_side, commanded_offset, nominal_of
-from .compensation import Correction, along, correction_from, dead_band
+from .compensation import Correction, dead_band
 from .deviation import Deviation, deviations, statistics
-from .errors import InputError, LimitError, UsageError
-from .filtering import Filter, Separation, separate
+from .emission import Emission, emit
+from .errors import DistrustError, InputError, LimitError, UsageError
+from .filtering import Filter, Separation
+from .footpoint import FootPointSearch
+from .foreseen import FirstCut, Foreseen, aim_of, combined_target, foresee, predicted_target, require_setup
+from .largest import largest_correction
 from .measurement import Measurement
-from .parts import averaged
+from .prediction import Aim, Simulation, simulate
+from .probe import axis_residue, contact_known, numbered_as_read
 from .profile import Profile
 from .reconstruction import CompensatedContour
-from .regeneration import OUTPUT_MOVES, Regeneration, regenerate
+from .regeneration import Regeneration
+from .settings import Settings as Settings
+from .setup_file import Setup
+from .targets import Elastic, Part, Target, correction_through, target_of
 from .toolpath import Compensation, Kind, Toolpath
-from .verification import Verification, verify
+from .vanishing_arcs import without_vanishing_arcs
+from .verification import Verification
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 log = logging.getLogger(__name__)
 
-LARGEST_TOLERANCE = 0.05
-"""Path errors beyond this, in mm, are as large as the deviations worth correcting."""
-
-
-@dataclass(frozen=True, slots=True)
-class Settings:
-    """How to correct. Lengths in mm; see the command line for the meaning of each."""
-
-    side: str = "auto"
-    align: str = "none"
-    filter: str = "auto"
-    method: str = "mirror"
-    gain: float = 1.0
-    limit: float = 0.5
-    dead_band: float = 0.0
-    tolerance: float = 0.001
-    output_moves: str = "keep"
-    cutter_compensation: str = "contour"
-    accept: tuple[str, ...] = ()
-
-    def __post_init__(self) -> None:
-        choices = {
-            "side": ("auto", "left", "right"),
-            "method": ("mirror",),
-            "output_moves": OUTPUT_MOVES,
-            "cutter_compensation": ("contour", "wear"),
-        }
-        for name, legal in choices.items():
-            if getattr(self, name) not in legal:
-                option = "--" + name.replace("_", "-")
-                raise UsageError(f"{option} {getattr(self, name)}: choose one of {', '.join(legal)}")
-        alignment.Freedom.parse(self.align)
-        Filter.parse(self.filter)
-        if not 0 < self.gain <= 2:
-            raise UsageError(f"--gain {self.gain:g}: must be above 0 and at most 2")
-        for name in ("limit", "tolerance"):
-            if not getattr(self, name) > 0:
-                raise UsageError(f"--{name} {getattr(self, name):g}: must be above 0")
-        if self.tolerance > LARGEST_TOLERANCE:
-            raise UsageError(
-                f"--tolerance {self.tolerance:g}: more than {LARGEST_TOLERANCE:g} mm would hide what is to be corrected"
-            )
-        if not self.dead_band >= 0:
-            raise UsageError(f"--dead-band {self.dead_band:g}: must not be negative")
-
-    def in_words(self) -> str:
-        """The settings that shape a correction, in one line."""
-        return (
-            f"method {self.method} filter {self.filter} gain {self.gain:g} dead band {self.dead_band:g} "
-            f"limit {self.limit:g} tolerance {self.tolerance:g} moves {self.output_moves} align {self.align}"
-            + (f" accepted {' '.join(self.accept)}" if self.accept else "")
-        )
-
+LEAST_UNDER = 0.05
+"""A first cut leaves its allowance and what the machine yields, never less by more than this, in mm."""
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Request:
@@ -99,7 +60,13 @@ class Request:
         The profile the part should have; by default what the program cuts.
     settings : Settings
     further : tuple of Measurement
-        Further parts cut with the same program; the first one's deviations become the mean of all.
+        Further parts cut with the same program; the first one's deviations become the mean of all. Where they were
+        cut at other depths, they tell the transfer function from a constant offset.
+    smoothed : Correction, optional
+        Deviation from the nominal, mm over arc length, to take out of a program that was corrected before, in
+        place of what was measured: smoothed over the parts of a series.
+    setup : Setup, optional
+        Tool, material, machine and stock, for the methods that simulate.
     """
 
     program: gcode.Program
@@ -108,6 +75,8 @@ class Request:
     nominal: Profile | None = None
     settings: Settings = field(default_factory=Settings)
     further: tuple[Measurement, ...] = ()
+    smoothed: Correction | None = None
+    setup: Setup | None = None
 
     @property
     def measurements(self) -> tuple[Measurement, ...]:
@@ -130,6 +99,8 @@ class Result:
         Against the nominal; empty without a measurement.
     filtered : (n,) float64
         Determined part of each deviation, mm.
+    uncertainty : (n,) float64
+        Standard uncertainty (k = 1) of the determined part at each point, mm; NaN where it is not known.
     predicted : (n,) float64
         What the same machine is expected to leave at each point after the correction, mm.
     commanded : (n,) float64
@@ -138,6 +109,10 @@ class Result:
         One a smooth stretch and level with points.
     random_std : float
         Standard deviation of the random part, mm; NaN where it is not known.
+    elastic : Elastic or None
+        Transfer function at the used points, and the depth it was carried to; None without one.
+    foreseen : Foreseen or None
+        What the model of a setup says before and after; None without one.
     regeneration : Regeneration
     path_radius : float
         Distance in mm between path and contour: the cutter radius, or 0 where the program gives the contour.
@@ -147,7 +122,7 @@ class Result:
     text : bytes
         The corrected program; the very bytes of the original where nothing changed.
     advice : tuple of str
-        What to expect of the next part.
+        What to expect of the next part, and what the readers did or left out beyond copying numbers.
     warnings : tuple of str
         What may be wrong or was not possible.
     """
@@ -159,10 +134,13 @@ class Result:
     alignment: alignment.Alignment | None
     deviation: Deviation
     filtered: Floats
+    uncertainty: Floats
     predicted: Floats
     commanded: Floats
     separations: tuple[Separation, ...]
     random_std: float
+    elastic: Elastic | None
+    foreseen: Foreseen | None
     regeneration: Regeneration
     path_radius: float
     fit_residual: float
@@ -171,12 +149,21 @@ class Result:
     advice: tuple[str, ...]
     warnings: tuple[str, ...]
 
+    @property
+    def correction_uncertainty(self) -> Floats:
+        """Standard uncertainty of the correction at each point, mm; NaN where it is not known. (n,)."""
+        elastic = self.elastic
+        own = self.uncertainty if elastic is None else elastic.transfer.correction_std(elastic.next_depth)
+        return self.request.settings.gain * own
+
     def summary(self) -> dict[str, Any]:
         """The contents of report.json."""
         curves = [c.as_dict() for contour in self.compensated.contours for c in contour.curves]
         first = curves[0]
         keys = ("degree", "poles", "weights", "knots", "multiplicities", "periodic")
         d = self.deviation
+        uncertainty = statistics(self.uncertainty[np.isfinite(self.uncertainty)])
+        largest = largest_correction(self.correction, self.nominal)
         return {
             "millcorr": __version__,
             "unit": "mm",
@@ -190,7 +177,16 @@ class Result:
             "random_std": self.random_std,
             "path_error_of_program": self.regeneration.original_error,
             "predicted": statistics(self.predicted),
-            "correction": {"max": self.correction.largest, "limited": 0},
+            "correction": {
+                "max": self.correction.largest,
+                "limited": 0,
+                "largest": largest.value,
+                "place": list(largest.point),
+                "uncertainty_max": float(np.fmax.reduce(self.correction_uncertainty, initial=np.nan)),
+            },
+            "uncertainty": uncertainty,
+            "transfer": None if self.elastic is None else self.elastic.summary(self.request.settings),
+            "foreseen": None if self.foreseen is None else self.foreseen.summary(),
             "alignment": self._alignment_summary(),
             "profile": {k: first[k] for k in keys} | {"curves": curves, "fit_residual": self.fit_residual},
             "verification": {
@@ -235,12 +231,15 @@ class Result:
         return _header(self.request)
 
 
-def correct(request: Request) -> Result:
+def correct(request: Request, *, check: bool = False) -> Result:
     """Correct a toolpath from a measured part.
 
     Parameters
     ----------
     request : Request
+    check : bool
+        True where nothing will be written: a measurement that the program carries already is then looked at, with a
+        warning, in place of being refused.
 
     Returns
     -------
@@ -253,7 +252,7 @@ def correct(request: Request) -> Result:
     RefusedError, LimitError, FitError
         If the correction would be unsafe: nothing is changed.
     """
-    settings, program, measurement = request.settings, request.program, request.measurement
+    settings, program = request.settings, request.program
     toolpath = program.toolpath
     if not 0 < request.radius < np.inf:
         raise UsageError(f"the tool diameter {2 * request.radius:g} mm must be a length above 0")
@@ -262,54 +261,147 @@ def correct(request: Request) -> Result:
     digests = [m.fingerprint for m in request.measurements]
     if len(set(digests)) < len(digests):
         raise UsageError("the same measurement is given twice: averaging needs different parts")
-    provenance.refuse_second_use(carried, digests, program.name, request.nominal is not None)
+    depths = settings.each("depth", len(digests))
+    allowances = settings.each("allowance", len(digests))
+    surfaces = [_taken_down(m, a) for m, a in zip(request.measurements, allowances, strict=True)]
+    measurement = surfaces[0] if surfaces else None
+    again = provenance.applied(carried, digests) if check else None
+    if again is not None:
+        warnings.append(
+            f"{program.name} carries the correction from this measurement already, since {again.date}: the part was "
+            "cut by an earlier program, so all is shown as if this one carried no correction"
+        )
+    unknown = () if again is not None else digests
+    if carried and any(allowances):
+        raise InputError(
+            f"{program.name}:{carried[-1].line}: a part with stock left was cut by a first cut of the uncorrected "
+            "program: give that as --program, not one that was corrected since"
+        )
+    provenance.refuse_second_use(carried, unknown, program.name, request.nominal is not None)
+    setup = require_setup(request.setup, settings, request.radius) if settings.with_setup else None
+    if settings.method == "combined" and measurement is None:
+        raise UsageError("--method combined needs --measured FILE: one touch or two; without any --method predicted")
+    if settings.method == "predicted" and measurement is not None:
+        raise UsageError("--method predicted takes no --measured: with touches use --method combined")
 
     usable, path_radius = _usable(program, request.radius, settings)
+    kept = np.ones(len(toolpath), dtype=bool)
+    if settings.leave_stock:
+        if measurement is not None:
+            raise UsageError("a first cut that leaves stock is made before anything is measured")
+        if request.nominal is None:
+            toolpath, kept = _for_first_cut(program, request, path_radius, usable)
+            usable = usable[kept]
     nominal = request.nominal
     if nominal is None:
-        nominal = _own_contour(program, settings, measurement, request.radius, path_radius, usable, warnings)
-    nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, request.nominal is not None)
-    program.require_plain(beside_the_path(toolpath, commanded.following))
+        if settings.method == "predicted":
+            _require_side(settings, toolpath, usable)
+        nominal = _own_contour(program, toolpath, settings, measurement, request.radius, path_radius, usable, warnings)
+    reach = settings.limit if carried else 0.0
+    nominal, commanded = _turned_to_the_path(
+        nominal, toolpath, path_radius, usable, reach, request.nominal is not None
+    )
+    rows = np.zeros(len(kept), dtype=bool)
+    rows[kept] = beside_the_path(toolpath, commanded.following)
+    program.require_plain(rows)
+
+    before: Simulation | None = None
+    axes: AxisTransfer | None = None
+    machine_found: Machine | None = None
+    first: FirstCut | None = None
+    aim: Aim | None = None
+    correction = Correction.none(nominal)
+    if setup is not None and settings.method == "predicted":
+        before = simulate(program, setup, nominal)
+        request = replace(request, measurement=before.surface())
 
     aligned: alignment.Alignment | None = None
-    if measurement is None:
-        correction, work = Correction.none(nominal), _Work.empty()
+    if before is not None:
+        deviation = deviations(before.surface(), nominal, cutter_radius=request.radius)
+        offset = commanded_offset(commanded, deviation)
+        as_cut = Part(deviation, offset, deviation.value - offset)
+        work = predicted_target(as_cut, nominal, before.setup, settings, bool(carried), warnings)
+        aim = aim_of(work)
+    elif measurement is None:
+        correction, work = Correction.even(nominal, settings.leave_stock), Target.empty()
     else:
-        parts = []
-        lowest = _lowest_cut(toolpath, commanded)
-        for part in request.measurements:
-            moved, fit = _believed(part, nominal, request, warnings)
+        parts: list[Part] = []
+        sources: list[str] = []
+        filter_ = Filter.parse(settings.filter)
+        heights = distrust.CutHeights.of(toolpath, commanded.following, nominal)
+        for read, part, depth, allowance in zip(request.measurements, surfaces, depths, allowances, strict=True):
+            naming = partial(distrust.named, read.source if len(surfaces) > 1 else "")
+            alone = distrust.refuse_dangerous(distrust.examine_file(read), settings.accept, read.source)
+            warnings += [note for note in naming(alone) if note not in warnings]
+            _refuse_wrong_allowance(part, nominal, allowance)
+            moved, fit = _believed(part, nominal, request, depth, warnings)
             aligned = aligned or fit
-            deviation = deviations(moved, nominal, cutter_radius=request.radius)
-            offset = commanded_offset(commanded, deviation)
+            # A cutter that leaves an allowance reaches the nominal where one larger by it would.
+            reaching = request.radius + allowance
+            sources.append(read.source)
+            deviation = numbered_as_read(deviations(moved, nominal, cutter_radius=reaching), moved)
+            # A first cut that millcorr wrote runs on the exact parallel; what this program is off by came after it.
+            cut_by_another = allowance or again is not None
+            offset = np.zeros(len(deviation)) if cut_by_another else commanded_offset(commanded, deviation)
             machine = deviation.value - offset
-            findings = distrust.examine_deviations(deviation, machine, nominal, lowest if part.has_z else None)
-            warnings += distrust.refuse_dangerous(findings, settings.accept, part.source)
-            parts.append(_Part(deviation, offset, machine))
-        work = _separated(parts, nominal, settings, bool(carried), warnings)
-        correction = _correction(work, nominal, settings, warnings)
-    contour = CompensatedContour(nominal, correction)
-    _refuse_crossing(nominal, contour)
-    compensated, residual = contour.to_profile()
-    regeneration = regenerate(
-        toolpath,
-        contour,
-        path_radius,
-        tolerance=settings.tolerance,
-        output_moves=settings.output_moves,
-        rows=usable,
-        nominal_from_path=request.nominal is None,
-    )
-    _refuse_detour(toolpath, regeneration)
-    text = _written(request, regeneration)
-    emitted = gcode.parse(text, program.name).toolpath
-    if len(emitted) != len(regeneration.toolpath):
-        raise LimitError(
-            f"the written program reads back with {len(emitted)} moves in place of {len(regeneration.toolpath)}"
+            findings = distrust.examine_deviations(
+                deviation, machine, nominal, heights if part.has_z else None, distrust.resolution(read), depth
+            )
+            if settings.method != "combined":
+                findings += distrust.examine_sampling(deviation, nominal, filter_)
+            if carried and not cut_by_another:
+                findings += distrust.examine_program(deviation.value, offset, provenance.gain(program.comments()))
+            if len(surfaces) > 1:
+                # One part without a deviation is a warning; among several it would take its share of the others'.
+                same = "identical-to-nominal"
+                findings = tuple(replace(f, dangerous=f.dangerous or f.name == same) for f in findings)
+            notes = distrust.refuse_dangerous(findings, settings.accept, part.source)
+            warnings += [note for note in naming(notes) if note not in warnings]
+            parts.append(Part(deviation, offset, machine, allowance))
+        if settings.method != "combined":
+            together = distrust.examine_parts([(s, p.deviation) for s, p in zip(sources, parts, strict=True)], nominal)
+            together += distrust.examine_coverage(parts[0].deviation, nominal, filter_)
+            warnings += distrust.refuse_dangerous(together, settings.accept, sources[0])
+        if setup is not None:
+            first = _first_cut(request, nominal, allowances[0])
+            work, aim, before, axes, machine_found = combined_target(
+                parts, program, nominal, setup, settings, bool(carried), first,
+                partial(commanded_offset, commanded), warnings,
+            )  # fmt: skip
+        else:
+            work = target_of(parts, nominal, settings, bool(carried), warnings)
+            made = distrust.examine_determined(
+                work.deviation, work.deviation.value - work.commanded, work.filtered - work.commanded, work.trust
+            )
+            warnings += distrust.refuse_dangerous(made, settings.accept, sources[0])
+        if request.smoothed is not None:
+            left = request.smoothed.at(work.deviation.stretch, work.deviation.s, nominal)
+            work = replace(work, wanted=work.commanded - settings.gain * dead_band(left, settings.dead_band))
+        if aim is None:
+            correction = correction_through(work, nominal, settings, warnings)
+
+    header = _header(request)
+
+    def lay(correction: Correction) -> Emission:
+        return emit(
+            program,
+            nominal,
+            correction,
+            path_radius,
+            settings,
+            rows=usable,
+            nominal_from_path=request.nominal is None,
+            header=header,
+            toolpath=toolpath,
+            expected=commanded.expected,
         )
-    proof = verify(
-        emitted, compensated, path_radius, following=regeneration.following, tolerance=settings.tolerance
-    )
+
+    foreseen: Foreseen | None = None
+    if aim is None or before is None:
+        written = lay(correction)
+    else:
+        foreseen, correction, written = foresee(aim, before, first, settings, program.name, lay, warnings)
+        foreseen = replace(foreseen, axes=axes, machine=machine_found)
     applied = np.zeros(len(work.deviation))
     if len(work.deviation):
         applied = correction.at(work.deviation.stretch, work.deviation.s, nominal)
@@ -319,21 +411,27 @@ def correct(request: Request) -> Result:
     return Result(
         request=request,
         nominal=nominal,
-        compensated=compensated,
+        compensated=written.compensated,
         correction=correction,
         alignment=aligned,
         deviation=work.deviation,
         filtered=work.filtered,
-        predicted=work.deviation.value - work.commanded + applied,
+        uncertainty=work.uncertainty,
+        predicted=work.predicted(applied) if foreseen is None else foreseen.left_at(work),
         commanded=work.commanded,
         separations=work.separations,
         random_std=work.random_std,
-        regeneration=regeneration,
+        elastic=work.elastic,
+        foreseen=foreseen,
+        regeneration=written.regeneration,
         path_radius=path_radius,
-        fit_residual=residual,
-        verification=proof,
-        text=text,
-        advice=_advice(work, len(carried) + 1, settings),
+        fit_residual=written.fit_residual,
+        verification=written.verification,
+        text=written.text,
+        advice=(
+            *(_advice(work, len(carried) + 1, settings) if foreseen is None else foreseen.advice()),
+            *(f"{m.source}: {note}" for m in request.measurements for note in m.notes),
+        ),
         warnings=tuple(warnings),
     )
 
@@ -364,11 +462,67 @@ def nominal_from_program(
             f"{program.name}:{carried[-1].line}: --nominal names a corrected program; give the first, uncorrected one"
         )
     usable, path_radius = _usable(program, radius, settings)
-    return _own_contour(program, settings, measurement, radius, path_radius, usable, [])
+    if measurement is not None:
+        measurement = _taken_down(measurement, (*settings.allowances, 0.0)[0])
+    return _own_contour(program, program.toolpath, settings, measurement, radius, path_radius, usable, [])
+
+
+def _taken_down(measurement: Measurement, allowance: float) -> Measurement:
+    """Points of a surface that lies an allowance over the nominal, in mm, compared with the nominal itself.
+
+    To the profile they are what centres of a ball of that radius are: exact on any contour.
+    """
+    return replace(measurement, ball_radius=measurement.ball_radius + allowance) if allowance else measurement
+
+
+def _refuse_wrong_allowance(surface: Measurement, nominal: Profile, allowance: float) -> None:
+    """InputError where the points lie on the nominal itself and not an allowance over it."""
+    if not allowance:
+        return
+    points = surface.points[:: max(1, len(surface) // distrust.SAMPLE), :2]
+    over = FootPointSearch(nominal, margin=surface.ball_radius + 1.0).find(points).distance - surface.ball_radius
+    if np.median(over) < -LEAST_UNDER:
+        raise InputError(
+            f"{surface.source}: the points lie {np.median(over) + allowance:+.3f} mm off the profile and not "
+            f"{allowance:g} mm over it: check --allowance; it belongs to a part with stock left on it, and --program "
+            "is then the program that finishes it"
+        )
+
+
+def _for_first_cut(
+    program: gcode.Program, request: Request, path_radius: float, usable: NDArray[np.bool_]
+) -> tuple[Toolpath, NDArray[np.bool_]]:
+    """Moves with corners for the fillets that a first cut has no room for, and which of the program's are kept."""
+    settings, toolpath = request.settings, program.toolpath
+    _require_side(settings, toolpath, usable)
+    right = choose_side(toolpath, usable, settings.side, None, request.radius, path_radius)
+    return without_vanishing_arcs(toolpath, usable, right, settings.leave_stock)
+
+
+def _first_cut(request: Request, nominal: Profile, allowance: float) -> FirstCut | None:
+    """What cut the touched part of a single piece, as `millcorr split` writes it."""
+    if not allowance:
+        return None
+    settings = Settings(
+        side=request.settings.side,
+        cutter_compensation=request.settings.cutter_compensation,
+        tolerance=request.settings.tolerance,
+        leave_stock=allowance,
+    )
+    done = correct(Request(request.program, request.radius, None, request.nominal, settings))
+    program = gcode.parse(done.text, f"first cut of {request.program.name}")
+    return FirstCut(program, done.compensated, allowance)
+
+
+def _require_side(settings: Settings, toolpath: Toolpath, usable: NDArray[np.bool_]) -> None:
+    """UsageError where neither the settings nor the program say on which side the cutter runs."""
+    if settings.side == "auto" and not (toolpath.compensation[usable] != Compensation.OFF).any():
+        raise UsageError("--side left or --side right: the program has no G41 or G42 that tells the side of the cutter")
 
 
 def _own_contour(
     program: gcode.Program,
+    toolpath: Toolpath,
     settings: Settings,
     measurement: Measurement | None,
     radius: float,
@@ -377,8 +531,26 @@ def _own_contour(
     warnings: list[str],
 ) -> Profile:
     """The contour that the program cuts near the measured points."""
-    right = choose_side(program.toolpath, usable, settings.side, measurement, radius, path_radius)
-    nominal, others = nominal_of(program.toolpath, usable, path_radius, right, measurement, program.name)
+
+    def doubt(everything: Profile) -> None:
+        if measurement is not None and measurement.axis_radii is None and measurement.probe is None:
+            found = distrust.examine_points(measurement, everything, radius)
+            distrust.refuse_dangerous(found, settings.accept, measurement.source)
+
+    try:
+        right = choose_side(toolpath, usable, settings.side, measurement, radius, path_radius)
+    except InputError:
+        # Points in another frame lie on no side; a contour on the better one shows which frame it is.
+        for side in (False, True):
+            try:
+                doubt(nominal_of(toolpath, usable, path_radius, side, None, program.name)[0])
+            except DistrustError as error:
+                if any(f"--accept {name})" in str(error) for name in ("unit", "mirrored", "turned")):
+                    raise
+            except InputError:
+                continue
+        raise
+    nominal, others = nominal_of(toolpath, usable, path_radius, right, measurement, program.name, doubt)
     if others:
         contours = "another contour" if others == 1 else f"{others} other contours"
         warnings.append(f"the program cuts {contours} without measured points: left as it is")
@@ -400,50 +572,36 @@ def _usable(program: gcode.Program, radius: float, settings: Settings) -> tuple[
 
 
 def _turned_to_the_path(
-    nominal: Profile, toolpath: Toolpath, radius: float, usable: NDArray[np.bool_], given: bool
+    nominal: Profile, toolpath: Toolpath, radius: float, usable: NDArray[np.bool_], limit: float, given: bool
 ) -> tuple[Profile, Commanded]:
     """Nominal with its material on the side that the path leaves, and the path's following moves."""
     try:
         plain = CompensatedContour(nominal, Correction.none(nominal))
-        return nominal, Commanded.find(toolpath, plain, radius, usable)
+        return nominal, Commanded.find(toolpath, plain, radius, usable, limit)
     except LimitError:
         if not given:
             raise
         other = nominal.reversed()
         plain = CompensatedContour(other, Correction.none(other))
         try:
-            return other, Commanded.find(toolpath, plain, radius, usable)
+            return other, Commanded.find(toolpath, plain, radius, usable, limit)
         except LimitError:
             pass
         raise
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class _Work:
-    """Deviations with what became of them; arrays over the used points."""
-
-    deviation: Deviation
-    commanded: Floats
-    filtered: Floats
-    wanted: Floats
-    separations: tuple[Separation, ...]
-    random_std: float
-
-    @staticmethod
-    def empty() -> _Work:
-        none, zero = np.zeros(0, dtype=np.int64), np.zeros(0)
-        flat = np.zeros((0, 2))
-        deviation = Deviation(none, none, none, none, zero, zero, flat, flat, zero, ())
-        return _Work(deviation, zero, zero, zero, (), float("nan"))
-
-
 def _believed(
-    measurement: Measurement, nominal: Profile, request: Request, warnings: list[str]
+    measurement: Measurement, nominal: Profile, request: Request, depth: float, warnings: list[str]
 ) -> tuple[Measurement, alignment.Alignment | None]:
     """The measurement, aligned if that is asked for, after looking whether it can be what it is said to be."""
     settings = request.settings
     freedom = alignment.Freedom.parse(settings.align)
-    findings = distrust.examine_points(measurement, nominal, request.radius)
+    known = contact_known(measurement, nominal)
+    residue = axis_residue(measurement, known, nominal)
+    findings = distrust.examine_points(known, nominal, request.radius, depth)
+    if residue is not None:
+        findings = (distrust.Finding(*residue), *findings)
+    measurement = known
     warnings += distrust.refuse_dangerous(findings, settings.accept, measurement.source)
     if not any(freedom.free):
         return measurement, None
@@ -452,151 +610,10 @@ def _believed(
     return measurement, aligned
 
 
-def _lowest_cut(toolpath: Toolpath, commanded: Commanded) -> float | None:
-    """Lowest known height of the following moves, mm."""
-    heights = np.concatenate([toolpath.start[commanded.following, 2], toolpath.end[commanded.following, 2]])
-    known = heights[np.isfinite(heights)]
-    return float(known.min()) if len(known) else None
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class _Part:
-    """One measured part: its deviations, the program's own offset, and what the machine added, mm."""
-
-    deviation: Deviation
-    offset: Floats
-    machine: Floats
-
-
-def _separated(
-    parts: list[_Part], nominal: Profile, settings: Settings, corrected_before: bool, warnings: list[str]
-) -> _Work:
-    """Average the parts, filter what the machine added, and say where to move the profile."""
-    deviation, offset, machine = parts[0].deviation, parts[0].offset, parts[0].machine
-    part_std = float("nan")
-    if len(parts) > 1:
-        several = averaged([(p.deviation, p.machine) for p in parts], nominal)
-        machine, part_std = several.mean, several.std
-        deviation = replace(deviation, value=offset + machine)
-        warnings.append(
-            f"deviations are the mean of {len(parts)} parts; from part to part they differ by "
-            f"{part_std * 1000:.2f} um (standard deviation)"
-        )
-    filter_ = Filter.parse(settings.filter)
-    determined = np.empty(len(deviation))
-    separations: list[Separation] = []
-    variance, freedom = 0.0, 0
-    for k, stretch in enumerate(nominal.stretches()):
-        for level in np.unique(deviation.level[deviation.stretch == k]):
-            rows = np.flatnonzero((deviation.stretch == k) & (deviation.level == level))
-            s = along(stretch, deviation.s[rows], nominal)
-            part = separate(s, machine[rows], length=stretch.length, closed=stretch.closed, filter=filter_)
-            determined[rows] = part.determined
-            separations.append(part)
-            warnings += [w for w in part.warnings if w not in warnings]
-            if np.isfinite(part.random_std):
-                variance += part.random_std**2 * len(rows)
-                freedom += len(rows)
-    residual = offset + determined if corrected_before else determined
-    moved = -settings.gain * dead_band(residual, settings.dead_band)
-    wanted = offset + moved if corrected_before else moved
-    random_std = float(np.sqrt(variance / freedom)) if freedom else float("nan")
-    if np.isfinite(part_std):
-        random_std = part_std
-    return _Work(deviation, offset, offset + determined, wanted, tuple(separations), random_std)
-
-
-def _correction(work: _Work, nominal: Profile, settings: Settings, warnings: list[str]) -> Correction:
-    deviation = work.deviation
-    levels = np.unique(deviation.level)
-    if len(levels) == 1:
-        correction, notes = correction_from(
-            nominal, deviation.stretch, deviation.s, work.wanted, limit=settings.limit
-        )
-        warnings += notes
-        return correction
-    # Each level by itself, then their mean along the contour: points of different heights are never mixed.
-    single = []
-    for level in levels:
-        rows = deviation.level == level
-        one, notes = correction_from(
-            nominal, deviation.stretch[rows], deviation.s[rows], work.wanted[rows], limit=settings.limit
-        )
-        single.append((one, int(rows.sum())))
-        warnings += [n for n in notes if n not in warnings]
-    densest = max(single, key=lambda pair: pair[1])[0]
-    rows = deviation.level == levels[[pair[0] is densest for pair in single].index(True)]
-    values = np.stack([one.at(deviation.stretch[rows], deviation.s[rows], nominal) for one, _ in single])
-    spread = float(np.ptp(values, axis=0).max())
-    heights = [float(deviation.z[deviation.level == level].mean()) for level in levels]
-    listed = ", ".join(f"{z:g}" for z in heights)
-    warnings.append(
-        f"{len(levels)} levels were measured (Z {listed}); the correction is their mean, they differ by up to "
-        f"{spread * 1000:.1f} um"
-    )
-    mean, notes = correction_from(
-        nominal, deviation.stretch[rows], deviation.s[rows], values.mean(axis=0), limit=settings.limit
-    )
-    warnings += [n for n in notes if n not in warnings]
-    return mean
-
-
-def _refuse_crossing(nominal: Profile, contour: CompensatedContour) -> None:
-    """LimitError where the compensated contour crosses itself although the nominal does not."""
-    import shapely
-
-    for k, c in enumerate(nominal.contours):
-        pieces = np.flatnonzero(contour.contour == k)
-        before: list[Floats] = []
-        after: list[Floats] = []
-        for piece in pieces:
-            count = int(max(9, contour.length[piece] / 0.1))
-            for corrected, low, high, out in (
-                (False, 0.0, contour.length[piece], before),
-                (True, contour.low[piece], contour.high[piece], after),
-            ):
-                sigma = np.linspace(low, high, count)[:-1]
-                out.append(contour.evaluate(np.full(len(sigma), piece), sigma, corrected=corrected)[0])
-        shape = shapely.LinearRing if c.closed else shapely.LineString
-        moved = shape(np.concatenate(after))
-        if not moved.is_simple and shape(np.concatenate(before)).is_simple:
-            raise LimitError(
-                "the corrected profile crosses itself: the correction is larger than a detail of the contour"
-            )
-
-
-def _refuse_detour(toolpath: Toolpath, regeneration: Regeneration) -> None:
-    """LimitError where the corrected path is much longer or shorter than the path it replaces."""
-    rows = np.unique(regeneration.origin[regeneration.following])
-    before = float(np.nansum(toolpath.take(rows).length()))
-    moves = regeneration.toolpath.take(np.flatnonzero(regeneration.following))
-    after = float(np.nansum(moves.length()))
-    # Every corner lengthens or shortens the path by a few times the correction.
-    if abs(after - before) > 0.01 * before + 8 * len(rows) * regeneration.largest_shift:
-        raise LimitError(
-            f"the corrected path along the contour would be {after:.3f} mm long in place of {before:.3f} mm: the "
-            "program does not run along the nominal as expected; check --nominal"
-        )
-
-
-def _written(request: Request, regeneration: Regeneration) -> bytes:
-    """The corrected program; decimals as the program has them where the tolerance allows."""
-    program, tolerance = request.program, request.settings.tolerance
-    plain = gcode.write(program, regeneration.toolpath, tolerance=tolerance)
-    if plain == program.data:
-        return plain
-    room = tolerance - regeneration.fit_error
-    # Rounding moves a point by at most half a unit in each of two directions.
-    own = program.style.decimals
-    unit = 25.4 if (program.modal.unit == 20).any() else 1.0
-    decimals = own if np.sqrt(0.5) * unit * 10.0**-own <= 0.9 * room else None
-    return gcode.write(
-        program, regeneration.toolpath, decimals=decimals, tolerance=tolerance, header=_header(request)
-    )
-
-
 def _header(request: Request) -> tuple[str, ...]:
-    program = request.program
+    program, left = request.program, request.settings.leave_stock
+    if left:
+        return (f"millcorr {__version__} first cut, leaves {left:g} mm", f"of {PurePath(program.name).name}")
     if request.measurement is None:
         return (f"millcorr {__version__} path laid on the exact nominal, no correction",)
     return provenance.header(
@@ -606,10 +623,12 @@ def _header(request: Request) -> tuple[str, ...]:
     )
 
 
-def _advice(work: _Work, loops: int, settings: Settings) -> tuple[str, ...]:
+def _advice(work: Target, loops: int, settings: Settings) -> tuple[str, ...]:
     """What to expect of the next part."""
     if not len(work.deviation):
         return ()
+    if work.elastic is not None:
+        return work.elastic.advice(settings)
     if settings.gain != 1.0:
         left = 100 * (1 - settings.gain)
         return (f"gain {settings.gain:g} leaves {left:.0f} % of the determined deviation on purpose",)
@@ -617,6 +636,5 @@ def _advice(work: _Work, loops: int, settings: Settings) -> tuple[str, ...]:
     return (
         f"tool and machine give way: a share MS/(1+MS) of every shift comes back, {ordinal}taken of the first "
         f"deviation by now (a stiff machine, MS 0.05: {100 * (0.05 / 1.05) ** loops:.2g} % is left); measure the next "
-        "part",
+        "part, or take that into account at once: --method transfer --depth MM",
     )
-

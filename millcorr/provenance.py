@@ -18,6 +18,7 @@ _REST = re.compile(
     r"\s+MEASUREMENT\s+(?P<measured>[0-9A-F]{16}(?:[\s+]+[0-9A-F]{16})*)\s+SOURCE\s+(?P<source>[0-9A-F]{16})\b",
     re.IGNORECASE,
 )
+_GAIN = re.compile(r"\bGAIN\s+(\d+(?:\.\d+)?)\b", re.IGNORECASE)
 _LINES = 40
 """A mark with many measurements is wrapped into at most this many comments."""
 
@@ -97,6 +98,20 @@ def marks(comments: Iterable[tuple[int, str]]) -> tuple[Mark, ...]:
     return tuple(found)
 
 
+def gain(comments: Iterable[tuple[int, str]]) -> float:
+    """Gain of the first correction that a program carries, 1 where it does not say."""
+    joined = " ".join(text for _, text in comments)
+    begin = _BEGIN.search(joined)
+    found = _GAIN.search(joined, begin.end()) if begin else None
+    return float(found[1]) if found else 1.0
+
+
+def applied(carried: Sequence[Mark], digests: Sequence[str]) -> Mark | None:
+    """The mark of a correction that was made from one of the measurements; None where there is none."""
+    given = {d[:_SHORT].lower() for d in digests}
+    return next((mark for mark in carried if given & set(mark.measured)), None)
+
+
 def refuse_second_use(carried: Sequence[Mark], digests: Sequence[str], program: str, has_nominal: bool) -> None:
     """Refuse to apply a measurement twice, or to take a corrected program for the nominal.
 
@@ -107,13 +122,12 @@ def refuse_second_use(carried: Sequence[Mark], digests: Sequence[str], program: 
     InputError
         If the program was corrected before and no nominal is given.
     """
-    for mark in carried:
-        twice = {d[:_SHORT].lower() for d in digests} & set(mark.measured)
-        if twice:
-            raise RefusedError(
-                f"{program}:{mark.line}: this measurement was applied on {mark.date} already; cut and measure a "
-                "new part with the corrected program first"
-            )
+    mark = applied(carried, digests)
+    if mark is not None:
+        raise RefusedError(
+            f"{program}:{mark.line}: this measurement was applied on {mark.date} already; cut and measure a "
+            "new part with the corrected program first"
+        )
     if carried and not has_nominal:
         raise InputError(
             f"{program}:{carried[-1].line}: the program was corrected on {carried[-1].date}, so it does not show the "

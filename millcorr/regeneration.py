@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from .compensation import Correction
 from .curve_moves import Intervals, fit_moves
 from .errors import LimitError, UsageError
 from .leads import carry_along, own_work
@@ -24,7 +25,7 @@ Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 
 BAND = 0.1
-"""A following move is at most this far, in mm, from the exact parallel of the nominal."""
+"""A following move is at most this far, in mm, from the exact parallel of what the program is to follow."""
 
 KEEP_SHARE = 0.4
 """A move already within this share of the tolerance from where it should be stays as it is."""
@@ -78,6 +79,7 @@ def regenerate(
     output_moves: str = "keep",
     rows: Bools | None = None,
     nominal_from_path: bool = False,
+    expected: CompensatedContour | None = None,
 ) -> Regeneration:
     """Lay the following moves of a toolpath on the compensated contour's parallel.
 
@@ -96,6 +98,8 @@ def regenerate(
     nominal_from_path : bool
         True where the nominal was taken from this toolpath: what a move is off it by is rounding, and no reason
         to change the move.
+    expected : CompensatedContour, optional
+        What the toolpath follows so far: the nominal, with the correction that it carries; the nominal by default.
 
     Returns
     -------
@@ -108,7 +112,9 @@ def regenerate(
     """
     if output_moves not in OUTPUT_MOVES:
         raise UsageError(f"--output-moves {output_moves}: choose one of {', '.join(OUTPUT_MOVES)}")
-    parts = follow(toolpath, contour, radius, band=BAND, rows=rows)
+    if expected is None:
+        expected = CompensatedContour(contour.profile, Correction.none(contour.profile))
+    parts = follow(toolpath, expected, radius, band=BAND, rows=rows)
     if not len(parts.row):
         raise LimitError(
             f"no move of the program follows the profile at {radius:g} mm: the nearest runs "
@@ -120,6 +126,7 @@ def regenerate(
         own = np.minimum(np.nan_to_num(parts.error) + 1e-7, OWN_SHARE * tolerance)
         allowed = np.maximum(allowed, own)
     keep = _kept(toolpath, contour, radius, parts, allowed)
+    _release_moved_corners(toolpath, contour, parts, keep, end, 0.5 * FIT_SHARE * tolerance)
     _hold_kept_vertices(toolpath, parts, keep, start, end)
     shift0, shift1 = _shifts(toolpath, parts, keep, start, end)
     return _assemble(
@@ -316,6 +323,21 @@ def _kept(
         bad = np.abs(off).max(axis=1) > allowed[rows]
         keep[rows[bad]] = False
     return keep
+
+
+def _release_moved_corners(
+    toolpath: Toolpath, contour: CompensatedContour, parts: Following, keep: Bools, end: Floats, limit: float
+) -> None:
+    """Moves on the exact path are not kept where they end at a corner that their neighbour moves. In place.
+
+    `limit` is how far, in mm, a corner may move before it counts: the neighbour must end there within its share.
+    """
+    this, after = _neighbours(toolpath, parts)
+    corner = (parts.piece[this] != parts.piece[after]) | _passes_joint(contour, parts, this, after)
+    moved = np.hypot(*(end[this] - toolpath.end[parts.row[this], :2]).T) > limit
+    pairs = np.stack([parts.row[this], parts.row[after]], axis=1)[corner & moved & (parts.end[this] == 1.0)]
+    while (mixed := keep[pairs[:, 0]] != keep[pairs[:, 1]]).any():
+        keep[pairs[mixed]] = False
 
 
 def _hold_kept_vertices(toolpath: Toolpath, parts: Following, keep: Bools, start: Floats, end: Floats) -> None:

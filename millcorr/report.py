@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from . import step
+from . import contour_check, step
 from .errors import UsageError
 from .pipeline import Result
 from .report_page import page
@@ -22,8 +22,20 @@ from .report_page import page
 COLUMNS = ("s", "x", "y", "z", "nx", "ny", "deviation", "filtered", "used")
 """Columns of deviations.csv that other programs rely on; later versions only append."""
 
-MORE_COLUMNS = ("contour", "level", "predicted", "commanded", "line", "reason")
-"""Columns that follow: see docs/report.md."""
+MORE_COLUMNS = ("contour", "level", "predicted", "commanded", "line", "reason", "x_contact", "y_contact", "slope_deg")
+"""Columns that follow, and `ms` behind them where a transfer function corrects: see docs/report.md."""
+
+FILES = (
+    "report.html",
+    "report.json",
+    "deviations.csv",
+    "contour.csv",
+    "points.csv",
+    "profile.json",
+    "profile.step",
+    "nominal.json",
+)
+"""What a report consists of."""
 
 _CHUNK = 65536
 
@@ -36,7 +48,7 @@ def write(
     notes: Sequence[str] = (),
     date: datetime.date | None = None,
 ) -> list[Path]:
-    """Write report.html, report.json, deviations.csv, profile.json and profile.step.
+    """Write report.html, report.json, deviations.csv, contour.csv, points.csv, profile.json and profile.step.
 
     Everything is written beside its place first, so a failure leaves no half report; files of the same
     names are replaced, others in the directory stay.
@@ -92,8 +104,16 @@ def _write_files(
 ) -> None:
     with open(stage / "deviations.csv", "w", encoding="utf-8", newline="\n") as file:
         file.writelines(deviation_lines(result))
+    for name, lines in (
+        ("contour.csv", contour_check.path_lines(contour_check.path_stations(result))),
+        ("points.csv", contour_check.point_lines(contour_check.touched_points(result))),
+    ):
+        with open(stage / name, "w", encoding="utf-8", newline="\n") as file:
+            file.writelines(lines)
     _write_text(stage / "report.json", _json(summary(result, outputs=outputs, notes=notes)))
-    _write_text(stage / "profile.json", _json(result.compensated.as_dict()))
+    moved = {"compensated": True} if result.correction.largest else {}
+    _write_text(stage / "profile.json", _json(result.compensated.as_dict() | moved))
+    _write_text(stage / "nominal.json", _json(result.nominal.as_dict()))
     midnight = datetime.datetime.combine(date, datetime.time())
     name = Path(result.request.program.name).stem + " compensated"
     _write_text(stage / "profile.step", step.text(result.compensated, name, date=midnight))
@@ -146,7 +166,8 @@ def deviation_lines(result: Result) -> Iterator[str]:
     str
         The header first; blocks of whole lines after it.
     """
-    yield ",".join(COLUMNS + MORE_COLUMNS) + "\n"
+    elastic = result.elastic
+    yield ",".join(COLUMNS + MORE_COLUMNS + (("ms",) if elastic is not None else ())) + "\n"
     measurement, d = result.request.measurement, result.deviation
     if measurement is None:
         return
@@ -155,6 +176,10 @@ def deviation_lines(result: Result) -> Iterator[str]:
     used = np.full(len(points), -1, dtype=np.int64)
     used[d.index] = np.arange(len(d))
     numbers = np.column_stack([d.s, d.normal, d.value, result.filtered, result.predicted, result.commanded])
+    contact = d.foot + d.value[:, None] * d.normal
+    more = [contact, contour_check.slope_angle(d.normal)] + ([elastic.transfer.ms] if elastic is not None else [])
+    last = np.column_stack(more)
+    empty = "," * last.shape[1]
     for start in range(0, len(points), _CHUNK):
         end = min(start + _CHUNK, len(points))
         xyz, level, line = points[start:end].tolist(), levels[start:end].tolist(), measurement.lines[start:end].tolist()
@@ -162,16 +187,19 @@ def deviation_lines(result: Result) -> Iterator[str]:
         row_of = used[start:end]
         found = numbers[row_of].tolist() if len(numbers) else []
         contour = d.contour[row_of].tolist() if len(d) else []
+        appended = last[row_of].tolist() if len(d) else []
         for i, row in enumerate(row_of.tolist()):
             x, y, z = xyz[i]
             if row < 0:
                 reason = reasons.get(start + i, "")
-                out.append(f",{x:.12g},{y:.12g},{z:.12g},,,,,0,,{level[i]},,,{line[i]},{reason}\n")
+                out.append(f",{x:.12g},{y:.12g},{z:.12g},,,,,0,,{level[i]},,,{line[i]},{reason}{empty}\n")
                 continue
             s, nx, ny, value, filtered, predicted, commanded = found[i]
             out.append(
                 f"{s:.12g},{x:.12g},{y:.12g},{z:.12g},{nx:.12g},{ny:.12g},{value:.12g},{filtered:.12g},1,"
-                f"{contour[i]},{level[i]},{predicted:.12g},{commanded:.12g},{line[i]},\n"
+                f"{contour[i]},{level[i]},{predicted:.12g},{commanded:.12g},{line[i]},"
+                + "".join(f",{value:.12g}" for value in appended[i])
+                + "\n"
             )
         yield "".join(out)
 

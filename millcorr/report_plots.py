@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The three plots of a report as SVG: along the contour, on the contour, and the distribution.
+"""The plots of a report as SVG: looks, deviations along the contour, and their distribution.
 
 Many points are thinned for drawing only, and the captions say how; no number comes from what is drawn.
 """
@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from .compensation import GAP_SPACINGS, along
 from .deviation import Deviation
 from .profile import CORNER_ANGLE, Profile
-from .svg import MARKERS, Axis, Canvas, bars, columns, markers, number, polyline, round_down, round_step
+from .svg import MARKERS, Axis, Canvas, bars, columns, markers, number, polyline, round_step
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -29,9 +29,10 @@ WIDTH = 760.0
 MOST_MARKERS = 1200
 """Points of one panel beyond which columns of pixels are drawn instead."""
 
-MOST_WHISKERS = 300
 MOST_PANELS = 8
-MAGNIFICATION = 500.0
+
+COVERAGE = 2.0
+"""Coverage factor k of the drawn band: about 95 %."""
 
 COLOURS = {
     "light": {
@@ -72,6 +73,7 @@ STYLE = """
 .plot .corner{stroke:var(--soft);stroke-width:1;stroke-dasharray:2 3}
 .plot .raw{stroke:var(--raw);stroke-width:1}
 .plot .predicted{stroke:var(--predicted);stroke-width:1}
+.plot .band{fill:var(--ink);fill-opacity:.16}
 .plot .raw-columns{stroke:var(--raw);stroke-width:1;opacity:.55}
 .plot .predicted-columns{stroke:var(--predicted);stroke-width:1;opacity:.5}
 .plot .filtered{stroke:var(--ink);stroke-width:1.8;stroke-linejoin:round}
@@ -80,6 +82,7 @@ STYLE = """
 .plot .filtered.dash3{stroke-dasharray:9 3 2 3}
 .plot .material{fill:var(--material);fill-rule:evenodd}
 .plot .nominal{stroke:var(--ink);stroke-width:1.2;stroke-linejoin:round}
+.plot .way{stroke:var(--predicted);stroke-width:1.2;stroke-dasharray:6 3;stroke-linejoin:round}
 .plot .course{stroke:var(--soft);stroke-width:1;stroke-linejoin:round}
 .plot .excess{stroke:var(--excess);stroke-width:1.1}
 .plot .within{stroke:var(--within);stroke-width:1.1}
@@ -119,8 +122,10 @@ def standalone(plot: Plot, theme: str = "light") -> str:
     return plot.svg.replace("<title>", f"<style>{style}</style><title>", 1)
 
 
-def along_contour(profile: Profile, deviation: Deviation, filtered: Floats, predicted: Floats) -> Plot:
-    """Deviations over arc length: points, determined part, prediction; a panel for every contour.
+def along_contour(
+    profile: Profile, deviation: Deviation, filtered: Floats, predicted: Floats, uncertainty: Floats | None = None
+) -> Plot:
+    """Deviations over arc length: points, determined part with its uncertainty, prediction; a panel for every contour.
 
     Parameters
     ----------
@@ -130,27 +135,37 @@ def along_contour(profile: Profile, deviation: Deviation, filtered: Floats, pred
         At least one point.
     filtered, predicted : (n,) float64
         mm.
+    uncertainty : (n,) float64, optional
+        Standard uncertainty of the determined part in mm; a band of twice as much on either side is drawn where it
+        is a number.
     """
+    half = np.full(len(deviation), np.nan) if uncertainty is None else COVERAGE * uncertainty
     contours = np.unique(deviation.contour)
     shown = contours
     if len(contours) > MOST_PANELS:
         worst = [np.abs(deviation.value[deviation.contour == k]).max() for k in contours]
         shown = np.sort(contours[np.argsort(worst)[-MOST_PANELS:]])
-    levels = _levels(deviation)
+    levels = levels_of(deviation)
     height = 250.0 if len(shown) == 1 else 175.0
     top = 30 if len(levels) == 1 else 48
     canvas = Canvas(WIDTH, top - 6 + len(shown) * (height + 44), "Deviation along the contour")
     dense = max(int((deviation.contour == k).sum()) for k in shown) > MOST_MARKERS
-    _along_legend(canvas, levels, dense)
+    banded = bool(np.isfinite(half).any())
+    _along_legend(canvas, levels, dense, banded)
     for i, k in enumerate(shown):
         rows = np.flatnonzero(deviation.contour == k)
         title = f"contour {int(k) + 1}" if len(profile.contours) > 1 else ""
         panel = _Panel(canvas, top + i * (height + 44), height, title, f"along{int(k)}")
-        panel.draw(profile, int(k), deviation, rows, filtered, predicted, levels)
+        panel.draw(profile, int(k), deviation, rows, filtered, half, predicted, levels)
     words = [
         f"Deviation in {MICRO} over the arc length of the nominal, from its start; above zero material is left, "
         "below too much is gone."
     ]
+    if banded:
+        words.append(
+            f"Band: the determined part with its expanded uncertainty (k = {COVERAGE:g}, about 95 %), "
+            f"up to \N{PLUS-MINUS SIGN}{np.nanmax(half) * UM:.2f} {MICRO}."
+        )
     if dense:
         words.append("Where points are dense, each column of pixels shows the range from the smallest to the largest.")
     if len(shown) < len(contours):
@@ -171,12 +186,12 @@ def corners(profile: Profile, contour: int) -> Floats:
     return np.sort(np.where(at > total - 1e-9, 0.0, at)) if profile.contours[contour].closed else np.sort(at)
 
 
-def _levels(deviation: Deviation) -> list[tuple[int, float]]:
+def levels_of(deviation: Deviation) -> list[tuple[int, float]]:
     """Number and mean height of every level."""
     return [(int(k), float(deviation.z[deviation.level == k].mean())) for k in np.unique(deviation.level)]
 
 
-def _along_legend(canvas: Canvas, levels: list[tuple[int, float]], dense: bool) -> None:
+def _along_legend(canvas: Canvas, levels: list[tuple[int, float]], dense: bool, banded: bool) -> None:
     mark = "m-4-4v8m2-10v9m2-6v8m2-9v9m2-8v8" if dense else MARKERS[0]
     suffix = "-columns" if dense else ""
     entries = [
@@ -184,6 +199,8 @@ def _along_legend(canvas: Canvas, levels: list[tuple[int, float]], dense: bool) 
         ("determined part (filtered)", [("filtered", "m-9 0h18")]),
         ("predicted after the correction", [(f"predicted{suffix}", mark)]),
     ]
+    if banded:
+        entries.insert(2, (f"its uncertainty, k = {COVERAGE:g}", [("band", "m-9-4h18v8h-18z")]))
     canvas.legend(56, 14, entries)
     if len(levels) > 1:
         # More do not fit; the table by level has them.
@@ -215,21 +232,26 @@ class _Panel:
         deviation: Deviation,
         rows: Ints,
         filtered: Floats,
+        half: Floats,
         predicted: Floats,
         levels: list[tuple[int, float]],
     ) -> None:
         canvas, bottom = self.canvas, self.top + self.height
         total = float(profile.total[contour])
         x = Axis(0.0, total, 56.0, WIDTH - 12.0)
-        values = np.concatenate([deviation.value[rows], predicted[rows], filtered[rows]]) * UM
-        y = _value_axis(values, bottom, self.top)
-        _frame(canvas, x, y, "s / mm", f"deviation / {MICRO}")
+        edge = np.nan_to_num(half[rows])
+        values = (
+            np.concatenate([deviation.value[rows], predicted[rows], filtered[rows] - edge, filtered[rows] + edge]) * UM
+        )
+        y = value_axis(values, bottom, self.top)
+        frame(canvas, x, y, "s / mm", f"deviation / {MICRO}")
         if self.title:
             canvas.text(x.end, self.top - 5, self.title, "strong", "end")
         canvas.clip(self.name, x.start, self.top, x.end - x.start, self.height)
         for s in corners(profile, contour):
             canvas.line(x.at(s), self.top, x.at(s), bottom, "corner")
         dense = len(rows) > MOST_MARKERS
+        self._bands(x, y, profile, deviation, rows, filtered, half, total)
         for i, (level, _) in enumerate(levels):
             at = rows[deviation.level[rows] == level]
             if not len(at):
@@ -247,10 +269,41 @@ class _Panel:
             for k in np.unique(deviation.stretch[rows]):
                 at = rows[(deviation.level[rows] == level) & (deviation.stretch[rows] == k)]
                 local = along(stretches[int(k)], deviation.s[at], profile)
-                line = _course(local, filtered[at], stretches[int(k)].length, stretches[int(k)].closed)
+                line = course(local, filtered[at], stretches[int(k)].length, stretches[int(k)].closed)
                 begin = stretches[int(k)].begin
                 data = "".join(self._wrapped(x, y, begin + s, value, total) for s, value in line)
                 canvas.path(data, f"filtered dash{i % 4}", self.name)
+
+    def _bands(
+        self,
+        x: Axis,
+        y: Axis,
+        profile: Profile,
+        deviation: Deviation,
+        rows: Ints,
+        filtered: Floats,
+        half: Floats,
+        total: float,
+    ) -> None:
+        """Determined part less and plus half the band's width, for every stretch and level."""
+        stretches = profile.stretches()
+        rows = rows[np.isfinite(half[rows])]
+        levels = int(deviation.level.max()) + 1
+        key = deviation.stretch[rows] * levels + deviation.level[rows]
+        for one in np.unique(key):
+            at, stretch = rows[key == one], stretches[int(one) // levels]
+            local = along(stretch, deviation.s[at], profile)
+            lower = course(local, filtered[at] - half[at], stretch.length, stretch.closed)
+            upper = course(local, filtered[at] + half[at], stretch.length, stretch.closed)
+            data = ""
+            for (s, low), (_, high) in zip(lower, upper, strict=True):
+                px, py, qy = x(stretch.begin + s), y(low * UM), y(high * UM)
+                if len(s) > 2 * MOST_MARKERS:
+                    px, [(_, py, _), (_, qy, _)] = columns(px, [py, qy])
+                for shift in (0.0, x.start - x.end, x.end - x.start):
+                    if (px + shift).max() > x.start and (px + shift).min() < x.end:
+                        data += polyline(np.append(px, px[::-1]) + shift, np.append(py, qy[::-1]), True)
+            self.canvas.path(data, "band", self.name)
 
     @staticmethod
     def _wrapped(x: Axis, y: Axis, s: Floats, value: Floats, total: float) -> str:
@@ -266,7 +319,7 @@ class _Panel:
         return out
 
 
-def _course(s: Floats, value: Floats, length: float, closed: bool) -> list[tuple[Floats, Floats]]:
+def course(s: Floats, value: Floats, length: float, closed: bool) -> list[tuple[Floats, Floats]]:
     """Values sorted by arc length, cut where a gap is long; a closed course goes on past its seam by a point."""
     if not len(s):
         return []
@@ -282,13 +335,14 @@ def _course(s: Floats, value: Floats, length: float, closed: bool) -> list[tuple
     return list(zip(np.split(s, cuts), np.split(value, cuts), strict=True))
 
 
-def _value_axis(values: Floats, bottom: float, top: float) -> Axis:
+def value_axis(values: Floats, bottom: float, top: float) -> Axis:
+    """Axis of values in micrometres that holds zero."""
     low, high = min(0.0, float(values.min())), max(0.0, float(values.max()))
     room = max(high - low, 0.2)
     return Axis(low - 0.08 * room, high + 0.08 * room, bottom, top)
 
 
-def _frame(canvas: Canvas, x: Axis, y: Axis, below: str, beside: str) -> None:
+def frame(canvas: Canvas, x: Axis, y: Axis, below: str, beside: str) -> None:
     """Grid, ticks and names of a plot whose zero is marked."""
     for value in y.ticks(6):
         at = y.at(value)
@@ -303,268 +357,6 @@ def _frame(canvas: Canvas, x: Axis, y: Axis, below: str, beside: str) -> None:
     canvas.text(13, (y.start + y.end) / 2, beside, anchor="middle", turn=-90)
 
 
-def magnification_for(profile: Profile, largest: float) -> float:
-    """Magnification 1, 2 or 5 times a power of ten at which the largest deviation is seen and fits.
-
-    500 where its whisker is between 3 and 12 % of the part's size, else the largest that keeps to 12 %.
-
-    Parameters
-    ----------
-    profile : Profile
-    largest : float
-        mm.
-    """
-    left, bottom, right, top = profile.bounding_box()
-    size = max(right - left, top - bottom)
-    if not largest > 0:
-        return MAGNIFICATION
-    most, least = 0.12 * size / largest, 0.03 * size / largest
-    if least <= MAGNIFICATION <= most:
-        return MAGNIFICATION
-    return round_down(most)
-
-
-def on_contour(
-    profile: Profile,
-    deviation: Deviation,
-    filtered: Floats,
-    *,
-    within: float,
-    rejected: Floats | None = None,
-    magnification: float | None = None,
-) -> Plot:
-    """Whiskers on the nominal: excess outward, undercut into the material; a panel for every level.
-
-    Parameters
-    ----------
-    profile : Profile
-        Nominal.
-    deviation : Deviation
-        May be empty.
-    filtered : (n,) float64
-        mm.
-    within : float
-        Deviations up to this, in mm, are drawn as near zero.
-    rejected : (m, 3) float64, optional
-        Points that were not used, mm.
-    magnification : float, optional
-        Whisker over deviation; by default one that fits.
-    """
-    largest = float(np.abs(deviation.value).max()) if len(deviation) else 0.0
-    times = magnification or magnification_for(profile, largest)
-    levels = _levels(deviation) or [(0, math.nan)]
-    shown = levels[:MOST_PANELS]
-    left, bottom, right, top = _extent(profile, times * largest)
-    scale = min((WIDTH - 68) / (right - left), (620 if len(levels) == 1 else 400) / (top - bottom))
-    inner = (top - bottom) * scale
-    height = inner + 70
-    canvas = Canvas(WIDTH, 30 + len(shown) * height, "Deviations on the contour")
-    near = f"within \N{PLUS-MINUS SIGN}{number(round(within * UM, 2))} {MICRO}"
-    entries = [
-        ("excess material", [("excess", "m-10 0h10"), ("excess tip", MARKERS[0])]),
-        (near, [("within", "m-8 0h16")]),
-        ("undercut", [("undercut", "m-10 0h10"), ("undercut tip", MARKERS[2])]),
-        ("determined part", [("course", "m-9 0h18")]),
-    ]
-    if rejected is not None and len(rejected):
-        entries.append(("rejected", [("rejected", MARKERS[5])]))
-    if len(deviation):
-        canvas.legend(56, 14, entries)
-    outline = _Outline.of(profile)
-    spare = 0.5 * (WIDTH - 68 - (right - left) * scale)
-    thinned = False
-    for i, (level, z) in enumerate(shown):
-        y0 = 36 + i * height
-        x = Axis(left, right, 56 + spare, 56 + spare + (right - left) * scale)
-        y = Axis(bottom, top, y0 + inner, y0)
-        _draw_outline(canvas, outline, profile, x, y)
-        at = np.flatnonzero(deviation.level == level)
-        thinned |= _draw_whiskers(canvas, profile, deviation, at, filtered, times, within, x, y)
-        if rejected is not None and len(rejected):
-            here = np.argmin(np.abs(rejected[:, 2:] - [[height for _, height in levels]]), axis=1) == i
-            px, py = x(rejected[here, 0]), y(rejected[here, 1])
-            inside = (px > x.start) & (px < x.end) & (py < y.start) & (py > y.end)
-            canvas.path(markers(px[inside][:300], py[inside][:300], 5), "rejected")
-        _draw_start(canvas, profile, x, y)
-        _coordinate_frame(canvas, x, y)
-        if len(deviation):
-            _scale_bars(canvas, x, y, scale, times, largest)
-        if len(levels) > 1:
-            canvas.text(x.start + 8, y.end + 14, f"level {level + 1}, Z {number(round(z, 3))} mm", "strong")
-    words = ["The nominal contour, seen from above, coordinates in mm; grey is material."]
-    if not outline.material:
-        words[0] = "The nominal contour, seen from above, coordinates in mm."
-    if len(deviation):
-        words.append(
-            f"Whiskers show the deviations along the normal at {number(times)}:1, outward for excess material and into "
-            "the material for undercut."
-        )
-    words.append("The ring is the start of the arc length, the arrow its direction.")
-    if thinned:
-        words.append("Of many neighbouring points the one with the largest deviation is drawn.")
-    if len(levels) > len(shown):
-        words.append(f"{len(shown)} of {len(levels)} levels are drawn; deviations.csv has all.")
-    return Plot(str(canvas), " ".join(words))
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class _Outline:
-    """Sampled contours in mm, and on which side material can be shaded: 'in', 'out' or ''."""
-
-    lines: tuple[tuple[Floats, bool], ...]
-    material: str
-
-    @staticmethod
-    def of(profile: Profile) -> _Outline:
-        lines = []
-        total = profile.total
-        for k, contour in enumerate(profile.contours):
-            count = int(np.clip(1600 * total[k] / total.sum(), 48, 1600))
-            s = np.linspace(0.0, float(total[k]), count + 1)
-            inner = corners(profile, k)
-            if len(inner) < 5000:
-                s = np.unique(np.concatenate([s, inner]))
-            if contour.closed:
-                s = s[s < total[k] - 1e-9]
-            lines.append((profile.at(k, s)[0], contour.closed))
-        area = profile.signed_areas()
-        side = ""
-        if all(c.closed for c in profile.contours):
-            side = "in" if area[np.argmax(np.abs(area))] > 0 else "out"
-        return _Outline(tuple(lines), side)
-
-
-def _extent(profile: Profile, whisker: float) -> tuple[float, float, float, float]:
-    left, bottom, right, top = profile.bounding_box()
-    size = max(right - left, top - bottom)
-    margin = whisker + 0.04 * size
-    low = 0.25 * size
-    # A straight edge along an axis still gets a drawing of some height.
-    extra_x = max(0.0, low - (right - left) - 2 * margin) / 2
-    extra_y = max(0.0, low - (top - bottom) - 2 * margin) / 2
-    return left - margin - extra_x, bottom - margin - extra_y, right + margin + extra_x, top + margin + extra_y
-
-
-def _draw_outline(canvas: Canvas, outline: _Outline, profile: Profile, x: Axis, y: Axis) -> None:
-    data = [polyline(x(points[:, 0]), y(points[:, 1]), closed) for points, closed in outline.lines]
-    if outline.material:
-        frame = ""
-        if outline.material == "out":
-            frame = f"M{x.start:.1f} {y.start:.1f}H{x.end:.1f}V{y.end:.1f}H{x.start:.1f}z"
-        canvas.path(frame + "".join(data), "material")
-    canvas.path("".join(data), "nominal")
-
-
-def _draw_whiskers(
-    canvas: Canvas,
-    profile: Profile,
-    deviation: Deviation,
-    rows: Ints,
-    filtered: Floats,
-    times: float,
-    within: float,
-    x: Axis,
-    y: Axis,
-) -> bool:
-    """Whiskers of one level; True where points were left out."""
-    stretches = profile.stretches()
-    for k in np.unique(deviation.stretch[rows]):
-        at = rows[deviation.stretch[rows] == k]
-        at = at[_largest_of_each(along(stretches[int(k)], deviation.s[at], profile), filtered[at], MOST_MARKERS)]
-        local = along(stretches[int(k)], deviation.s[at], profile)
-        tip = deviation.foot[at] + times * filtered[at, None] * deviation.normal[at]
-        index = np.arange(len(at), dtype=np.float64)
-        for _, chosen in _course(local, index, stretches[int(k)].length, stretches[int(k)].closed):
-            i = chosen.astype(np.int64)
-            canvas.path(polyline(x(tip[i, 0]), y(tip[i, 1])), "course")
-    whole = float(profile.total[np.unique(deviation.contour[rows])].sum()) if len(rows) else 0.0
-    kept = []
-    for c in np.unique(deviation.contour[rows]):
-        at = rows[deviation.contour[rows] == c]
-        most = max(12, int(MOST_WHISKERS * profile.total[c] / whole))
-        kept.append(at[_largest_of_each(deviation.s[at], deviation.value[at], most)])
-    if not kept:
-        return False
-    at = np.concatenate(kept)
-    value = deviation.value[at]
-    foot = deviation.foot[at]
-    tip = foot + times * value[:, None] * deviation.normal[at]
-    fx, fy, tx, ty = x(foot[:, 0]), y(foot[:, 1]), x(tip[:, 0]), y(tip[:, 1])
-    for css, chosen, shape in (
-        ("within", np.abs(value) <= within, None),
-        ("excess", value > within, 0),
-        ("undercut", value < -within, 2),
-    ):
-        lines = zip(fx[chosen], fy[chosen], tx[chosen], ty[chosen], strict=True)
-        canvas.path("".join(f"M{a:.1f} {b:.1f}L{c:.1f} {d:.1f}" for a, b, c, d in lines), css)
-        if shape is not None:
-            canvas.path(markers(tx[chosen], ty[chosen], shape), f"{css} tip")
-    return len(at) < len(rows)
-
-
-def _largest_of_each(s: Floats, value: Floats, most: int) -> Ints:
-    """Of every `most`-th part of the range the point with the largest absolute value, in order of s."""
-    if len(s) <= most:
-        return np.argsort(s, kind="stable")
-    span = float(np.ptp(s)) or 1.0
-    part = np.minimum(((s - s.min()) / span * most).astype(np.int64), most - 1)
-    order = np.lexsort((np.arange(len(s)), -np.abs(value), part))
-    first = np.flatnonzero(np.diff(part[order], prepend=-1))
-    return np.asarray(order[first], dtype=np.int64)
-
-
-def _draw_start(canvas: Canvas, profile: Profile, x: Axis, y: Axis) -> None:
-    for k in range(min(len(profile.contours), 40)):
-        point, normal = profile.at(k, np.array([0.0]))
-        px, py = x.at(point[0, 0]), y.at(point[0, 1])
-        # Along the contour, set back into the material so that whiskers do not cover it.
-        tx, ty = -normal[0, 1], -normal[0, 0]
-        nx, ny = normal[0, 0], -normal[0, 1]
-        ax, ay = px - 11 * nx, py - 11 * ny
-        bx, by = ax + 26 * tx, ay + 26 * ty
-        head = "".join(f"M{bx:.1f} {by:.1f}L{bx - 7 * tx + w * nx:.1f} {by - 7 * ty + w * ny:.1f}" for w in (3.5, -3.5))
-        canvas.path(f"M{ax:.1f} {ay:.1f}L{bx:.1f} {by:.1f}{head}", "arrow")
-        canvas.add(f'<circle class="start" cx="{px:.1f}" cy="{py:.1f}" r="4"/>')
-        if len(profile.contours) > 1:
-            canvas.text(bx + 10 * tx, by + 10 * ty + 4, str(k + 1), "strong", "middle")
-
-
-def _coordinate_frame(canvas: Canvas, x: Axis, y: Axis) -> None:
-    canvas.line(x.start, y.start, x.end, y.start, "axis")
-    canvas.line(x.start, y.start, x.start, y.end, "axis")
-    step = max(round_step((x.high - x.low) / 8), round_step((y.high - y.low) / 8))
-    for axis, flat in ((x, True), (y, False)):
-        for value in np.arange(math.ceil(axis.low / step), math.floor(axis.high / step) + 1) * step:
-            at = axis.at(value)
-            text = number(round(float(value), 9))
-            if flat:
-                canvas.line(at, y.start, at, y.start + 4, "axis")
-                canvas.text(at, y.start + 16, text, anchor="middle")
-            else:
-                canvas.line(x.start - 4, at, x.start, at, "axis")
-                canvas.text(x.start - 7, at + 4, text, anchor="end")
-    canvas.text(x.end, y.start + 29, "X / mm", anchor="end")
-    canvas.text(x.start - 7, y.end - 4, "Y / mm", anchor="end")
-
-
-def _scale_bars(canvas: Canvas, x: Axis, y: Axis, scale: float, times: float, largest: float) -> None:
-    """Two bars below the drawing: a length on the part and a deviation."""
-    at = y.start + 32
-    length = round_step(60 / scale)
-    deviation = round_step(30 / (scale * times) * UM)
-    left = x.start + 2
-    for wide, text in (
-        (length * scale, f"{number(length)} mm on the part"),
-        (
-            deviation / UM * times * scale,
-            f"{number(deviation)} {MICRO} of deviation ({number(times)}:1)",
-        ),
-    ):
-        canvas.path(f"M{left:.1f} {at - 4:.1f}v8m0-4h{wide:.2f}m0-4v8", "axis")
-        canvas.text(left + wide + 7, at + 4, text, "legend")
-        left += wide + 7 + 6.2 * len(text) + 20
-
-
 def histogram(before: Floats, predicted: Floats, random_std: float) -> Plot:
     """Distribution of the deviations before, and predicted after the correction.
 
@@ -577,7 +369,7 @@ def histogram(before: Floats, predicted: Floats, random_std: float) -> Plot:
     """
     a, b = before * UM, predicted * UM
     low, high = float(min(a.min(), b.min(), 0.0)), float(max(a.max(), b.max(), 0.0))
-    width = _bin_width(a, b, high - low)
+    width = class_width(a, b, high - low)
     first, last = math.floor(low / width), max(math.floor(high / width) + 1, math.floor(low / width) + 1)
     edges = np.arange(first, last + 1) * width
     counts = [np.histogram(v, edges)[0] for v in (a, b)]
@@ -632,7 +424,7 @@ def histogram(before: Floats, predicted: Floats, random_std: float) -> Plot:
     return Plot(str(canvas), words)
 
 
-def _bin_width(a: Floats, b: Floats, span: float) -> float:
+def class_width(a: Floats, b: Floats, span: float) -> float:
     """Round class width after Freedman and Diaconis, with 14 to 60 classes."""
     wide = []
     for v in (a, b):

@@ -149,8 +149,9 @@ class SimulatedMachine:
     ----------
     errors : ErrorField
         Determined errors.
-    allowance : float
-        Stock in mm left on the nominal contour before the finishing cut.
+    allowance : float or callable
+        Stock in mm left on the nominal contour before the finishing cut, one number or ``a(s)`` over arc lengths (n,)
+        in mm, as the surface that a first cut has left. To cut at another depth: ``replace(machine, allowance=...)``.
     transfer : float or callable
         Transfer function MS, one number or ``MS(s)`` over arc lengths (n,) in mm.
     wear_per_metre, wear_per_part : float
@@ -170,7 +171,7 @@ class SimulatedMachine:
     """
 
     errors: ErrorField = field(default_factory=ErrorField)
-    allowance: float = 0.0
+    allowance: float | Callable[[Floats], Floats] = 0.0
     transfer: float | Callable[[Floats], Floats] = 0.0
     wear_per_metre: float = 0.0
     wear_per_part: float = 0.0
@@ -185,7 +186,7 @@ class SimulatedMachine:
                 raise UsageError(f"simulated machine: {name} {value!r} is not a number of at least 0")
         if not (np.isfinite(self.noise_length) and self.noise_length > 0):
             raise UsageError(f"simulated machine: noise_length {self.noise_length!r} is not positive")
-        if not np.isfinite(self.allowance):
+        if not callable(self.allowance) and not np.isfinite(self.allowance):
             raise UsageError(f"simulated machine: allowance {self.allowance!r} is not a number")
         if not callable(self.transfer) and not (np.isfinite(self.transfer) and self.transfer > -1):
             raise UsageError(f"simulated machine: transfer function {self.transfer!r} is not above -1")
@@ -294,15 +295,19 @@ class SimulatedMachine:
 
     def transfer_at(self, s: Floats) -> Floats:
         """MS at arc lengths (n,)."""
-        ms = np.asarray(self.transfer(s) if callable(self.transfer) else self.transfer, dtype=float)
-        return np.broadcast_to(ms, s.shape)
+        return _along(self.transfer, s)
+
+    def allowance_at(self, s: Floats) -> Floats:
+        """Stock over the nominal at arc lengths (n,), mm."""
+        return _along(self.allowance, s)
 
     def describe(self) -> str:
         """The machine's errors in words."""
         ms = "a function of place" if callable(self.transfer) else f"{self.transfer:g}"
+        stock = "that is a function of place" if callable(self.allowance) else f"of {self.allowance:g} mm"
         return (
             f"determined errors: {self.errors.describe()}; elastic response: transfer function {ms} at an "
-            f"allowance of {self.allowance:g} mm; wear {_um(self.wear_per_metre)} a metre and "
+            f"allowance {stock}; wear {_um(self.wear_per_metre)} a metre and "
             f"{_um(self.wear_per_part)} a part; process noise {_um(self.process_noise)} over "
             f"{self.noise_length:g} mm; measurement noise {_um(self.measurement_noise)}"
         )
@@ -357,7 +362,7 @@ class SimulatedPart:
         e, before = self.commanded(contour, s)
         length = float(self.nominal.total[contour])
         ms = m.transfer_at(s)
-        left = (m.allowance - e) * ms / (1.0 + ms)
+        left = (m.allowance_at(s) - e) * ms / (1.0 + ms)
         wear = self.worn_before + m.wear_per_metre * before / 1000.0
         out: Floats = e + m.errors(s, normal, length, self.nominal.contours[contour].closed) + left + wear
         return out
@@ -752,6 +757,11 @@ def _meet(first: _Side, second: _Side) -> bool:
         return False
     first.high, second.low = u, v
     return True
+
+
+def _along(value: float | Callable[[Floats], Floats], s: Floats) -> Floats:
+    """A number or a function of arc length at arc lengths (n,)."""
+    return np.broadcast_to(np.asarray(value(s) if callable(value) else value, dtype=float), s.shape)
 
 
 def _seed(seed: int | None) -> int:

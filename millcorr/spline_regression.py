@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -61,8 +62,10 @@ class SplineRegression:
     random_std : float
         Standard deviation of the random part: of the residuals with n - parameters degrees of freedom (NaN
         where there are none); with correlated noise, what the fit takes out of it is added.
-    variance_factor : float
-        Mean over the points of the fit's variance for noise of unit variance: white, or as correlated as found.
+    variance : ndarray, shape (n,)
+        Variance of the fit at the points for noise of unit variance: white, or as correlated as found.
+    smooth : callable
+        The regression with its knots and weights held: other values (n,) at the points to fitted ones.
     knot_spacing : float
         Mean distance between knots in mm.
     moran : Moran
@@ -80,7 +83,8 @@ class SplineRegression:
     weights: Floats
     parameters: int
     random_std: float
-    variance_factor: float
+    variance: Floats
+    smooth: Callable[[Floats], Floats]
     knot_spacing: float
     moran: Moran
     settled: bool
@@ -168,7 +172,7 @@ def spline_regression(
     up. Where groups pass with no more than half of the parameters, what the finer search adds to them is looked at: if
     it is spread over all places and its spectrum does not rise towards short wavelengths nor hold single
     lines, it is noise of short correlation length, and the coarser regression is taken. Its density at long
-    wavelengths then stands for the noise in `variance_factor`.
+    wavelengths then stands for the noise in `variance`.
 
     Knots stand at equal distances where the points do; where the points are uneven, closer among close points
     and never with an empty span. Their number grows until Moran's I of
@@ -209,13 +213,14 @@ def spline_regression(
     freedom = float(trust.sum()) - fit.parameters
     std = math.sqrt(float(trust @ residual**2) / freedom) if freedom > 1e-6 * d.size else math.nan
     length = period if period is not None else float(place_s[-1] - place_s[0])
-    factor = _variance_factor(choice.line, fit, place, trust)
+    variance = _variance(choice.line, fit, place, trust)
+    final = trust
     correlation = math.nan
     if choice.correlated:
         # A parameter takes the density of the noise at long wavelengths out of the residuals, not its variance.
         std = math.sqrt((float(trust @ residual**2) + fit.parameters * fit.density) / float(trust.sum()))
         share = fit.density / std**2
-        factor *= share
+        variance *= share
         correlation = share * length / d.size
     spans = fit.parameters if period is not None else max(1, fit.parameters - 3)
     return SplineRegression(
@@ -223,7 +228,8 @@ def spline_regression(
         trust,
         fit.parameters,
         std,
-        factor,
+        variance,
+        lambda other: _refitted(choice.line, choice.fit, place, final, other),
         length / spans,
         fit.moran,
         fit.passed,
@@ -472,17 +478,26 @@ def _fit(sample: _Sample, parameters: int, enough: float = _SIGNIFICANT) -> _Fit
     return _Fit(k, basis, coefficients, factor, moran, criterion, exact or moran.z <= _SIGNIFICANT, density)
 
 
-def _variance_factor(line: _Line, fit: _Fit, place: Ints, trust: Floats) -> float:
-    """Mean variance of the fit for unit noise: tr(G^-1 X'W^2 X G^-1 X'X) / n."""
+def _variance(line: _Line, fit: _Fit, place: Ints, trust: Floats) -> Floats:
+    """Variance of the fit at the points for unit noise: the diagonal of X G^-1 X'W^2 X G^-1 X'."""
     from scipy.sparse import diags
 
     node = line.node[place]
     design = fit.basis.design(line.node_t)
     noise = diags(np.bincount(node, weights=trust**2, minlength=line.nodes))
-    count = diags(np.bincount(node, minlength=line.nodes).astype(np.float64))
     spread = fit.factor.solve((design.T @ noise @ design).toarray())
-    reach = fit.factor.solve((design.T @ count @ design).toarray())
-    return float(np.sum(spread * reach.T)) / place.size
+    covariance = fit.factor.solve(np.ascontiguousarray(spread.T))
+    at_nodes = np.asarray((design @ covariance) * design.toarray()).sum(axis=1)
+    variance: Floats = at_nodes[node]
+    return variance
+
+
+def _refitted(line: _Line, fit: _Fit, place: Ints, trust: Floats, d: Floats) -> Floats:
+    """Fitted values of other values at the points, with the knots and the trust of a fit."""
+    sample = _sample(line, d, place, trust, 0.0)
+    design = fit.basis.design(sample.t)
+    coefficients = fit.factor.solve(design.T @ (sample.root**2 * sample.mean))
+    return fit.basis.evaluate(coefficients, line.t)[place]
 
 
 def _first_trust(d: Floats, closed: bool, noise_floor: float) -> Floats:

@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .measurement import Measurement
+from .errors import InputError
+from .measurement import Measurement, Probe
 
 Floats = NDArray[np.float64]
 
@@ -78,12 +79,45 @@ class Transform:
         return out
 
     def measurement(self, measurement: Measurement) -> Measurement:
-        """The measurement moved, its normals turned with it."""
-        normals = measurement.normals
+        """The measurement moved, its normals, directions of travel and probe turned with it.
+
+        Raises
+        ------
+        InputError
+            If the points are shifted along an axis of the machine that the turn would leave unknown.
+        """
+        normals, travel, probe = measurement.normals, measurement.travel, measurement.probe
         return dataclasses.replace(
             measurement,
             points=self.points(measurement.points),
             normals=None if normals is None else self.directions(normals),
+            axis_radii=self._axis_radii(measurement),
+            travel=None if travel is None else self.directions(travel),
+            probe=None if probe is None else self._probe(probe),
+        )
+
+    def _axis_radii(self, measurement: Measurement) -> tuple[float, float] | None:
+        """Radii of a shift along X and Y after the turn, which exchanges the axes or leaves none of them."""
+        radii = measurement.axis_radii
+        if radii is None or not self.rotation:
+            return radii
+        (c, s), _ = np.abs(self.matrix)
+        if radii[0] == radii[1] and (measurement.travel is not None or 0.0 in (c, s)):
+            return radii
+        if 0.0 not in (c, s):
+            raise InputError(
+                f"{measurement.source}: the points are shifted along an axis of the machine and are to be turned by "
+                f"{math.degrees(self.rotation):g} degrees: give the direction of travel of each point, and one radius"
+            )
+        return radii if s == 0.0 else (radii[1], radii[0])
+
+    def _probe(self, probe: Probe) -> Probe:
+        """The calibration in the turned frame."""
+        x, y = self._turned(*probe.offset)
+        directions = None if probe.directions is None else probe.directions + self.rotation
+        # By now the control's radii are the measurement's.
+        return dataclasses.replace(
+            probe, offset=(float(x), float(y)), directions=directions, control_radii=None
         )
 
     def inverse(self) -> Transform:

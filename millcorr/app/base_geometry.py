@@ -209,4 +209,18 @@ def _model_outline(operation: Any) -> list[Any]:
     models = list(job.Model.Group)
     if not models:
         raise InputError(f"{job.Label}: the job has no model")
-    return [e for model in models for e in convert.outline_edges(model.Shape)]
+    return [e for model in models for e in _outline(model.Shape)]
+
+
+_outlines: list[tuple[Any, list[Any]]] = []
+"""Shapes whose outline was cut last, and their edges: OCCT takes long, and a panel asks after every keystroke."""
+
+
+def _outline(shape: Any) -> list[Any]:
+    for known, edges in _outlines:
+        if known.isEqual(shape):
+            return edges
+    edges = list(convert.outline_edges(shape))
+    _outlines[3:] = []
+    _outlines.insert(0, (shape, edges))
+    return edges

@@ -22,28 +22,14 @@ from uuid import uuid4
 import FreeCAD
 
 from millcorr import gcode as nc
-from millcorr import pipeline, verification
+from millcorr import pipeline, session, verification
 from millcorr.errors import InputError, MillcorrError, RefusedError, UsageError
+from millcorr.readers import Reading
 
 from . import base_geometry, compat, correction, documents, dressup, measurement_object, sources, views
 
 # FreeCAD brings a document's objects to life only if their modules are there before it is opened.
 from . import profile_object as profile_object
-
-_PROPERTIES = {
-    "tool_diameter": "ToolDiameter",
-    "side": "Side",
-    "align": "Align",
-    "accept": "Accept",
-    "filter": "Filter",
-    "method": "Method",
-    "gain": "Gain",
-    "limit": "Limit",
-    "dead_band": "DeadBand",
-    "tolerance": "Tolerance",
-    "output_moves": "OutputMoves",
-    "cutter_compensation": "CutterCompensation",
-}
 
 
 def correct_document(
@@ -51,20 +37,16 @@ def correct_document(
     operation: Any = None,
     measured: str | Path | Sequence[str | Path] | None = None,
     *,
-    points: str | None = None,
-    probe_radius: float | None = None,
-    units: str | None = None,
-    format: str | None = None,
     nominal: Any = None,
     output: str | Path | None = None,
     gcode: str | Path | None = None,
     report: str | Path | None = None,
-    **settings: Any,
+    **options: Any,
 ) -> pipeline.Result:
     """Correct one operation of a document from a measured part.
 
     Nothing is written unless everything succeeds, and every file is replaced as a whole. A document given as
-    a file is left as it is unless it is also the `output`; an open document keeps the dressup if the
+    a file is left as it is; an open document keeps the dressup if the
     correction succeeds and is as before if it does not.
 
     Parameters
@@ -76,14 +58,6 @@ def correct_document(
     measured : str, Path or sequence of them, optional
         The measured file, or one of each of several parts, whose deviations are averaged; without it the path
         is made exact and nothing is corrected.
-    points : {"contact", "centre"}, optional
-        What the coordinates are, where the file does not say.
-    probe_radius : float, optional
-        Radius of the probe's ball in mm.
-    units : {"mm", "inch"}, optional
-        Unit of the file, where it does not say.
-    format : str, optional
-        Name of the file's format; default by its content.
     nominal : str, Path or document object, optional
         Nominal profile: object of the document, ``"#Label"`` of one, or a file (see `sources.nominal_shape`),
         which is then kept in the document; default the operation's own geometry.
@@ -93,9 +67,10 @@ def correct_document(
         Program to write, made by the job's own post processor and read back to prove it.
     report : str or Path, optional
         Directory for the report.
-    **settings
-        ``tool_diameter, side, align, accept, filter, method, gain, limit, dead_band, tolerance, output_moves,
-        cutter_compensation`` as in `pipeline.Settings`.
+    **options
+        ``tool_diameter`` in mm, how to read the measured files (fields of `millcorr.readers.Reading`: ``points,
+        probe_radius, units, format, mapping, part, work_offset, ...``) and how to correct (fields of
+        `millcorr.pipeline.Settings`: ``align, filter, gain, ...``).
 
     Returns
     -------
@@ -108,18 +83,17 @@ def correct_document(
     MillcorrError
         If the input cannot be trusted or the correction is refused.
     """
-    unknown = sorted(set(settings) - set(_PROPERTIES))
-    if unknown:
-        raise UsageError(f"unknown setting {unknown[0]}; known are {', '.join(_PROPERTIES)}")
+    reading = Reading.taken_from(options)
+    chosen = correction.properties_of(options)
     compat.prepare_modules()
     source = Path(document) if isinstance(document, str | Path) else None
+    files = [] if measured is None else [measured] if isinstance(measured, str | Path) else list(measured)
+    _refuse_inputs(source, files, output, gcode, report)
     with ExitStack() as stack:
         here = stack.enter_context(documents.opened(document))
         stack.enter_context(_all_or_nothing(here))
         base = find_operation(here, operation)
-        files = [] if measured is None else [measured] if isinstance(measured, str | Path) else list(measured)
-        parts = [measurement_object.create(here, file, points, probe_radius, units, format) for file in files]
-        chosen = {_PROPERTIES[name]: value for name, value in settings.items() if value is not None}
+        parts = [measurement_object.create(here, file, **reading.as_dict()) for file in files]
         if nominal is not None:
             chosen["Nominal"] = sources.nominal_object(here, nominal)
         chosen["FurtherParts"] = parts[1:]
@@ -155,6 +129,15 @@ def export_report(obj: Any, directory: str | Path) -> None:
     corrected = correction.correct(obj)
     text = _posted(obj)
     _write(obj.Document, None, proved(obj, text, corrected), text, None, None, directory)
+
+
+def _refuse_inputs(source: Path | None, measured: Sequence[Any], output: Any, gcode: Any, report: Any) -> None:
+    """UsageError where something to write would replace what is read."""
+    inputs = {f"measured file {n}": Path(file) for n, file in enumerate(measured, 1)}
+    written = {
+        what: None if place is None else Path(place) for what, place in (("output", output), ("gcode", gcode))
+    }
+    session.refuse_places(written, None if report is None else Path(report), {"document": source, **inputs})
 
 
 @contextmanager
@@ -332,7 +315,6 @@ def _write(
 @contextmanager
 def _beside(place: Path) -> Iterator[Path]:
     """A temporary name in the same directory and with the same suffix."""
-    place.absolute().parent.mkdir(parents=True, exist_ok=True)
     path = place.absolute().parent / f".millcorr-{uuid4().hex}{place.suffix}"
     try:
         yield path

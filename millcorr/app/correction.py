@@ -3,15 +3,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import pickle
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields, replace
+from pathlib import Path
 from typing import Any
 
-from millcorr import pipeline
+from millcorr import pipeline, setup_file
 from millcorr.errors import InputError, UsageError
+from millcorr.measurement import Measurement
 from millcorr.profile import Profile
+from millcorr.setup_file import Setup
 
 from . import base_geometry, compat, convert, motion
-from .measurement_object import measurement_of
+from .measurement_object import reader_of
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -24,11 +29,14 @@ class Correction:
     result : pipeline.Result
     commands : list of Path.Command
         Commands of the operation that is corrected, in the job's frame.
+    header : tuple of str
+        Comments that mark the corrected path: they name the points, and a million of them take their time.
     """
 
     request: pipeline.Request
     result: pipeline.Result
     commands: list[Any]
+    header: tuple[str, ...]
 
     def path(self) -> Any:
         """The corrected FreeCAD path."""
@@ -37,29 +45,50 @@ class Correction:
             self.commands,
             self.request.program.toolpath,
             regeneration.toolpath,
-            self.result.header() if regeneration.changed else (),
+            self.header if regeneration.changed else (),
         )
+
+
+_FIELDS = {field.name: field.default for field in fields(pipeline.Settings)}
+
+
+def _property(name: str) -> str:
+    """Name of the dressup's property for a setting: ``dead_band`` is ``DeadBand``."""
+    return name.title().replace("_", "")
+
+
+def properties_of(options: Mapping[str, Any]) -> dict[str, Any]:
+    """Properties of a dressup by name: settings, the tool's diameter, the setup's file; None leaves one as it is.
+
+    Raises
+    ------
+    UsageError
+        If a name is none of a setting.
+    """
+    known = ("tool_diameter", "setup", *_FIELDS)
+    unknown = sorted(set(options) - set(known))
+    if unknown:
+        raise UsageError(f"unknown setting {unknown[0]}; known are {', '.join(known)}")
+    return {_property(name): value for name, value in options.items() if value is not None}
 
 
 def settings_of(obj: Any) -> pipeline.Settings:
     """Settings of a dressup."""
-    return pipeline.Settings(
-        side=obj.Side,
-        align=obj.Align,
-        accept=tuple(obj.Accept),
-        filter=obj.Filter,
-        method=obj.Method,
-        gain=obj.Gain,
-        limit=obj.Limit.Value,
-        dead_band=obj.DeadBand.Value,
-        tolerance=obj.Tolerance.Value,
-        output_moves=obj.OutputMoves,
-        cutter_compensation=obj.CutterCompensation,
-    )
+    return pipeline.Settings(**{name: _value(obj, name, default) for name, default in _FIELDS.items()})
+
+
+def _value(obj: Any, name: str, default: Any) -> Any:
+    """Value of a setting; what is optional has the property 0 or an empty list where it is left out."""
+    # A setting that the dressup does not offer has its default.
+    value = getattr(obj, _property(name), default)
+    value = getattr(value, "Value", value)
+    if isinstance(value, list):
+        value = tuple(value)
+    return value or None if default is None else value
 
 
 def request_of(obj: Any) -> tuple[pipeline.Request, list[Any]]:
-    """Request of a dressup, and the commands of the operation below it.
+    """Request of a dressup with its measurements read, and the commands of the operation below it.
 
     Raises
     ------
@@ -68,6 +97,12 @@ def request_of(obj: Any) -> tuple[pipeline.Request, list[Any]]:
     InputError
         If operation, profile or measurement cannot be used.
     """
+    request, commands, readers = _described(obj)
+    return _measured(request, readers), commands
+
+
+def _described(obj: Any) -> tuple[pipeline.Request, list[Any], list[Callable[[], Measurement]]]:
+    """Request without measurements, commands, and what reads the measurements."""
     if obj.Base is None:
         raise UsageError(f"{obj.Label}: the dressup has no operation below it")
     path = compat.path_of(obj.Base)
@@ -76,19 +111,33 @@ def request_of(obj: Any) -> tuple[pipeline.Request, list[Any]]:
         raise InputError(f"{obj.Base.Label}: the operation has no path; recompute it")
     program = motion.program_of_path(path, obj.Base.Label)
     operation = compat.bottom_operation(obj.Base)
-    tool_radius = (obj.ToolDiameter.Value or compat.tool_diameter(obj.Base)) / 2
+    tool_radius = (_value(obj, "tool_diameter", None) or compat.tool_diameter(obj.Base)) / 2
     if base_geometry.leaves_radius_to_control(operation):
         side = base_geometry.side_of_path(_nominal(obj, operation, program), program.toolpath)
         program = motion.program_of_path(path, obj.Base.Label, side)
     request = pipeline.Request(
         program=program,
         radius=base_geometry.path_radius(operation, tool_radius),
-        measurement=None if obj.Measurement is None else measurement_of(obj.Measurement),
+        measurement=None,
         nominal=_nominal(obj, operation, program),
         settings=settings_of(obj),
-        further=() if obj.Measurement is None else tuple(measurement_of(part) for part in obj.FurtherParts),
+        setup=_setup(obj),
     )
-    return request, commands
+    parts = [] if obj.Measurement is None else [obj.Measurement, *obj.FurtherParts]
+    return request, commands, [reader_of(part) for part in parts]
+
+
+def _setup(obj: Any) -> Setup | None:
+    """Setup of a dressup where its method needs one; named by its file alone, which lies elsewhere every time."""
+    place = getattr(obj, "Setup", "")
+    if not place or obj.Method not in ("combined", "predicted"):
+        return None
+    return replace(setup_file.load(place), source=Path(place).name)
+
+
+def _measured(request: pipeline.Request, readers: list[Callable[[], Measurement]]) -> pipeline.Request:
+    parts = [read() for read in readers]
+    return replace(request, measurement=parts[0], further=tuple(parts[1:])) if parts else request
 
 
 def _nominal(obj: Any, operation: Any, program: Any) -> Profile | None:
@@ -120,5 +169,55 @@ def correct(obj: Any) -> Correction:
     MillcorrError
         If it cannot or must not be corrected.
     """
-    request, commands = request_of(obj)
-    return Correction(request, pipeline.correct(request), commands)
+    return prepared(obj)()
+
+
+def prepared(obj: Any) -> Callable[[], Correction]:
+    """Do now what needs FreeCAD, and give what does the rest: it needs none and may be called in any thread.
+
+    Parameters
+    ----------
+    obj : document object
+        Anything with the dressup's properties.
+
+    Returns
+    -------
+    callable
+        Reads and corrects; raises MillcorrError as `correct`.
+
+    Raises
+    ------
+    MillcorrError
+        If operation or settings cannot be used.
+    """
+    request, commands, readers = _described(obj)
+
+    def finish() -> Correction:
+        asked = _measured(request, readers)
+        result, header = _corrected(asked)
+        return Correction(asked, result, commands, header)
+
+    return finish
+
+
+_KEPT = 2
+"""So many results are kept: what was shown before it was accepted is not computed again."""
+
+_results: dict[tuple[Any, ...], tuple[pipeline.Result, tuple[str, ...]]] = {}
+
+
+def _corrected(request: pipeline.Request) -> tuple[pipeline.Result, tuple[str, ...]]:
+    """Result of a request and the path's header; the very ones from before if nothing differs."""
+    nominal = None if request.nominal is None else pickle.dumps(request.nominal.as_dict())
+    setup = repr(request.setup)
+    # Measurements are the same objects as long as their files are: a kept result holds on to them.
+    measured = tuple(map(id, request.measurements))
+    key = (request.program.name, request.program.data, request.radius, measured, nominal, request.settings, setup)
+    kept = _results.get(key)
+    if kept is None:
+        result = pipeline.correct(request)
+        kept = result, result.header()
+        for old in list(_results)[: 1 - _KEPT]:
+            _results.pop(old, None)
+        _results[key] = kept
+    return kept

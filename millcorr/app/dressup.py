@@ -83,7 +83,62 @@ PROPERTIES = (
         "Method",
         "Correction",
         _text("App::Property", "How the path answers a deviation"),
-        ("mirror",),
+        ("mirror", "transfer", "combined", "predicted"),
+    ),
+    Property(
+        "FileIncluded",
+        "Setup",
+        "Correction",
+        _text("App::Property", "TOML file with tool, material, machine and stock, kept in the document"),
+    ),
+    Property(
+        "Length",
+        "Iterate",
+        "Correction",
+        _text("App::Property", "Correct again in the model until the error to expect is at most this; 0: only once"),
+        0.0,
+    ),
+    Property(
+        "FloatList",
+        "Depth",
+        "Transfer function",
+        _text("App::Property", "Depth in mm along the normal that the measured part was cut at; one, or one a part"),
+        [],
+    ),
+    Property(
+        "Length",
+        "NextDepth",
+        "Transfer function",
+        _text("App::Property", "Depth that the corrected path will cut; 0: that of the measured part"),
+        0.0,
+    ),
+    Property(
+        "Enumeration",
+        "DepthAlong",
+        "Transfer function",
+        _text("App::Property", "How deviations are taken: along the normal, or along one axis"),
+        ("normal", "x", "y"),
+    ),
+    Property(
+        "Enumeration",
+        "TransferFunction",
+        "Transfer function",
+        _text("App::Property", "Smooth along the contour, one value, or one a point"),
+        ("smooth", "one", "points"),
+    ),
+    Property(
+        "FloatList",
+        "Allowance",
+        "Transfer function",
+        _text("App::Property", "Stock in mm that the path of the measured part left on the nominal"),
+        [],
+    ),
+    Property(
+        "Length",
+        "LeaveStock",
+        "Correction",
+        _text("App::Property", "Stock that the path leaves on the part: a first cut, before anything is measured"),
+        0.0,
     ),
     Property("Float", "Gain", "Correction", _text("App::Property", "Share of the deviation taken back"), 1.0),
     Property(
@@ -276,11 +331,6 @@ def _state(obj: Any, corrected: correction.Correction) -> None:
 def _known(value: float | None) -> float:
     """A number for a property, which cannot be empty: 0 where there is none."""
     return float(value) if value is not None and isfinite(value) else 0.0
-
-
-def is_correction(obj: Any) -> bool:
-    """Whether an object is a dressup of ours, its proxy alive or not."""
-    return obj.Name.startswith("DressupMillcorr") and hasattr(obj, "Measurement") and hasattr(obj, "Base")
 
 
 def create(base: Any, measurement: Any = None, **settings: Any) -> Any:

@@ -7,15 +7,18 @@ read from them when it is needed.
 
 from __future__ import annotations
 
+import hashlib
 import os
 import tempfile
-from dataclasses import replace
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from millcorr import readers
-from millcorr.errors import FormatError, InputError
+from millcorr.errors import FormatError, InputError, MillcorrError
 from millcorr.measurement import Measurement
+from millcorr.readers import Reading
 
 from . import views
 from .properties import HIDDEN, QT_TRANSLATE_NOOP, READ_ONLY, Property, complete, store
@@ -36,7 +39,7 @@ PROPERTIES = (
         "Points",
         "Measurement",
         _text("App::Property", "What the coordinates are: points on the surface or centres of the probe's ball"),
-        (AS_FILE, "contact", "centre"),
+        (AS_FILE, "contact", "centre", "axis"),
     ),
     Property(
         "Length",
@@ -54,6 +57,45 @@ PROPERTIES = (
     ),
     Property(
         "String", "Format", "Measurement", _text("App::Property", "Format of the file; empty: by its content"), ""
+    ),
+    Property(
+        "FileIncluded",
+        "Mapping",
+        "Measurement",
+        _text("App::Property", "TOML file that says what the columns of a text file are, kept in the document"),
+    ),
+    Property(
+        "FileIncluded",
+        "Probe",
+        "Measurement",
+        _text("App::Property", "TOML file with the calibration of the probe, kept in the document"),
+    ),
+    Property(
+        "Integer",
+        "Part",
+        "Measurement",
+        _text("App::Property", "Which of several measured parts in the file, from 1; 0: it holds one"),
+        0,
+    ),
+    Property(
+        "Vector",
+        "WorkOffset",
+        "Measurement",
+        _text("App::Property", "Origin of the work frame in the frame of the file, mm"),
+    ),
+    Property(
+        "Bool",
+        "WorkOffsetGiven",
+        "Measurement",
+        _text("App::Property", "The work offset holds; otherwise what the file says"),
+        False,
+    ),
+    Property(
+        "Angle",
+        "WorkRotation",
+        "Measurement",
+        _text("App::Property", "Turn of the work frame in the frame of the file, anticlockwise"),
+        0.0,
     ),
     Property("String", "Source", "Origin", _text("App::Property", "Name of the file"), "", READ_ONLY),
     Property("String", "Digest", "Origin", _text("App::Property", "SHA-256 of the file"), "", READ_ONLY),
@@ -82,7 +124,7 @@ class MeasurementObject:
         measurement = measurement_of(obj)
         store(obj, "Digest", measurement.digest)
         store(obj, "Count", len(measurement))
-        store(obj, "Levels", int(measurement.levels().max(initial=-1)) + 1)
+        store(obj, "Levels", level_count(measurement))
         store(obj, "HasZ", measurement.has_z)
 
     def dumps(self) -> None:
@@ -101,10 +143,9 @@ def create(
     document: Any,
     source: str | Path | bytes,
     points: str | None = None,
-    ball_radius: float | None = None,
-    units: str | None = None,
-    format: str | None = None,
+    *,
     name: str | None = None,
+    **reading: Any,
 ) -> Any:
     """New measurement in a document.
 
@@ -113,16 +154,12 @@ def create(
     document : FreeCAD document
     source : str, Path or bytes
         The measured file, or its content (give a `name` then).
-    points : {"contact", "centre"}, optional
+    points : {"contact", "centre", "axis"}, optional
         What the coordinates are; only where the file itself says it can it be left out.
-    ball_radius : float, optional
-        Radius of the probe's ball in mm.
-    units : {"mm", "inch"}, optional
-        Unit of the file where it does not say.
-    format : str, optional
-        Name of the file's format; default by its content.
     name : str, optional
         What to call it; default the file's name.
+    **reading
+        How the file is to be read: fields of `millcorr.readers.Reading`.
 
     Returns
     -------
@@ -132,18 +169,28 @@ def create(
     ------
     FormatError
         If the file cannot be read; no object remains then.
+    UsageError
+        If the file does not say what it must, or contradicts what is said here.
     """
+    said = Reading.from_dict(reading | {"points": points})
     obj = document.addObject("App::FeaturePython", "Measurement")
     try:
         MeasurementObject(obj)
         views.attach(obj, "measurement")
         load(obj, source, name)
-        obj.Points = points or AS_FILE
-        obj.BallRadius = ball_radius or 0.0
-        obj.Unit = units or AS_FILE
-        obj.Format = format or ""
+        obj.Points = said.points or AS_FILE
+        obj.BallRadius = said.probe_radius or 0.0
+        obj.Unit = said.units or AS_FILE
+        obj.Format = said.format or ""
+        obj.Part = said.part or 0
+        obj.WorkOffsetGiven = said.work_offset is not None
+        obj.WorkOffset = said.work_offset or (0.0, 0.0, 0.0)
+        obj.WorkRotation = said.work_rotation or 0.0
+        for kept, path in (("Mapping", said.mapping), ("Probe", said.probe)):
+            if path is not None:
+                _keep(obj, kept, path.name, _content(path))
         measurement_of(obj)
-    except (InputError, ValueError):
+    except (MillcorrError, ValueError):
         document.removeObject(obj.Name)
         raise
     obj.Label = obj.Source
@@ -170,17 +217,42 @@ def load(obj: Any, source: str | Path | bytes, name: str | None = None) -> None:
         data, name = source, name or "points.csv"
     else:
         name = name or Path(source).name
-        try:
-            if not Path(source).is_file():
-                raise FormatError("no such file", source)
-            data = Path(source).read_bytes()
-        except OSError as error:
-            raise FormatError(f"cannot be read: {error.strerror or error}", source) from error
+        data = _content(Path(source))
+    _keep(obj, "File", name, data)
+    obj.Source = name
+
+
+def _content(path: Path) -> bytes:
+    try:
+        if not path.is_file():
+            raise FormatError("no such file", path)
+        return path.read_bytes()
+    except OSError as error:
+        raise FormatError(f"cannot be read: {error.strerror or error}", path) from error
+
+
+def _keep(obj: Any, prop: str, name: str, data: bytes) -> None:
+    """Put a file's content in the document."""
     with tempfile.TemporaryDirectory() as directory:
         copy = os.path.join(directory, Path(name).name)
         Path(copy).write_bytes(data)
-        obj.File = copy
-    obj.Source = name
+        setattr(obj, prop, copy)
+
+
+def reading_of(obj: Any) -> Reading:
+    """How the file of a measurement is to be read."""
+    x, y, z = obj.WorkOffset
+    return Reading(
+        points=None if obj.Points == AS_FILE else obj.Points,
+        probe_radius=float(obj.BallRadius.Value) or None,
+        units=None if obj.Unit == AS_FILE else obj.Unit,
+        format=obj.Format or None,
+        mapping=Path(obj.Mapping) if obj.Mapping else None,
+        part=obj.Part or None,
+        work_offset=(x, y, z) if obj.WorkOffsetGiven else None,
+        work_rotation=float(obj.WorkRotation.Value) or None,
+        probe=Path(obj.Probe) if obj.Probe else None,
+    )
 
 
 def measurement_of(obj: Any) -> Measurement:
@@ -193,19 +265,75 @@ def measurement_of(obj: Any) -> Measurement:
     InputError
         If no file is stored.
     """
+    return reader_of(obj)()
+
+
+def reader_of(obj: Any) -> Callable[[], Measurement]:
+    """What reads the points of a measurement without asking FreeCAD again, so that any thread may call it.
+
+    A file that was read before in the same way is not read again.
+
+    Raises
+    ------
+    InputError
+        If no file is stored.
+    """
     if not obj.File:
         raise InputError(f"{obj.Label}: the measurement holds no file")
-    stored = Path(obj.File)
+    return reader_of_file(Path(obj.File), reading_of(obj), obj.Source)
+
+
+def reader_of_file(file: Path, reading: Reading, source: str) -> Callable[[], Measurement]:
+    """What reads a measured file in some way, calling it `source`; in any thread, and no content twice."""
+    files = (file, reading.mapping, reading.probe)
+    return lambda: _read(tuple(map(_digest, files)), _At(file, reading), source)
+
+
+def _digest(path: Path | None) -> str:
+    """SHA-256 of a file; empty where there is none."""
+    if path is None or not path.is_file():
+        return ""
+    state = path.stat()
+    return _digest_of(str(path), state.st_size, state.st_mtime_ns)
+
+
+@lru_cache(maxsize=16)
+def _digest_of(path: str, size: int, changed: int) -> str:
+    """SHA-256 of a file in a state that size and time stand for."""
+    with open(path, "rb") as stream:
+        return hashlib.file_digest(stream, "sha256").hexdigest()
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _At:
+    """A file and how to read it; where it and its helpers lie makes no difference, their content does."""
+
+    file: Path
+    reading: Reading
+
+    def key(self) -> Reading:
+        return replace(self.reading, mapping=None, probe=None)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _At) and self.key() == other.key()
+
+    def __hash__(self) -> int:
+        return hash(self.key())
+
+
+@lru_cache(maxsize=4)
+def _read(digests: tuple[str, ...], at: _At, source: str) -> Measurement:
+    """Points of a file; the digests stand for its content and that of mapping and probe."""
     try:
-        measurement = readers.read(
-            stored,
-            points=None if obj.Points == AS_FILE else obj.Points,
-            probe_radius=float(obj.BallRadius.Value) or None,
-            units=None if obj.Unit == AS_FILE else obj.Unit,
-            format=obj.Format or None,
-        )
+        measurement = at.reading.read(at.file)
     except FormatError as error:
         # The stored copy lies in a temporary place that means nothing to the user.
         where = str(error.file) if error.line is None else f"{error.file}:{error.line}"
-        raise FormatError(str(error).removeprefix(f"{where}: "), obj.Source, error.line) from error
-    return replace(measurement, source=obj.Source)
+        raise FormatError(str(error).removeprefix(f"{where}: "), source, error.line) from error
+    return replace(measurement, source=source)
+
+
+@lru_cache(maxsize=4)
+def level_count(measurement: Measurement) -> int:
+    """Number of Z levels of a measurement."""
+    return int(measurement.levels().max(initial=-1)) + 1

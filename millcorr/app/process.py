@@ -12,7 +12,7 @@ from typing import Any
 
 from millcorr.errors import MillcorrError, UsageError
 
-from . import batch, demonstration, sources
+from . import batch, compat, demonstration, documents, measuring, sources
 
 
 def correct(**arguments: Any) -> dict[str, Any]:
@@ -37,11 +37,21 @@ def file_profile(path: str) -> dict[str, Any]:
     return sources.profile_of_file(path).as_dict()
 
 
+def operation_contour(document: str, operation: str | None) -> dict[str, Any]:
+    """Profile of an operation as `Profile.as_dict`, its path as G-code, and the diameter of its tool in mm."""
+    compat.prepare_modules()
+    with documents.opened(document) as here:
+        top = batch.find_operation(here, operation)
+        profile, program, _ = measuring.contour_of(top)
+        return {"profile": profile.as_dict(), "path": program.text, "tool_diameter": compat.tool_diameter(top)}
+
+
 FUNCTIONS: dict[str, Callable[..., dict[str, Any]]] = {
     "correct": correct,
     "demonstrate": demonstrate,
     "profile": profile,
     "file_profile": file_profile,
+    "operation_contour": operation_contour,
 }
 
 

@@ -1,13 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How millcorr's objects look in the tree; they draw nothing of their own."""
+"""How millcorr's objects look in the tree and in the 3-D view.
+
+FreeCAD imports this when it starts: what computes and draws is imported when something is drawn.
+"""
 
 from __future__ import annotations
 
 from typing import Any
 
+import FreeCAD
+
+from millcorr.app.properties import complete
 from millcorr.app.views import MAKERS
+from millcorr.errors import MillcorrError
 
 from .icons import icon
+from .qt import QtCore
 
 
 class View:
@@ -31,6 +39,21 @@ class View:
         """Objects shown below this one in the tree; changes nothing."""
         return []
 
+    def panel(self) -> Any:
+        """Task panel that a double click opens; None where there is none."""
+        return None
+
+    def doubleClicked(self, vobj: Any) -> bool:
+        """Open the task panel; False where FreeCAD should do what it does."""
+        from . import panel
+
+        made = self.panel()
+        if made is None:
+            return False
+        if not panel.show(made):
+            made.reject()
+        return True
+
     def dumps(self) -> None:
         """Nothing is stored."""
         return None
@@ -50,18 +73,156 @@ class MeasurementView(View):
 
 
 class DressupView(View):
-    """A dressup, with the operation below it."""
+    """A dressup, with the operation below it and, where its view says so, the picture of its correction."""
 
     icon_name = "Millcorr_Dressup"
+
+    def attach(self, vobj: Any) -> None:
+        """Add the properties of the picture; it is drawn when there is something to draw."""
+        super().attach(vobj)
+        from .picture_properties import PROPERTIES
+
+        self._picture: Any = None
+        self._hover: Any = None
+        self._worker: Any = None
+        self._timer: Any = None
+        self._paused = False
+        self._fresh = False
+        complete(vobj, PROPERTIES)
 
     def claimChildren(self) -> list[Any]:
         """The operation that is corrected."""
         base = self.Object.Base
         return [] if base is None else [base]
 
+    def panel(self) -> Any:
+        """Panel of the correction."""
+        from . import dressup_panel
+
+        return dressup_panel.edit(self.Object)
+
     def onDelete(self, vobj: Any, subelements: Any = None) -> bool:
         """Give the operation its place in the job back."""
+        self._end_hover()
         return bool(vobj.Object.Proxy.onDelete(vobj.Object, subelements))
+
+    # The picture -------------------------------------------------------------------------------------
+
+    def onChanged(self, vobj: Any, name: str) -> None:
+        """Draw anew when the view's properties ask for it."""
+        if name in ("ShowPicture", "Visibility", "Magnification", "ToleranceBand"):
+            self._fresh &= name in ("ShowPicture", "Visibility")
+            self.refresh_soon()
+        elif self._picture is not None and name in vobj.PropertiesList and vobj.getGroupOfProperty(name) == "Picture":
+            self._picture.choose(vobj)
+
+    def updateData(self, obj: Any, name: str) -> None:
+        """Draw anew when the path was computed anew."""
+        if name == "Path":
+            self._fresh = False
+            self.refresh_soon()
+
+    def pause(self, paused: bool) -> None:
+        """Show nothing while a panel shows its preview."""
+        self._paused = paused
+        self.refresh_soon()
+
+    def take(self, made: Any) -> None:
+        """Show a picture that a panel made of this very correction."""
+        self._place(made)
+        self._fresh = True
+        self.refresh_soon()
+
+    def _place(self, made: Any) -> None:
+        root = self.Object.ViewObject.RootNode
+        if self._picture is not None:
+            self._end_hover()
+            root.removeChild(self._picture.node)
+        self._picture = made
+        root.addChild(made.node)
+
+    def refresh_soon(self) -> None:
+        """Draw anew once FreeCAD is done with what it does now; several wishes are one."""
+        if self._timer is None:
+            self._timer = QtCore.QTimer()
+            self._timer.setSingleShot(True)
+            self._timer.setInterval(0)
+            self._timer.timeout.connect(self._refresh)
+        self._timer.start()
+
+    def _wanted(self) -> bool:
+        vobj = self.Object.ViewObject
+        return bool(vobj.ShowPicture and vobj.Visibility and not self._paused and self.Object.Path.Commands)
+
+    def _refresh(self) -> None:
+        from millcorr.app import correction
+
+        from . import picture
+        from .worker import Worker
+
+        try:
+            wanted = self._wanted()
+        except (ReferenceError, AttributeError):
+            # The object was deleted in the meantime, or is being restored.
+            return
+        if not wanted:
+            if self._worker is not None:
+                self._worker.cancel()
+            if self._picture is not None:
+                self._picture.hide()
+            self._end_hover()
+            return
+        if self._fresh:
+            self._picture.choose(self.Object.ViewObject)
+            self._picture.unhide()
+            self._begin_hover()
+            return
+        if self._worker is None:
+            self._worker = Worker(None, self._show, self._failed)
+        try:
+            finish, look = correction.prepared(self.Object), picture.look_of(self.Object.ViewObject)
+        except MillcorrError as error:
+            self._failed(error)
+            return
+
+        def function() -> Any:
+            return picture.draw(finish().result, look)
+
+        self._worker.start(function)
+
+    def _failed(self, error: BaseException) -> None:
+        if self._picture is not None:
+            self._picture.hide()
+        self._end_hover()
+        FreeCAD.Console.PrintWarning(f"{self.Object.Label}: {error}\n")
+
+    def _show(self, drawn: Any) -> None:
+        from .picture import Picture
+
+        if self._picture is None:
+            self._place(Picture())
+        self._picture.fill(drawn, self.Object.ViewObject)
+        self._fresh = True
+        if self._wanted():
+            self._begin_hover()
+        else:
+            self._picture.hide()
+
+    def _begin_hover(self) -> None:
+        from .hover import Hover
+        from .picture import view_of
+
+        view = view_of(self.Object.Document) if self._hover is None else None
+        if view is not None:
+            self._hover = Hover(view, self._picture, self._picked)
+
+    def _picked(self, text: str) -> None:
+        FreeCAD.Console.PrintMessage(f"{self.Object.Label}: " + ", ".join(text.splitlines()) + "\n")
+
+    def _end_hover(self) -> None:
+        if self._hover is not None:
+            self._hover.end()
+            self._hover = None
 
 
 class ProfileView(View):

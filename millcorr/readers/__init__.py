@@ -9,17 +9,22 @@ from __future__ import annotations
 
 import math
 import stat
+from dataclasses import replace
 from hashlib import sha256
 from pathlib import Path
 from typing import Protocol
 
 from millcorr.errors import FormatError, UsageError
-from millcorr.measurement import Measurement
+from millcorr.measurement import Measurement, Probe
 
 from . import dmis, dprnt, grbl, linuxcnc, mapped, msr, pcdmis, qdas, qif, renishaw, text, xyzijk
 from .mapping import TextMapping, load
 from .point_clouds import E57, PCD, PLY
-from .source import Source
+from .probe_file import load as load_probe
+from .reading import Reading
+from .source import FARTHEST, KINDS, Source
+from .truncation import check_last_number
+from .work_frame import laid_in_work_frame
 
 
 class Format(Protocol):
@@ -40,7 +45,7 @@ class Format(Protocol):
         """
 
 
-__all__ = ["FORMATS", "Source", "read", "recognised"]
+__all__ = ["FORMATS", "Reading", "Source", "read", "recognised"]
 
 FORMATS: dict[str, Format] = {
     "msr": msr,
@@ -60,10 +65,11 @@ FORMATS: dict[str, Format] = {
 }
 """Module of each format by the name that ``--format`` takes; the last one takes whatever is left."""
 
-_POINTS = ("contact", "centre")
 _UNITS = ("mm", "inch")
-_SEVERAL_PARTS = ("qdas",)
+_SEVERAL_PARTS = ("msr", "qif", "grbl", "dprnt", "renishaw", "qdas")
 """Formats whose files can hold several measured parts."""
+_MACHINE_FRAME = ("grbl",)
+"""Formats in the machine frame, which ask for the work offset where the file does not hold it."""
 
 
 def read(
@@ -74,35 +80,42 @@ def read(
     units: str | None = None,
     format: str | None = None,
     work_offset: tuple[float, float, float] | None = None,
+    work_rotation: float | None = None,
     mapping: str | Path | TextMapping | None = None,
     part: int | None = None,
+    probe: str | Path | Probe | None = None,
 ) -> Measurement:
     """Measured points from a file.
 
     Parameters
     ----------
     path : str or Path
-    points : {"contact", "centre"}
-        Whether the coordinates are contact points or centres of the probe ball. Has no default where the file
-        does not say.
+    points : {"contact", "centre", "axis"}
+        Whether the coordinates are contact points, centres of the probe ball, or centres that the control shifted
+        by the ball's radius along the axis of travel. Has no default where the file does not say.
     probe_radius : float, optional
-        Radius of the probe ball in mm, whatever the file's unit; needed for ball centres where the file does not
-        say it.
+        Radius of the probe ball in mm, whatever the file's unit, or the radius by which the control shifted the
+        points; needed unless points are contact points, where neither file nor `probe` say it.
     units : {"mm", "inch"}, optional
         Unit of the coordinates. By default what the file says, else mm.
     format : str, optional
         Name from `FORMATS`; by default recognised from the content.
     work_offset : tuple of 3 float, optional
-        Origin of the work frame in the machine frame, in mm, for files in the machine frame.
+        Origin of the work frame in the file's frame (the machine's, a CMM's), in mm.
+    work_rotation : float, optional
+        Turn of the work frame in the file's frame, degrees, positive anticlockwise, about that origin.
     mapping : str, Path or TextMapping, optional
         What the columns of a text file are, or the TOML file that says it; takes the place of a format.
     part : int, optional
         Which of several measured parts in one file, counted from 1.
+    probe : str, Path or Probe, optional
+        Calibration of the probe, or the TOML file that says it.
 
     Returns
     -------
     Measurement
-        Points in mm, in the order of the file.
+        Points in mm, in the order of the file. What is still to be done with the probe's radius needs a profile:
+        `millcorr.probe.contact_known`.
 
     Raises
     ------
@@ -112,32 +125,60 @@ def read(
     FormatError
         If the file cannot be read or trusted; names the file, the line where there is one, and the remedy.
     """
-    if points is not None and points not in _POINTS:
-        raise UsageError(f"--points is contact or centre, not {points!r}")
+    if points is not None and points not in KINDS:
+        raise UsageError(f"--points is contact, centre or axis, not {points!r}")
     if units is not None and units not in _UNITS:
         raise UsageError(f"--units is mm or inch, not {units!r}")
     if format is not None and format not in FORMATS:
         raise UsageError(f"--format is one of {', '.join(FORMATS)}, not {format!r}")
     if probe_radius is not None and not (math.isfinite(probe_radius) and probe_radius > 0):
         raise UsageError(f"--probe-radius {probe_radius:g} is no radius in mm")
-    if work_offset is not None and not all(map(math.isfinite, work_offset)):
-        raise UsageError(f"--work-offset {work_offset} is no place")
+    if points == "contact" and probe_radius is not None:
+        raise UsageError("--probe-radius belongs to --points centre or axis: contact points lie on the part already")
+    if work_offset is not None and not all(abs(value) <= FARTHEST for value in work_offset):
+        raise UsageError(f"--work-offset {' '.join(f'{value:g}' for value in work_offset)} is no place")
+    if work_rotation is not None and not math.isfinite(work_rotation):
+        raise UsageError(f"--work-rotation {work_rotation} is no angle")
     if mapping is not None and format is not None:
         raise UsageError(f"--mapping is for text that no format covers: leave --format {format} out")
     layout = load(mapping) if isinstance(mapping, (str, Path)) else mapping
+    calibrated = load_probe(probe) if isinstance(probe, (str, Path)) else probe
     data = _content(path)
-    source = Source(data, str(path), sha256(data).hexdigest(), points, probe_radius, units, work_offset, part)
+    digest = sha256(data).hexdigest()
+    source = Source(data, str(path), digest, points, probe_radius, units, work_offset, part, calibrated)
     name = "mapped" if layout is not None else format or recognised(data)
     if part is not None and name not in _SEVERAL_PARTS:
         raise UsageError(f"--part {part}: {path} holds one measured part")
-    if layout is not None:
-        return mapped.read(source, layout)
-    return FORMATS[name].read(source)
+    if layout is None:
+        measurement = FORMATS[name].read(source)
+        check_last_number(data, str(path))
+        if part is not None:
+            measurement = replace(measurement, notes=(f"measured part {part}", *measurement.notes))
+    else:
+        measurement = mapped.read(source, layout)
+    if points == "axis" and layout is None:
+        if measurement.ball_radius:
+            raise UsageError(f"--points axis contradicts {path}, whose points are centres of the probe ball")
+        measurement = replace(measurement, axis_radii=source.axis_radii())
+    if calibrated is not None:
+        measurement = _calibrated(measurement, calibrated)
+    # A reader of the machine frame needs the offset itself, to compare it with what the file says.
+    offset = None if name in _MACHINE_FRAME else work_offset
+    return laid_in_work_frame(measurement, offset, work_rotation)
 
 
 def recognised(data: bytes) -> str:
     """Name of the format of a file's bytes; the last of `FORMATS` where no other claims them."""
     return next((name for name, module in FORMATS.items() if module.recognises(data)), list(FORMATS)[-1])
+
+
+def _calibrated(measurement: Measurement, probe: Probe) -> Measurement:
+    """The measurement with its probe, and ball centres with the probe's effective radius in place of the file's."""
+    if measurement.axis_radii is not None:
+        return replace(measurement, probe=probe)
+    if not measurement.ball_radius:
+        raise UsageError("--probe belongs to --points centre or axis: contact points lie on the part already")
+    return replace(measurement, probe=probe, ball_radius=probe.radius)
 
 
 def _content(path: str | Path) -> bytes:

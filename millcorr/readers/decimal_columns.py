@@ -7,11 +7,15 @@ second, 2021). A whole number below 2^53 divided by a power of ten up to 10^22 i
 decimal, since both are exact and division rounds once (Clinger, How to read floating point numbers accurately,
 1990); for up to 19 digits the exact remainder corrects it. A few unusual numbers are read one by one; a block of
 rows with more of them, or anything else, is left to `numpy.loadtxt`.
+
+The bytes of a file are read where they are, a block at a time: neither a text nor a second copy of it is made.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -21,37 +25,68 @@ from .fields import NUMBER
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
+Bytes = NDArray[np.uint8]
 Words = NDArray[np.uint64]
 
-_BLOCK = 1 << 17
-"""Characters of a block: its arrays stay within a processor's cache."""
+_BLOCK = 1 << 18
+"""Characters of a block: many, for what a call of numpy costs; not more, for its arrays to stay in the cache."""
 _MARGIN = 32
 """Characters in front of the text that may be looked at, and mean nothing."""
 _LONGEST = 19
 """Digits that a 64-bit word can add up."""
+_LARGEST_SIGNED = (1 << 63) - 1
+"""Signed numbers are made doubles faster."""
 _EXACT = np.uint64(1 << 53)
 _FEW = 0.1
 """Share of numbers in a block that may be unusual: longer, or with an exponent."""
 
-_NEWLINE, _BLANK, _PLUS, _MINUS, _POINT = 10, 32, 43, 45, 46
+_NEWLINE, _BLANK, _PLUS, _MINUS, _POINT, _ZERO = 10, 32, 43, 45, 46, 48
 
-_TENS = np.array([float(10**k) for k in range(_LONGEST + 1)])
+_TENS = np.array([float(10**k) for k in range(_LONGEST + 2)])
 _WHOLE_TENS = 10 ** np.arange(_LONGEST + 1, dtype=np.uint64)
 _ZEROS = np.uint64(0x3030303030303030)
 _ABOVE_NINE = np.uint64(0x7676767676767676)
 _HIGH = np.uint64(0x8080808080808080)
+_NIBBLES = np.uint64(0x0F0F0F0F0F0F0F0F)
 _LAST = np.array([0] + [(1 << 64) - (1 << (64 - 8 * k)) for k in range(1, 9)], dtype=np.uint64)
 """Mask of the last k of a word's characters; the last one is the highest byte."""
+_DIGITS = _LAST & _NIBBLES
+_FOREIGN = re.compile(rb'[\x00-\x08\x0e-\x1b\x7f"#]|//')
+"""What needs a look at the text before it is a table: control characters, quotation marks, comments."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Fields:
+    """Places of the fields of a block's rows, one after the other."""
+
+    begins: Ints
+    """Where the number begins, behind its sign."""
+    points: Ints
+    """The end where there is none."""
+    ends: Ints
+    signed: NDArray[np.bool_]
+    minus: NDArray[np.bool_]
+    digits: bool
+    """Whether there are nothing but digits before and behind the point."""
+
+    @classmethod
+    def of(cls, text: Bytes, starts: Ints, points: Ints, ends: Ints, *, digits: bool) -> _Fields:
+        """Fields that begin at `starts`, which become the places behind their signs."""
+        head = text[starts]
+        minus = head == _MINUS
+        signed = minus | (head == _PLUS)
+        starts += signed
+        return cls(starts, points, ends, signed, minus, digits)
 
 
 def decimal_columns(
-    text: str, separator: str | None, width: int, columns: Sequence[int], *, begin: int = 0, first: int = 1
+    text: str | bytes, separator: str | None, width: int, columns: Sequence[int], *, begin: int = 0, first: int = 1
 ) -> tuple[Floats, Ints] | None:
     r"""Some columns of a table of numbers.
 
     Parameters
     ----------
-    text : str
+    text : str or bytes
         Rows, each ending in ``\n`` (the last one may lack it). Rows of nothing but blanks do not count.
     separator : str or None
         One ASCII character between the fields; None for runs of blanks.
@@ -73,40 +108,126 @@ def decimal_columns(
 
     None where there are no rows, or any is not as it should be: the caller has to look at it line by line.
     """
-    if separator is None and not text.isascii():
+    found = decimal_tables(text, separator, width, [columns], begin=begin, first=first)
+    return None if found is None else (found[0][0], found[1])
+
+
+def decimal_tables(
+    text: str | bytes,
+    separator: str | None,
+    width: int,
+    tables: Sequence[Sequence[int | None]],
+    *,
+    begin: int = 0,
+    first: int = 1,
+    mark: str = ".",
+) -> tuple[list[Floats], Ints] | None:
+    r"""Several groups of columns of a table of numbers, as `decimal_columns` reads them, each an array of its own.
+
+    Parameters
+    ----------
+    text : str or bytes
+        Lines of bytes may end in ``\r\n`` too; bytes that are not ASCII, and control characters, make it no table.
+    separator, width, begin, first
+        As in `decimal_columns`.
+    tables : sequence of sequences of int or None
+        Fields wanted for each array; None for a column of zeros.
+    mark : {".", ","}
+        Decimal mark of all numbers.
+
+    Returns
+    -------
+    tables : list of (n, m) float64
+    lines : (n,) int64
+
+    None as in `decimal_columns`.
+    """
+    if separator is None and isinstance(text, str) and not text.isascii():
         # Blanks of other alphabets separate too.
         return None
-    most = text.count("\n", begin) + 1
-    values, lines = np.empty((most, len(columns))), np.empty(most, dtype=np.int64)
-    rows, passed = 0, 0
+    columns = [c for table in tables for c in table if c is not None]
+    most = _newlines(text, begin) + 1
+    out = [np.empty((most, len(table))) for table in tables]
+    lines = np.empty(most, dtype=np.int64)
+    rows = passed = 0
     while begin < len(text):
+        data, begin = _block(text, begin, mark)
+        found = None if data is None else _rows(data, separator, width, columns, isinstance(text, str))
+        if found is None:
+            return None
+        block, numbers, count = found
+        here, column = slice(rows, rows + len(block)), 0
+        for table, array in zip(tables, out, strict=True):
+            for place, wanted in enumerate(table):
+                array[here, place] = 0.0 if wanted is None else block[:, column]
+                column += wanted is not None
+        lines[here] = numbers
+        lines[here] += first + passed
+        rows, passed = here.stop, passed + count
+    return ([array[:rows] for array in out], lines[:rows]) if rows else None
+
+
+def _newlines(text: str | bytes, begin: int) -> int:
+    """Number of line ends; those of bytes by numpy, since counting many by hand takes a tenth of all the time."""
+    if isinstance(text, str):
+        return text.count("\n", begin)
+    codes = np.frombuffer(text, dtype=np.uint8, offset=begin)
+    return sum(int(np.count_nonzero(codes[k : k + _BLOCK] == _NEWLINE)) for k in range(0, len(codes), _BLOCK))
+
+
+def _block(text: str | bytes, begin: int, mark: str) -> tuple[bytes | None, int]:
+    """The next lines behind the margin, ending in newlines and with decimal points, and where those after them begin.
+
+    None instead of lines with a carriage return elsewhere than at a line's end, or with both decimal marks.
+    """
+    if isinstance(text, str):
         end = text.rfind("\n", begin, begin + _BLOCK) + 1 or text.find("\n", begin) + 1 or len(text)
-        # Block by block, so that no second copy of the text is ever held.
-        data = b"\n" * _MARGIN + text[begin:end].encode("utf-8", "surrogatepass")
-        if end == len(text) and not data.endswith(b"\n"):
-            data += b"\n"
-        block, numbers = _plain(data, separator, width, columns), None
-        if block is None:
-            found = _by_numpy(data[_MARGIN:], separator, width, columns)
-            if found is None:
-                return None
-            block, numbers = found
-        n = len(block)
-        values[rows : rows + n] = block
-        lines[rows : rows + n] = (np.arange(n) if numbers is None else numbers) + (first + passed)
-        rows += n
-        passed += n if numbers is None else data.count(b"\n", _MARGIN)
-        begin = end
-    return (values[:rows], lines[:rows]) if rows else None
+        piece = text[begin:end].encode("utf-8", "surrogatepass")
+    else:
+        end = text.rfind(b"\n", begin, begin + _BLOCK) + 1 or text.find(b"\n", begin) + 1 or len(text)
+        piece = text[begin:end]
+    if b"\r" in piece:
+        piece = piece.replace(b"\r\n", b"\n")
+    if b"\r" in piece or (mark != "." and b"." in piece):
+        return None, end
+    if mark != ".":
+        piece = piece.replace(mark.encode(), b".")
+    return b"".join((b"\n" * _MARGIN, piece, b"" if piece.endswith(b"\n") else b"\n")), end
 
 
-def _by_numpy(data: bytes, separator: str | None, width: int, columns: Sequence[int]) -> tuple[Floats, Ints] | None:
-    """Rows of a block and their lines from 0, all fields being numbers that numpy takes; None where one is not."""
+def _rows(
+    data: bytes, separator: str | None, width: int, columns: Sequence[int], safe: bool
+) -> tuple[Floats, Ints, int] | None:
+    """Wanted numbers of a block's rows, their lines from 0, and how many lines there are; None where it is no table.
+
+    What is not `safe` may hold anything, also what is no text or no row.
+    """
+    # One character before the block, for its first field to begin behind it.
+    text = np.frombuffer(data, dtype=np.uint8, offset=_MARGIN - 1)
+    # Eight characters from every place on.
+    words = np.ndarray((len(data) - 7,), dtype="<u8", buffer=data, strides=(1,))
+    fields = _alike(text, separator or " ", width, columns)
+    if fields is None:
+        if not safe and (not data.isascii() or _FOREIGN.search(data)):
+            return None
+        fields = _fields(text, separator, width, columns)
+    values = None if fields is None else _decimals(text, words, fields)
+    if values is not None:
+        block = values.reshape(-1, len(columns))
+        return block, np.arange(len(block)), len(block)
+    return _by_numpy(data[_MARGIN:], separator, width, columns)
+
+
+def _by_numpy(
+    data: bytes, separator: str | None, width: int, columns: Sequence[int]
+) -> tuple[Floats, Ints, int] | None:
+    """As `_rows`, all fields being numbers that numpy takes; None where one is not."""
     lines = data.decode("utf-8", "surrogatepass").split("\n")[:-1]
+    count = len(lines)
     numbers = np.flatnonzero([bool(line.strip()) for line in lines])
     if not len(numbers):
-        return np.zeros((0, len(columns))), numbers
-    if len(lines) > len(numbers):
+        return np.zeros((0, len(columns))), numbers, count
+    if count > len(numbers):
         lines = [lines[k] for k in numbers]
     try:
         values = np.loadtxt(lines, delimiter=separator, comments=None, ndmin=2)
@@ -114,48 +235,36 @@ def _by_numpy(data: bytes, separator: str | None, width: int, columns: Sequence[
         return None
     if values.shape != (len(numbers), width) or not np.isfinite(values).all():
         return None
-    return values[:, list(columns)], numbers
+    return values[:, list(columns)], numbers, count
 
 
-def _plain(data: bytes, separator: str | None, width: int, columns: Sequence[int]) -> Floats | None:
-    """Rows of a block without blank lines, the wanted fields being plain decimals; None where anything else is."""
-    # One character before the block, for its first field to begin behind it.
-    text = np.frombuffer(data, dtype=np.uint8, offset=_MARGIN - 1)
-    fields = _alike(text, separator or " ", width, columns) or _fields(text, separator, width, columns)
-    if fields is None:
+def _alike(text: Bytes, mark: str, width: int, columns: Sequence[int]) -> _Fields | None:
+    """Fields that have one point each and are digits else, with one mark between them; None where not so."""
+    is_point, is_newline = text == _POINT, text == _NEWLINE
+    found = np.flatnonzero(is_point | is_newline | (text == ord(mark)))
+    # The place before the block is the end of a line.
+    points, ends = found[1::2], found[2::2]
+    if len(found) % (2 * width) != 1 or not len(ends):
         return None
-    # Eight characters from every place on. Place k of `text` is the end of number k + _MARGIN - 1 - 8 of them.
-    words = np.ndarray((len(data) - 7,), dtype="<u8", buffer=data, strides=(1,))
-    values = _decimals(text, words, *fields)
-    return None if values is None else values.reshape(-1, len(columns))
-
-
-def _alike(text: NDArray[np.uint8], mark: str, width: int, columns: Sequence[int]) -> tuple[Ints, Ints, Ints] | None:
-    """Starts, points and ends of fields that have one point each, and one mark between them; None where not so."""
-    text = text[1:]
-    marks = np.flatnonzero((text == ord(mark)) | (text == _NEWLINE) | (text == _POINT))
-    if len(marks) % (2 * width):
+    newlines = ends[width - 1 :: width]
+    if not is_point[points].all() or np.count_nonzero(is_point) != len(points):
         return None
-    found = marks.reshape(-1, 2 * width)
-    pattern = np.array([_POINT, ord(mark)] * (width - 1) + [_POINT, _NEWLINE], dtype=np.uint8)
-    if (text[found] != pattern).any():
+    if not is_newline[newlines].all() or np.count_nonzero(is_newline) != len(newlines) + 1:
         return None
-    found += 1
-    starts = np.empty((len(found), width), dtype=np.int64)
-    starts[:, 1:] = found[:, 1:-1:2]
-    starts[0, 0] = 0
-    starts[1:, 0] = found[:-1, -1]
-    starts += 1
-    points, ends = found[:, ::2], found[:, 1::2]
-    if list(columns) != list(range(width)):
-        starts, points, ends = (side[:, list(columns)] for side in (starts, points, ends))
-    return starts.ravel(), points.ravel(), ends.ravel()
+    fields = _Fields.of(text, found[:-1:2] + 1, points, ends, digits=True)
+    # Whatever is neither a digit nor a mark nor the sign in front of a number is one too many.
+    if np.count_nonzero(text - np.uint8(_ZERO) > 9) != len(found) + np.count_nonzero(fields.signed):
+        return None
+    if list(columns) == list(range(width)):
+        return fields
+    wanted = list(columns)
+    starts = (fields.begins - fields.signed).reshape(-1, width)[:, wanted].ravel()
+    points, ends = (side.reshape(-1, width)[:, wanted].ravel() for side in (points, ends))
+    return _Fields.of(text, starts, points, ends, digits=True)
 
 
-def _fields(
-    text: NDArray[np.uint8], separator: str | None, width: int, columns: Sequence[int]
-) -> tuple[Ints, Ints, Ints] | None:
-    """Starts, points and ends of the fields; None where a row has another number of them."""
+def _fields(text: Bytes, separator: str | None, width: int, columns: Sequence[int]) -> _Fields | None:
+    """Fields of any content; None where a row has another number of them."""
     bounds = _fields_by_blanks(text, width) if separator is None else _fields_by_mark(text, ord(separator), width)
     if bounds is None:
         return None
@@ -164,10 +273,10 @@ def _fields(
     points = np.flatnonzero(text == _POINT)
     place = np.searchsorted(points, starts)
     found = np.append(points, np.iinfo(np.int64).max)[place]
-    return starts, np.where(found < ends, found, ends), ends
+    return _Fields.of(text, starts, np.where(found < ends, found, ends), ends, digits=False)
 
 
-def _fields_by_mark(text: NDArray[np.uint8], mark: int, width: int) -> tuple[Ints, Ints] | None:
+def _fields_by_mark(text: Bytes, mark: int, width: int) -> tuple[Ints, Ints] | None:
     """First and past-last places of the fields of whole rows, blanks around them left out."""
     ends = np.flatnonzero((text == mark) | (text == _NEWLINE))
     if ends[0]:
@@ -184,7 +293,7 @@ def _fields_by_mark(text: NDArray[np.uint8], mark: int, width: int) -> tuple[Int
     return starts, ends
 
 
-def _without_blanks(text: NDArray[np.uint8], starts: Ints, ends: Ints) -> tuple[Ints, Ints]:
+def _without_blanks(text: Bytes, starts: Ints, ends: Ints) -> tuple[Ints, Ints]:
     """Fields without the blanks around them, except where there are very many."""
     for _ in range(_LONGEST):
         before, behind = text[starts] == _BLANK, text[ends - 1] == _BLANK
@@ -194,7 +303,7 @@ def _without_blanks(text: NDArray[np.uint8], starts: Ints, ends: Ints) -> tuple[
     return starts, ends
 
 
-def _fields_by_blanks(text: NDArray[np.uint8], width: int) -> tuple[Ints, Ints] | None:
+def _fields_by_blanks(text: Bytes, width: int) -> tuple[Ints, Ints] | None:
     """The same, for runs of blanks between the fields."""
     blank = text <= _BLANK
     change = np.flatnonzero(blank[1:] != blank[:-1]) + 1
@@ -211,42 +320,108 @@ def _fields_by_blanks(text: NDArray[np.uint8], width: int) -> tuple[Ints, Ints] 
     return starts, ends
 
 
-def _decimals(text: NDArray[np.uint8], words: Words, starts: Ints, points: Ints, ends: Ints) -> Floats | None:
+def _decimals(text: Bytes, words: Words, fields: _Fields) -> Floats | None:
     """Doubles nearest to the numbers that fill the fields; None where one is no number, or many are unusual."""
-    head = text[starts]
-    minus = head == _MINUS
-    begins = starts + (minus | (head == _PLUS))
-    whole = points - begins
-    places = np.maximum(ends - points - 1, 0)
+    # Without a point there are no places; how many are too many does not matter.
+    whole, places = fields.points - fields.begins, np.clip(fields.ends - fields.points - 1, 0, _LONGEST + 1)
+    few = np.zeros(0, dtype=np.int64)
+    parsed = _of_equal_places(words, fields, whole, int(places[0])) if (places == places[0]).all() else None
+    if parsed is None:
+        parsed, odd = _of_any_places(words, fields, whole, places)
+        few = np.flatnonzero(odd)
+    tens = _TENS[places[0]] if places.min() == places.max() else _TENS.take(places)
+    wholes = parsed.view(np.int64) if parsed.max() <= _LARGEST_SIGNED else parsed
+    values = wholes.astype(np.float64)
+    values /= tens
+    long = np.flatnonzero(parsed >= _EXACT)
+    if len(long):
+        values[long] = _corrected(values[long], parsed[long], tens[long] if tens.ndim else tens)
+    np.negative(values, out=values, where=fields.minus)
+    return values if not len(few) or _one_by_one(values, few, text, fields) else None
+
+
+def _of_equal_places(words: Words, fields: _Fields, whole: Ints, places: int) -> Words | None:
+    """Numbers of `places` decimals without their points; None where some are too long for this, or may be none."""
+    behind, first = places // 8 * 8, places % 8
+    shortest, longest = int(whole.min()), int(whole.max())
+    if not fields.digits or not 0 <= shortest <= longest <= 7 - first or shortest + places < 1 or behind > 8:
+        return None
+    # A word with the point among its last characters: those before it move up into its place.
+    found = _ending(words, fields.ends, behind)
+    after = found & (_DIGITS[first])
+    found <<= np.uint64(8)
+    found &= ~_LAST[first]
+    found |= after
+    del after
+    whole += first
+    found &= _DIGITS.take(whole)
+    parsed = _joined(found)
+    for rest in range(behind - 8, -1, -8):
+        found = _ending(words, fields.ends, rest)
+        found &= _NIBBLES
+        parsed *= _WHOLE_TENS[8]
+        parsed += _joined(found)
+    return parsed
+
+
+def _of_any_places(words: Words, fields: _Fields, whole: Ints, places: Ints) -> tuple[Words, NDArray[np.bool_]]:
+    """Numbers without their points, and which of them are unusual or none."""
     odd = (whole < 0) | (whole > 8) | (places > _LONGEST) | (whole + places < 1)
     if odd.any():
         whole, places = np.where(odd, 0, whole), np.where(odd, 0, places)
-    at = _MARGIN - 8 - 1
-    parsed, wrong = _number(words[points + at], whole)
+    digits = _ending(words, fields.points, 0) ^ _ZEROS
+    digits &= _LAST.take(whole)
+    wrong = _beyond_nine(digits)
+    parsed = _joined(digits)
     odd |= (parsed != 0) & (whole + places > _LONGEST)
     # Decimal places, eight at a time from the left, the last ones being whole.
     for behind in range((int(places.max()) - 1) // 8 * 8, -1, -8):
-        some = np.clip(places - behind, 0, 8)
-        more, amiss = _number(words[ends + (at - behind)], some)
-        wrong |= amiss
+        some: Any = np.flatnonzero(places > behind)
+        if 2 * len(some) > len(places):
+            some = slice(None)
+        count = np.clip(places[some] - behind, 0, 8)
+        digits = _ending(words, fields.ends[some], behind) ^ _ZEROS
+        digits &= _LAST.take(count)
+        wrong[some] |= _beyond_nine(digits)
         # One power of ten for all is the common case, and faster.
-        parsed = parsed * (_WHOLE_TENS[some[0]] if some.min() == some.max() else _WHOLE_TENS[some]) + more
+        tens = _WHOLE_TENS[count[0]] if count.min() == count.max() else _WHOLE_TENS.take(count)
+        parsed[some] = parsed[some] * tens + _joined(digits)
     odd |= (wrong & _HIGH) != 0
-    tens = _TENS[places[0]] if places.min() == places.max() else _TENS[places]
-    values = parsed.astype(np.float64) / tens
-    if parsed.max() >= _EXACT:
-        values = _corrected(values, parsed, tens)
-    values = np.where(minus, -values, values)
-    few = np.flatnonzero(odd)
-    return values if not len(few) or _one_by_one(values, few, text, starts, ends) else None
+    return parsed, odd
 
 
-def _one_by_one(values: Floats, few: Ints, text: NDArray[np.uint8], starts: Ints, ends: Ints) -> bool:
+def _ending(words: Words, ends: Ints, behind: int) -> Words:
+    """Words of the eight characters that end `behind` characters before places of the text."""
+    found: Words = words[_MARGIN - 9 - behind :][ends]
+    return found
+
+
+def _beyond_nine(digits: Words) -> Words:
+    """Bits of `_HIGH` where a byte is no digit."""
+    wrong = digits + _ABOVE_NINE
+    wrong |= digits
+    return wrong
+
+
+def _joined(digits: Words) -> Words:
+    """Whole numbers whose eight digits are the bytes of words, the first one lowest. In place."""
+    digits *= np.uint64(2561)
+    digits >>= np.uint64(8)
+    digits &= np.uint64(0x00FF00FF00FF00FF)
+    digits *= np.uint64(6553601)
+    digits >>= np.uint64(16)
+    digits &= np.uint64(0x0000FFFF0000FFFF)
+    digits *= np.uint64(42949672960001)
+    digits >>= np.uint64(32)
+    return digits
+
+
+def _one_by_one(values: Floats, few: Ints, text: Bytes, fields: _Fields) -> bool:
     """Put unusual numbers in their places; False where one is no number, or there are too many of them."""
     if len(few) > _FEW * len(values) + 1:
         return False
     for k in few.tolist():
-        field = text[starts[k] : ends[k]].tobytes().decode("ascii", "replace")
+        field = text[fields.begins[k] - fields.signed[k] : fields.ends[k]].tobytes().decode("ascii", "replace")
         if not NUMBER.fullmatch(field):
             return False
         values[k] = float(field)
@@ -274,12 +449,3 @@ def _halves(values: Any) -> tuple[Any, Any]:
     large = values * 134217729.0
     high = large - (large - values)
     return high, values - high
-
-
-def _number(words: Words, digits: Ints) -> tuple[Words, Words]:
-    """Whole numbers that the last `digits` (0 to 8) characters of words are; bits of `_HIGH` where one is no digit."""
-    words = (words ^ _ZEROS) & _LAST[digits]
-    wrong = (words + _ABOVE_NINE) | words
-    words = words * np.uint64(2561) >> np.uint64(8)
-    words = (words & np.uint64(0x00FF00FF00FF00FF)) * np.uint64(6553601) >> np.uint64(16)
-    return (words & np.uint64(0x0000FFFF0000FFFF)) * np.uint64(42949672960001) >> np.uint64(32), wrong

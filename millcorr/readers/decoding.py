@@ -33,10 +33,15 @@ _NOTHING = b"\x00 \t\r\n\x1a"
 _BLOCK = 1 << 18
 _CONTROL_CODES = bytes([*range(0x00, 0x09), *range(0x0E, 0x1C), 0x7F])
 _CONTROL = re.compile("[" + re.escape(_CONTROL_CODES.decode("ascii")) + "]")
-_BLANKS = {0xA0: " ", 0x202F: " ", 0x2009: " ", 0x2212: "-", 0xFEFF: None}
+_ALIKE = {"\u00a0": " ", "\u202f": " ", "\u2009": " ", "\u2212": "-", "\ufeff": ""}
 
 
-def decode(data: bytes, name: str) -> str:
+def beginning(data: bytes, size: int) -> bytes:
+    """First bytes of a file as ASCII ones, whatever the encoding: no byte order mark, no zeros."""
+    return data[:size].lstrip(b"\xef\xbb\xbf\xff\xfe").replace(b"\x00", b"")
+
+
+def decode(data: bytes, name: str, drop: bytes = b"") -> str:
     r"""Text of a file, every line ending turned into ``\n``.
 
     Parameters
@@ -44,6 +49,8 @@ def decode(data: bytes, name: str) -> str:
     data : bytes
     name : str
         File name for messages.
+    drop : bytes
+        ASCII control characters that this format's senders put between the lines; they are left out.
 
     Returns
     -------
@@ -64,6 +71,9 @@ def decode(data: bytes, name: str) -> str:
         if head.startswith(magic):
             raise FormatError(f"the file is {kind}: {remedy}", name)
     text = _decoded(data, name)
+    # Not from the bytes: they are halves of characters in UTF-16.
+    for control in drop.decode("ascii"):
+        text = text.replace(control, "")
     start = text[:512].lstrip().lower()
     if start.startswith(("<?xml", "<!doctype", "<html")) or re.match(r"<[a-z][\w:.-]*[\s/>]", start):
         raise FormatError("the file is XML or HTML: export the points as text with a header x,y,z", name)
@@ -71,13 +81,15 @@ def decode(data: bytes, name: str) -> str:
         text = text.rstrip("\x1a\x00")
     if "\r" in text:
         text = text.replace("\r\n", "\n").replace("\r", "\n")
-    if text.isascii() and not _has_controls(data):
-        return text
-    found = _CONTROL.search(text)
+    # The bytes of UTF-16 hold zeros: only the text shows whether there is a control character.
+    found = _CONTROL.search(text) if _has_controls(data) else None
     if found:
         line = text.count("\n", 0, found.start()) + 1
         raise FormatError(f"binary data (control character {ord(found[0])}): not a text file", name, line)
-    return text if text.isascii() else text.translate(_BLANKS)
+    if not text.isascii():
+        for character, plain in _ALIKE.items():
+            text = text.replace(character, plain)
+    return text
 
 
 def _has_controls(data: bytes) -> bool:

@@ -128,6 +128,7 @@ class _Output:
         self.curve: tuple[_Rows, str] | None = None
         self.again: list[tuple[str, int, tuple[float, ...]]] = []
         self.others: dict[str, int] = {}
+        self.ended = False
 
     def take(self, line: int, statement: str) -> None:
         found = _LABELLED.fullmatch(statement)
@@ -136,6 +137,7 @@ class _Output:
             return
         found = _STATEMENT.fullmatch(statement)
         if found is None:
+            self.ended = self.ended or statement == "ENDFIL"
             if re.match(r"FA?\s*\(|PTDATA", statement):
                 raise self.source.error(f"{shown(statement)} is no whole statement: export the file again", line)
             self.curve = None
@@ -243,6 +245,10 @@ class _Output:
             others = f", only {', '.join(sorted(self.others)[:5])}" if self.others else ""
             raise source.error(f"no measured points FA(...)=FEAT/POINT in the file{others}")
         notes = []
+        if not self.ended:
+            notes.append("no ENDFIL: points may be missing at the end of the file")
+        if self.again:
+            notes.append(f"{len(self.again)} repetitions of points left out: they are equal")
         if self.others:
             left = ", ".join(f"{n} {kind}" for kind, n in sorted(self.others.items())[:5])
             notes.append(f"measured features left out: {left}")

@@ -11,10 +11,16 @@ import re
 from array import array
 
 import numpy as np
+from numpy.typing import NDArray
 
 from millcorr.measurement import Measurement
 
-from .source import Source, shown
+from .decoding import beginning
+from .parts import SAME_PLACE, parts_by_place, parts_by_repetition, point_keys, rows_of_part
+from .source import MM_PER_INCH, Source, shown
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
 
 _WORD = re.compile(r"([XYZIJKN])[ \t]*=?[ \t]*([+-]?)[ \t]*((?:\d+\.?\d*|\.\d+))[ \t,;]*", re.ASCII)
 _CONTROLS = b"\x00\x11\x12\x13\x14\x1a"
@@ -27,7 +33,7 @@ _LARGEST = 1e9
 
 def recognises(data: bytes) -> bool:
     """Whether every line of the beginning, headings apart, is made of X and Y words, and not of an NC program's."""
-    head = data[:4096].translate(None, _CONTROLS).lstrip(b"\xef\xbb\xbf").replace(b"\r", b"\n").upper()
+    head = beginning(data, 4096).translate(None, _CONTROLS).replace(b"\r", b"\n").upper()
     lines = [line.strip() for line in head.split(b"\n") if line.strip()]
     lines = lines[:-1] if len(data) > 4096 else lines
     rows = [line for line in lines if not _HEADING.fullmatch(line.decode("latin-1"))]
@@ -50,35 +56,43 @@ def read(source: Source) -> Measurement:
     Raises
     ------
     FormatError
-        If a line is neither a heading nor a point; names the line.
+        If a line is neither a heading nor a point, or a point is there twice; names the line.
     UsageError
-        If the caller does not say what the points are.
+        If the caller does not say what the points are, or which of several parts.
     """
     ball = source.ball_radius()
-    values, lines, names = array("d"), array("q"), []
-    for number, raw in source.lines(drop=_CONTROLS):
+    values, places, numbers, blocks = array("d"), array("q"), array("d"), array("q")
+    block = 0
+    for line, raw in source.lines(drop=_CONTROLS):
         text = raw.strip().upper()
         if not text or _HEADING.fullmatch(text):
+            block += bool(text)
             continue
-        words = _words(source, number, text)
+        words = _words(source, line, text)
         for letter in "XY":
             if letter not in words:
-                raise source.error(f"{letter} is missing: the line is incomplete", number)
+                raise source.error(f"{letter} is missing: the line is incomplete", line)
         values.extend([words.get(c, np.nan) for c in "XYZIJK"])
-        lines.append(number)
-        names.append(f"N{words['N']:g}" if "N" in words else "")
-    table = np.array(values, dtype=np.float64).reshape(-1, 6)
+        places.append(line)
+        blocks.append(block)
+        numbers.append(words.get("N", np.nan))
+    if not places:
+        raise source.error("no points in the file")
+    table, lines, named = np.array(values).reshape(-1, 6), np.array(places), np.array(numbers)
+    chosen = rows_of_part(source, lines, _parts(source, table, named, np.array(blocks), lines))
+    table, lines = table[chosen], lines[chosen]
+    names = ["" if np.isnan(n) else f"N{n:g}" for n in named[chosen]]
     height, normals = table[:, 2], table[:, 3:]
     partly = np.flatnonzero(np.isnan(height) != np.isnan(height[:1]).any())
     if len(partly):
-        raise source.error("Z stands in some lines and not in others", lines[partly[0]])
+        raise source.error("Z stands in some lines and not in others", int(lines[partly[0]]))
     has_z = not np.isnan(height).any()
     flat = np.isnan(normals[:, 2]) & ~np.isnan(normals[:, :2]).any(axis=1)
     normals[flat, 2] = 0.0
     missing = np.isnan(normals).any(axis=1)
     notes = [f"{int(missing.sum())} of {len(table)} points have no normal: normals are not used"]
     return source.measurement(
-        "dprnt", np.nan_to_num(table[:, :3]), np.array(lines), ball_radius=ball, unit=source.unit(None),
+        "dprnt", np.nan_to_num(table[:, :3]), lines, ball_radius=ball, unit=source.unit(None),
         normals=None if missing.any() else normals, elements=names if any(names) else None, has_z=has_z,
         notes=notes if missing.any() and not missing.all() else (),
     )  # fmt: skip
@@ -98,3 +112,21 @@ def _words(source: Source, number: int, text: str) -> dict[str, float]:
             raise source.error(f"{found[1]}{shown(found[3])} is no coordinate", number)
         position = found.end()
     return words
+
+
+def _parts(source: Source, table: Floats, numbers: Floats, blocks: Ints, lines: Ints) -> Ints:
+    """Part of every point, from 0: by the numbers of the points, else by the places touched."""
+    points = np.nan_to_num(table[:, :3]) * (MM_PER_INCH if source.unit(None) == "inch" else 1.0)
+    if np.isnan(numbers).any():
+        return parts_by_place(points)
+    # Numbers that begin again can be another contour's: only the same place shows the same point.
+    keys = point_keys(numbers, points, SAME_PLACE)
+    part_of, twice = parts_by_repetition(keys, blocks + np.cumsum(numbers == numbers[0]))
+    if twice is not None:
+        first, again = twice
+        raise source.error(
+            f"point N{numbers[again]:g} is there twice, first in line {lines[first]}: keep one of them, or give every "
+            "point a number of its own",
+            int(lines[again]),
+        )
+    return part_of

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from millcorr.errors import UsageError
 from millcorr.measurement import Measurement
 
+from .parts import parts_by_place, rows_of_part
 from .source import MM_PER_INCH, Source, shown
 
 Floats = NDArray[np.float64]
@@ -53,13 +54,12 @@ def read(source: Source) -> Measurement:
     FormatError
         If a report is damaged, a touch failed, or there are none; names the line.
     UsageError
-        If radius or work offset are missing, or contradict the log.
+        If radius or work offset are missing or contradict the log, or several parts are in it and none is chosen.
     """
-    ball = source.ball_radius(centres=True)
     log = _Log(source)
     for number, line in source.lines(drop=b"\x11\x13\x18\x1b"):
         log.line(number, line)
-    return log.measurement(ball)
+    return log.measurement()
 
 
 class _Log:
@@ -78,14 +78,12 @@ class _Log:
         """The report of ``$#`` repeats the last touch behind the tool length."""
 
     def line(self, number: int, line: str) -> None:
-        found = None
-        if "[PRB:" in line:
-            found = _PROBE.search(line)
-            if found is None:
-                raise self.source.error(
-                    f"{shown(line[line.index('[PRB:') :])} is damaged: log the touches again", number
-                )
-            self._touch(number, found)
+        # Logs that lost a line end hold several reports in a line.
+        for begun in re.finditer(r"\[PRB:", line):
+            touch = _PROBE.match(line, begun.start())
+            if touch is None:
+                raise self.source.error(f"{shown(line[begun.start() :])} is damaged: log the touches again", number)
+            self._touch(number, touch)
         for found in _WORK_OFFSET.finditer(line):
             offset = _three(found[1])
             if not self.offsets or offset != self.offsets[-1]:
@@ -112,16 +110,18 @@ class _Log:
         self.values.extend(place)
         self.lines.append(number)
 
-    def measurement(self, ball: float) -> Measurement:
+    def measurement(self) -> Measurement:
         source = self.source
         points = np.array(self.values, dtype=np.float64).reshape(-1, 3)
         if not len(points):
             raise source.error("no probe report [PRB:x,y,z:1] in the log")
+        ball = source.ball_radius(centres=True)
         unit = source.unit(None if self.inches is None else "inch" if self.inches else "mm")
-        origin, note = self._origin(MM_PER_INCH if unit == "inch" else 1.0)
-        return source.measurement(
-            "grbl", points - origin, np.array(self.lines), ball_radius=ball, unit=unit, notes=[note]
-        )
+        factor = MM_PER_INCH if unit == "inch" else 1.0
+        origin, note = self._origin(factor)
+        points, lines = points - origin, np.array(self.lines)
+        chosen = rows_of_part(source, lines, parts_by_place(points * factor))
+        return source.measurement("grbl", points[chosen], lines[chosen], ball_radius=ball, unit=unit, notes=[note])
 
     def _origin(self, factor: float) -> tuple[Floats, str]:
         """Origin of the work frame for every touch, (n, 3) or (3,), in the log's unit, and where it comes from."""

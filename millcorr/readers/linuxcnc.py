@@ -14,6 +14,7 @@ import numpy as np
 
 from millcorr.measurement import Measurement
 
+from .decoding import beginning
 from .source import Source, shown
 
 _ROW = re.compile(rb"[ \t]*(?:[+-]?\d+\.\d+[ \t]+){8}[+-]?\d+\.\d+[ \t]*\r?")
@@ -25,7 +26,7 @@ _STILL = 1e-6
 
 def recognises(data: bytes) -> bool:
     """Whether the first two lines hold nine decimal numbers each, and nothing else."""
-    lines = [line for line in data[:4096].lstrip(b"\xef\xbb\xbf").split(b"\n") if line.strip()]
+    lines = [line for line in beginning(data, 4096).replace(b"\r", b"\n").split(b"\n") if line.strip()]
     # The last of the lines may be cut off by the look at the beginning only.
     lines = lines[:-1] if len(data) > 4096 else lines
     return bool(lines) and all(_ROW.fullmatch(line) for line in lines[:2])
@@ -50,7 +51,6 @@ def read(source: Source) -> Measurement:
     UsageError
         If the radius is missing or the caller says that the points are contact points.
     """
-    ball = source.ball_radius(centres=True)
     lines = source.text().split("\n")
     filled = [k for k, line in enumerate(lines, 1) if line.strip()]
     try:
@@ -60,6 +60,8 @@ def read(source: Source) -> Measurement:
     if values.shape != (len(filled), 9) or not np.isfinite(values).all():
         _name_the_wrong(source, lines)
         raise source.error("a number is too large, or not nine in a row")
+    # What the format says of its points holds only if the file is one.
+    ball = source.ball_radius(centres=True)
     others = np.ptp(values[:, 3:], axis=0)
     if (others > _STILL).any():
         axis = _COLUMNS[3 + int(others.argmax())]

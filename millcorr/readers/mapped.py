@@ -7,6 +7,7 @@ import csv
 import re
 from array import array
 from dataclasses import dataclass, replace
+from difflib import get_close_matches
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,8 +19,8 @@ from .decimal_columns import decimal_columns
 from .decoding import decode
 from .fields import COMMA_NUMBER, NUMBER, lines_of, mixed_marks, split, why_no_number
 from .mapping import DECIMALS, SEPARATORS, TextMapping
-from .source import Source, shown
-from .text import check_last_number
+from .source import Source, shown, unit_vectors
+from .truncation import check_last_number
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -27,6 +28,15 @@ Ints = NDArray[np.int64]
 _HEADER_DEPTH = 1000
 _LINE_LIMIT = 20_000
 _MAY_BE_EMPTY = ("nominal_x", "nominal_y", "nominal_z", "deviation")
+_TEXTS = {"id", "travel"}
+"""Columns that hold no numbers."""
+_TRAVEL = {
+    f"{axis}{sign}"[::way]: tuple(float(f"{sign}1") if other == axis else 0.0 for other in "xyz")
+    for axis in "xyz"
+    for sign in "+-"
+    for way in (1, -1)
+}
+"""Unit vector of each way to write a direction along an axis: X+ or +X."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,17 +74,19 @@ def read(source: Source, mapping: TextMapping) -> Measurement:
         If the caller contradicts the mapping, or neither says what the points are.
     """
     told = replace(source, name=f"the mapping {mapping.source}".rstrip())
-    centres = None if mapping.points is None else mapping.points == "centre"
-    # A radius in the mapping is of use only if the points are centres.
-    radius = mapping.probe_radius if "centre" in (mapping.points, source.points) else None
-    ball_radius = told.ball_radius(centres=centres, radius=radius)
+    kind = told.kind(mapping.points)
+    told = replace(told, points=kind)
+    # A radius in the mapping is of use only if the points are no contact points.
+    ball_radius = told.ball_radius(radius=mapping.probe_radius if kind == "centre" else None)
+    axis_radii = told.axis_radii(mapping.probe_radius) if kind == "axis" else None
     unit = told.unit(mapping.units)
     text = _text(source, mapping)
     table = _table(text, source, mapping)
-    values, lines, names = _read_whole(text, table, mapping) or _Rows(source, mapping, table).read(text)
+    rows = _Rows(source, mapping, table)
+    values, lines, names = _read_whole(text, table, mapping) or rows.read(text)
     if not (mapping.end or mapping.only):
-        check_last_number(text, source.name, int(lines[-1]))
-    column = dict(zip([c for c in table.columns if c != "id"], values.T, strict=True))
+        check_last_number(source.data, source.name)
+    column = dict(zip([c for c in table.columns if c not in _TEXTS], values.T, strict=True))
 
     def vectors(*keys: str) -> Floats | None:
         if keys[0] not in column:
@@ -82,8 +94,13 @@ def read(source: Source, mapping: TextMapping) -> Measurement:
         return np.column_stack([column.get(key, np.zeros(len(values))) for key in keys])
 
     points = vectors("x", "y", "z")
+    travel = vectors("travel_x", "travel_y", "travel_z")
     assert points is not None
-    return source.measurement(
+    if travel is not None:
+        travel = unit_vectors(travel, lines, source.name, "direction of travel")
+    elif rows.travel:
+        travel = np.array(rows.travel)
+    measurement = source.measurement(
         "mapped", points, lines, ball_radius=ball_radius, unit=unit,
         normals=vectors("i", "j", "k"),
         nominal=vectors("nominal_x", "nominal_y", "nominal_z"),
@@ -92,6 +109,7 @@ def read(source: Source, mapping: TextMapping) -> Measurement:
         has_z="z" in column,
         notes=[f"columns by {mapping.source or 'a mapping'}" + (f" ({mapping.name})" if mapping.name else "")],
     )  # fmt: skip
+    return measurement if axis_radii is None else replace(measurement, axis_radii=axis_radii, travel=travel)
 
 
 def _text(source: Source, mapping: TextMapping) -> str:
@@ -134,6 +152,7 @@ def _table(text: str, source: Source, mapping: TextMapping) -> _Table:
 def _header(text: str, names: list[str], source: Source, mapping: TextMapping) -> tuple[int, list[str]]:
     """Index of the line with the names, and its fields in small letters."""
     best: tuple[int, int, list[str]] | None = None
+    told = {p.strip().casefold(): p.strip() for p in (*mapping.columns.values(), *mapping.only) if isinstance(p, str)}
     for number, raw in enumerate(lines_of(text, 0), 1):
         if mapping.header is not None and number < mapping.header:
             continue
@@ -142,12 +161,10 @@ def _header(text: str, names: list[str], source: Source, mapping: TextMapping) -
         bare = raw.strip()
         for mark in mapping.comments:
             bare = bare.removeprefix(mark)
-        fields = [
-            f.strip().strip("\"'").casefold()
-            for f in _split(bare, SEPARATORS.get(mapping.separator, mapping.separator))
-        ]
-        while fields and not fields[-1]:
-            fields.pop()
+        shapes = [f.strip().strip("\"'") for f in _split(bare, SEPARATORS.get(mapping.separator, mapping.separator))]
+        while shapes and not shapes[-1]:
+            shapes.pop()
+        fields = [f.casefold() for f in shapes]
         there = sum(name in fields for name in names)
         if there == len(names):
             for name in names:
@@ -157,16 +174,23 @@ def _header(text: str, names: list[str], source: Source, mapping: TextMapping) -
                     )
             return number - 1, fields
         if best is None or there > best[0]:
-            best = (there, number, fields)
+            best = (there, number, shapes)
         if mapping.header is not None:
             break
     if best is None:
         raise source.error(f"the file ends before line {mapping.header}, where the mapping has the header")
-    missing = next(name for name in names if name not in best[2])
+    there_are = {f.casefold(): f for f in best[2] if f}
+    missing = next(name for name in names if name not in there_are)
+    near = get_close_matches(missing, there_are.keys() - set(names), n=1, cutoff=0.5)
+    meant = f" (is it {shown(there_are[near[0]])}?)" if near else ""
     where = f"line {mapping.header}" if mapping.header is not None else "no line"
     verb = "does not name" if mapping.header is not None else "names"
-    columns = "the column" if len(names) == 1 else "all columns of the mapping; lacking:"
-    raise source.error(f"{where} {verb} {columns} {shown(missing)}", best[1] if best[0] or mapping.header else None)
+    by = f"the mapping {mapping.source}".rstrip()
+    columns = f"the column of {by}:" if len(names) == 1 else f"all columns of {by}; lacking:"
+    raise source.error(
+        f"{where} {verb} {columns} {shown(told.get(missing, missing))}{meant}",
+        best[1] if best[0] or mapping.header else None,
+    )
 
 
 def _split(line: str, separator: str | None) -> list[str]:
@@ -181,7 +205,7 @@ def _split(line: str, separator: str | None) -> list[str]:
 
 def _read_whole(text: str, table: _Table, mapping: TextMapping) -> tuple[Floats, Ints, None] | None:
     """Rows in one go where there are only numbers to take; None where there is more to it."""
-    if mapping.only or mapping.end or mapping.decimal == "comma" or "id" in table.columns or '"' in text:
+    if mapping.only or mapping.end or mapping.decimal == "comma" or _TEXTS & table.columns.keys() or '"' in text:
         return None
     if any(mark in text for mark in mapping.comments):
         return None
@@ -216,6 +240,7 @@ class _Rows:
         self.values = array("d")
         self.lines = array("q")
         self.names: list[str] | None = [] if "id" in table.columns else None
+        self.travel: list[tuple[float, ...]] = []
         self.others: dict[str, None] = {}
 
     def read(self, text: str) -> tuple[Floats, Ints, list[str] | None]:
@@ -232,7 +257,7 @@ class _Rows:
                 self._line(number, content)
         if not self.lines:
             raise self._nothing(number)
-        wide = len(self.table.columns) - (self.names is not None)
+        wide = len(self.table.columns.keys() - _TEXTS)
         return np.array(self.values).reshape(-1, wide), np.array(self.lines, dtype=np.int64), self.names
 
     def _line(self, number: int, content: str) -> None:
@@ -254,6 +279,8 @@ class _Rows:
             if column == "id":
                 assert self.names is not None
                 self.names.append(fields[place])
+            elif column == "travel":
+                self.travel.append(self._direction(fields[place], number))
             elif not fields[place] and column in _MAY_BE_EMPTY:
                 self.values.append(np.nan)
             else:
@@ -270,9 +297,16 @@ class _Rows:
                 return False
         return True
 
+    def _direction(self, field: str, number: int) -> tuple[float, ...]:
+        # Some controls print a minus that is no hyphen.
+        found = _TRAVEL.get("".join(field.split()).replace("\u2212", "-").lower())
+        if found is None:
+            raise self.source.error(f"{shown(field)} is no direction of travel: X+, X-, Y+, Y-, Z+ or Z-", number)
+        return found
+
     def _number(self, field: str, number: int) -> float:
         pattern, other = (NUMBER, COMMA_NUMBER) if self.mark == "." else (COMMA_NUMBER, NUMBER)
-        plain = field.lstrip("+-").isdecimal() and field.isascii()
+        plain = re.fullmatch(r"[+-]?\d+", field, re.ASCII) is not None
         if not plain and not pattern.fullmatch(field):
             # An exponent alone needs no mark: 1e3 is the same with either.
             if not (other.fullmatch(field) and not {".", ","} & set(field)):

@@ -3,11 +3,9 @@
 
 from __future__ import annotations
 
-import difflib
 import json
 import math
 import re
-import tomllib
 from collections.abc import Callable
 from dataclasses import dataclass, field, fields
 from pathlib import Path
@@ -15,11 +13,15 @@ from typing import Any
 
 from millcorr.errors import FormatError
 
-from .source import LARGEST_BALL, shown
+from .source import KINDS, LARGEST_BALL, shown
 from .text import replace_whole
+from .toml_table import toml_table
 
 COLUMNS = ("x", "y", "z", "i", "j", "k", "nominal_x", "nominal_y", "nominal_z", "deviation", "id")
 """What a column can be."""
+
+TRAVEL_COLUMNS = ("travel", "travel_x", "travel_y", "travel_z")
+"""What else a column can be where a control shifted the points along the axis of travel."""
 
 SEPARATORS = {"comma": ",", "semicolon": ";", "tab": "\t", "blank": None}
 """Separators by name; any other single character that is no part of a number can be given itself."""
@@ -28,7 +30,6 @@ DECIMALS = {"point": ".", "comma": ","}
 
 _LAST_LINE = 1_000_000
 _LAST_COLUMN = 10_000
-_LARGEST_FILE = 1 << 20
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +39,8 @@ class TextMapping:
     Parameters
     ----------
     columns : dict of str to (str or int)
-        For each of `COLUMNS` that the file has, the column's name in the header, or its number from 1.
+        For each of `COLUMNS` and `TRAVEL_COLUMNS` that the file has, the column's name in the header, or its number
+        from 1.
     separator : str
         Name from `SEPARATORS`, or one character.
     decimal : {"point", "comma"}
@@ -55,7 +57,7 @@ class TextMapping:
         Python's name of the encoding, where it is not UTF-8, UTF-16 or Windows-1252.
     units : {"mm", "inch"}, optional
         Unit of coordinates and deviations.
-    points : {"contact", "centre"}, optional
+    points : {"contact", "centre", "axis"}, optional
         What the coordinates are.
     probe_radius : float, optional
         Radius of the probe ball in mm, whatever the unit of the file.
@@ -97,22 +99,8 @@ def load(path: str | Path) -> TextMapping:
     FormatError
         If the file cannot be read, or a key is unknown or has no such value; names the file and the key.
     """
-    path = Path(path)
-    try:
-        if path.stat().st_size > _LARGEST_FILE:
-            raise FormatError("too large for a mapping", path)
-        table = tomllib.loads(path.read_bytes().decode("utf-8-sig"))
-    except OSError as error:
-        raise FormatError(f"the mapping cannot be read: {error.strerror or error}", path) from error
-    except UnicodeDecodeError as error:
-        raise FormatError("the mapping is no text in UTF-8", path) from error
-    except tomllib.TOMLDecodeError as error:
-        found = re.search(r"at line (\d+)", str(error))
-        reason = re.sub(r"\s*\(at .*", "", str(error))
-        raise FormatError(f"no TOML: {shown(reason)}", path, int(found[1]) if found else None) from error
-    except (ValueError, RecursionError) as error:
-        raise FormatError("no TOML that describes a mapping", path) from error
-    return _from_table(table, str(path))
+    known = [item.name for item in fields(TextMapping) if item.name != "source"]
+    return _from_table(toml_table(path, "mapping", known), str(path))
 
 
 def save(path: str | Path, mapping: TextMapping) -> Path:
@@ -145,12 +133,6 @@ def _quoted(text: str) -> str:
 
 
 def _from_table(table: dict[str, Any], name: str) -> TextMapping:
-    known = [item.name for item in fields(TextMapping) if item.name != "source"]
-    for key in table:
-        if key not in known:
-            near = difflib.get_close_matches(key, known, 1)
-            hint = f"did you mean {near[0]}?" if near else f"a mapping has {', '.join(known)}"
-            raise FormatError(f"{shown(key)} is no key of a mapping: {hint}", name)
     if "columns" not in table:
         raise FormatError("[columns] is missing: it says at least which columns are x and y", name)
     values = dict(table)
@@ -210,7 +192,7 @@ _CHECKS: dict[str, tuple[Callable[[object], bool], str]] = {
     ),
     "encoding": (lambda v: v is None or _is_encoding(v), "the name of an encoding of text"),
     "units": (lambda v: v is None or v in ("mm", "inch"), "mm or inch"),
-    "points": (lambda v: v is None or v in ("contact", "centre"), "contact or centre"),
+    "points": (lambda v: v is None or v in KINDS, "contact or centre, or axis"),
     "probe_radius": (
         lambda v: v is None or (isinstance(v, float) and math.isfinite(v) and 0 < v <= LARGEST_BALL),
         f"the radius of the probe ball in mm, up to {LARGEST_BALL:g}",
@@ -235,8 +217,8 @@ def _check_together(mapping: TextMapping) -> None:
 
     columns = mapping.columns
     for key, place in columns.items():
-        if key not in COLUMNS:
-            refuse(f"columns: {shown(key)} is none of {', '.join(COLUMNS)}")
+        if key not in COLUMNS + TRAVEL_COLUMNS:
+            refuse(f"columns: {shown(key)} is none of {', '.join(COLUMNS + TRAVEL_COLUMNS)}")
         if not _is_place(place):
             refuse(f"columns.{key} is a name in the header or a number from 1, not {shown(repr(place))}")
     if len({str(p).strip().casefold() if isinstance(p, str) else p for p in columns.values()}) < len(columns):
@@ -246,14 +228,22 @@ def _check_together(mapping: TextMapping) -> None:
             refuse(f"only: {shown(key)} is a text or a list of texts, not {shown(repr(texts))}")
         if not key.strip() or (key.isdecimal() and not (key.isascii() and 1 <= int(key[:9]) <= _LAST_COLUMN)):
             refuse(f"only: {shown(key)} is no column")
-    groups = (("x", "y"), ("i", "j"), ("nominal_x", "nominal_y"))
-    for first, second in groups:
-        third = {"x": "z", "i": "k", "nominal_x": "nominal_z"}[first]
+    groups = (
+        ("x", "y", "z"),
+        ("i", "j", "k"),
+        ("nominal_x", "nominal_y", "nominal_z"),
+        TRAVEL_COLUMNS[1:],
+    )
+    for first, second, third in groups:
         there = {first, second, third} & columns.keys()
         if (there or first == "x") and not {first, second} <= there:
             refuse(f"columns: {first if first not in there else second} is missing")
     if "nominal_x" in columns and ("nominal_z" in columns) != ("z" in columns):
         refuse("columns: z and nominal_z go together")
+    if columns.keys() & TRAVEL_COLUMNS and mapping.points in ("contact", "centre"):
+        refuse("columns: directions of travel are for points = 'axis'")
+    if {"travel", "travel_x"} <= columns.keys():
+        refuse("columns: travel and travel_x say the same twice")
     if mapping.probe_radius is not None and mapping.points == "contact":
         refuse("probe_radius is for points = 'centre'; contact points need none")
     if mapping.decimal == "comma" and mapping.separator in ("comma", ","):

@@ -19,6 +19,8 @@ from numpy.typing import NDArray
 from millcorr.errors import FormatError
 from millcorr.measurement import Measurement
 
+from .decoding import beginning
+from .parts import parts_by_repetition, point_keys, rows_of_part
 from .source import MM_PER_INCH, Source, shown
 
 Floats = NDArray[np.float64]
@@ -32,6 +34,8 @@ _CONTROLS = b"\x00\x11\x12\x13\x14\x1a"
 """What serial lines put around a print-out: device controls, fill bytes, end of file."""
 
 _LARGEST = 1e9
+_SAME_NOMINAL = 1e-5
+"""Nominals no farther apart than this, in the file's unit, are one: they were printed alike."""
 _MEANINGS = {
     "N": "number of the point",
     "X": "coordinate",
@@ -46,8 +50,8 @@ _MEANINGS = {
 
 def recognises(data: bytes) -> bool:
     """Whether a file holds G800 or G801 lines, or begins with START."""
-    head = data[:65536]
-    found = _RECOGNISED.search(head)
+    head = beginning(data, 65536)
+    found = _RECOGNISED.search(data[:65536]) or _RECOGNISED.search(head)
     return bool(found and (re.search(rb"G\s*(?:800|801|330)", head, re.IGNORECASE) or b"MODELVERSION" in head))
 
 
@@ -101,6 +105,8 @@ class _Reading:
         self.blocks: list[tuple[int, Floats | None, Floats]] = [(0, None, np.zeros(3))]
         self.offsets = 0
         self.ended = False
+        self.starts: list[int] = []
+        """Points read before each START or END."""
 
     def line(self, number: int, raw: str) -> None:
         text = _COMMENT.sub("", raw).strip().upper() if ";" in raw or "(" in raw else raw.strip().upper()
@@ -122,8 +128,10 @@ class _Reading:
         self._refuse_waiting(number)
         if text == "END":
             self.ended = True
+            self.starts.append(len(self.lines))
         elif text == "START":
             self.ended = False
+            self.starts.append(len(self.lines))
             self._turn(None, np.zeros(3))
         elif not _REMARK.match(text):
             raise self._error(f"{shown(text)} is no line of an MSR file: transmission may have spoilt it", number)
@@ -215,10 +223,26 @@ class _Reading:
             notes.append(f"{self.offsets} points have a nominal offset O, which is not applied")
         if not self.ended:
             notes.append("no END: points may be missing at the end of the file")
+        chosen = self._chosen(nominal)
         return source.measurement(
-            "msr", points, np.array(self.lines), ball_radius=radii, unit=unit, normals=normals, nominal=nominal,
-            elements=[f"N{n}" for n in self.numbers], notes=notes,
+            "msr", points[chosen], np.array(self.lines)[chosen], ball_radius=radii[chosen], unit=unit,
+            normals=normals[chosen], nominal=nominal[chosen],
+            elements=[f"N{n}" for n in np.array(self.numbers)[chosen]], notes=notes,
         )  # fmt: skip
+
+    def _chosen(self, nominal: Floats) -> NDArray[np.bool_]:
+        """Points of the part that the caller wants: a part ends where its points begin again in another block."""
+        lines, numbers = np.array(self.lines, dtype=np.int64), np.array(self.numbers, dtype=np.int64)
+        blocks = np.searchsorted(np.array(self.starts, dtype=np.int64), np.arange(len(lines)), side="right")
+        part_of, twice = parts_by_repetition(point_keys(numbers, nominal, _SAME_NOMINAL), blocks)
+        if twice is not None:
+            first, again = twice
+            raise self._error(
+                f"point N{numbers[again]} with the same nominal is there twice, first in line {lines[first]}: keep one "
+                "of them",
+                int(lines[again]),
+            )
+        return rows_of_part(self.source, lines, part_of)
 
     def _apply(self, nominal: Floats, normals: Floats, points: Floats) -> list[str]:
         """Bring every block of points back from the workplane in force. In place."""

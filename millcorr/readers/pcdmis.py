@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from .source import Source, shown
 
 _RECOGNISED = re.compile(rb"(?:^|\n|\r)[ \t]*DIM[ \t]+[^\r\n=]{1,60}=[^\r\n]{1,80}[ \t]OF[ \t]", re.IGNORECASE)
 _DIMENSION = re.compile(r"\s*DIM\s+(?P<dim>[^\s=]+)\s*=\s*(?P<what>\S.*?)\s+OF\s+(?P<rest>.*)", re.IGNORECASE)
+_PLAIN_POINT = re.compile(r"DIM ([^\s=]+)= ?LOCATION OF POINT ([^\s,$]+) +UNITS=(MM|IN)[ \t]*")
 _UNITS = re.compile(r"\bUNITS\s*=\s*([A-Z]+)", re.IGNORECASE)
 _END = re.compile(r"\s*END\s+OF\s+DIMENSION\b", re.IGNORECASE)
 _HEADING = re.compile(r"\s*AX\s+\S", re.IGNORECASE)
@@ -25,6 +27,14 @@ _AXIS = re.compile(r"\s*([XYZTV])\s+(?=[\d.,+-])", re.IGNORECASE)
 _VALUE = re.compile(r"[+-]?(?:\d+[.,]?\d*|[.,]\d+)(?![\w.,])", re.ASCII)
 _GRAPH = re.compile(r"\s[<>\-#=|]{2,}(?:\s|$)|\s[#<>]")
 """Where the bar of deviation or an arrow begins behind the numbers."""
+
+_PLAIN_NUMBERS = "0123456789.+-"
+_BARS = "<>-#=|"
+_AXES = ("X", "Y", "Z", "T", "V")
+_CHECKED = ("NOMINAL", "MEAS", "DEV")
+_LARGEST = 1e9
+_STEPS = 1.6
+"""Last digits by which a deviation may miss the difference of two rounded numbers."""
 
 _WORDS = {
     "NOM": "NOMINAL", "NOMINAL": "NOMINAL", "MEAS": "MEAS", "MEASURED": "MEAS", "ACTUAL": "MEAS", "DEV": "DEV",
@@ -83,12 +93,19 @@ class _Report:
     def __init__(self, source: Source) -> None:
         self.source = source
         self.heading: list[tuple[str, int]] = []
+        self.headings: dict[str, list[tuple[str, int]]] = {}
+        self.wanted: tuple[int, int, int] | None = None
+        """Places of nominal, measured value and deviation in a row, if all are columns."""
+        self.slices: list[tuple[int, int]] = []
+        """Where the cell of each column begins and ends."""
         self.open: _Location | None = None
         self.foreign = False
         self.locations: list[_Location] = []
         self.others: dict[str, int] = {}
 
     def line(self, number: int, text: str) -> None:
+        if self._plain(number, text):
+            return
         found = _DIMENSION.match(text)
         if found:
             self._dimension(number, found)
@@ -103,8 +120,56 @@ class _Report:
             elif re.match(r"\s*[XYZ](?:\s|$)", text):
                 raise self.source.error(f"{shown(text)} is no row of an axis: export the report again", number)
 
+    def _plain(self, number: int, text: str) -> bool:
+        """Take a line as nearly all are: a point's head, or a row with nothing blank or spoilt that adds up."""
+        if text.startswith("DIM "):
+            found = _PLAIN_POINT.fullmatch(text)
+            if found is not None:
+                self.open, self.heading, self.wanted = _Location(found[2], number, _UNIT_NAMES[found[3]]), [], None
+                self.locations.append(self.open)
+            return found is not None
+        if "," in text:
+            text = text.replace(",", ".")
+        cells, location = text.split(), self.open
+        if location is None or not cells or cells[0] not in _AXES:
+            return not cells
+        axis = cells[0]
+        if axis != "V" and (self.wanted is None or axis in location.axes):
+            return False
+        count = 4 if axis == "V" else len(self.heading) + 1
+        # Behind the numbers there may be bars and arrows, at most.
+        values, rest = cells[1:count], "".join(cells[count:])
+        if axis != "V" and (len(cells) < count or values[-1].strip(_BARS) == ""):
+            # A column is blank: every number ends where the word above it ends.
+            values = [text[begin:end].strip() for begin, end in self.slices]
+            rest = text[self.slices[-1][1] :].strip()
+        if len(values) != count - 1 or "".join(values).strip(_PLAIN_NUMBERS) or rest.strip(_BARS):
+            return False
+        try:
+            numbers = [float(v) if v else 0.0 for v in values]
+        except ValueError:
+            return False
+        if max(numbers) >= _LARGEST or min(numbers) <= -_LARGEST:
+            return False
+        if axis == "V":
+            location.normal = (numbers[0], numbers[1], numbers[2])
+            return True
+        assert self.wanted is not None
+        a, b, c = self.wanted
+        nominal, measured, deviation = numbers[a], numbers[b], numbers[c]
+        places = len(values[a].partition(".")[2])
+        if not places == len(values[b].partition(".")[2]) == len(values[c].partition(".")[2]):
+            return False
+        if not (values[a] and values[b] and values[c]) or abs(measured - nominal - deviation) > _STEPS * 10.0**-places:
+            return False
+        if axis == "T":
+            location.along = deviation
+        else:
+            location.axes[axis] = (nominal, measured)
+        return True
+
     def _dimension(self, number: int, found: re.Match[str]) -> None:
-        self.open, self.heading = None, []
+        self.open, self.heading, self.wanted = None, [], None
         what = found["what"].upper().split()
         rest = re.split(r"\bUNITS\b", found["rest"], maxsplit=1, flags=re.IGNORECASE)[0].strip().rstrip(",$ ")
         words = rest.split()
@@ -121,8 +186,18 @@ class _Report:
         self.locations.append(self.open)
 
     def _columns(self, number: int, text: str) -> None:
-        self.heading = [(_WORDS.get(m[0].upper(), m[0].upper()), m.end()) for m in list(re.finditer(r"\S+", text))[1:]]
-        names = [name for name, _ in self.heading]
+        heading = self.headings.get(text)
+        if heading is None:
+            words = list(re.finditer(r"\S+", text))[1:]
+            heading = self.headings[text] = [(_WORDS.get(m[0].upper(), m[0].upper()), m.end()) for m in words]
+        self.heading = heading
+        names = [name for name, _ in heading]
+        if all(names.count(name) == 1 for name in _CHECKED):
+            self.wanted = names.index("NOMINAL"), names.index("MEAS"), names.index("DEV")
+            ends = [2, *(end for _, end in heading)]
+            self.slices = list(pairwise(ends))
+        else:
+            self.wanted = None
         if self.open is not None:
             for needed in ("NOMINAL", "MEAS"):
                 if names.count(needed) != 1:
@@ -142,7 +217,7 @@ class _Report:
             raise source.error(f"{shown(spoilt)} among the values of axis {axis}: export the report again", number)
         cells = list(_VALUE.finditer(text, start, end))
         values = [_number(m[0]) for m in cells]
-        if any(not abs(v) < 1e9 for v in values):
+        if any(not abs(v) < _LARGEST for v in values):
             raise source.error("a value is no length", number)
         if axis == "V":
             if len(values) < 3:
@@ -232,4 +307,4 @@ def _adds_up(columns: dict[str, float], has_deviation: bool, step: float) -> boo
     nominal, measured = columns["NOMINAL"], columns["MEAS"]
     # A setting of PC-DMIS lets deviations of negative coordinates count away from zero.
     expected = (measured - nominal, abs(measured) - abs(nominal))
-    return not has_deviation or min(abs(columns["DEV"] - e) for e in expected) <= 1.6 * step
+    return not has_deviation or min(abs(columns["DEV"] - e) for e in expected) <= _STEPS * step

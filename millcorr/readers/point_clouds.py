@@ -38,6 +38,7 @@ _PCD_KEY = re.compile(rb"^[ \t]*(SIZE|COUNT|POINTS|WIDTH|HEIGHT|DATA)[ \t]+([^\r
 _MOST = 100_000_000
 _SMALLEST_PACKED = 300
 """No compression here makes a point's coordinates smaller than the file by more than this."""
+_NUMBERS_OF_A_POINT = 4096
 
 
 @dataclass(frozen=True, slots=True)
@@ -193,6 +194,10 @@ def _load_pcd(pypcd4: Any, source: Source) -> _Points:
     kind, end = keys[b"DATA"][0][0], keys[b"DATA"][1]
     if count > _SMALLEST_PACKED * len(source.data) or count > _MOST:
         raise source.error("the header tells of more points than the file can hold: it was cut off")
+    # The library names every number of a point before it looks for one.
+    numbers = sum(int(n[:18]) for n in keys.get(b"COUNT", ([], 0))[0])
+    if numbers > _NUMBERS_OF_A_POINT:
+        raise source.error(f"the header tells of {numbers} numbers a point: it is damaged")
     if kind == b"binary_compressed":
         packed, size = struct.unpack("<II", source.data[end : end + 8])
         if packed > len(source.data) - end - 8 or size > _SMALLEST_PACKED * max(packed, 1):

@@ -14,10 +14,10 @@ from array import array
 import numpy as np
 from numpy.typing import NDArray
 
-from millcorr.errors import UsageError
 from millcorr.measurement import Measurement
 
 from .fields import NUMBER, lines_of, why_no_number
+from .parts import chosen_part
 from .source import Source, shown
 
 Floats = NDArray[np.float64]
@@ -225,9 +225,7 @@ class _Reading:
         ideal = np.array([[self.nominal.get(place, np.nan) for place in row] for row in places[measured].tolist()])
         ideal[np.isnan(ideal).any(axis=1)] = np.nan
         names = list(groups)
-        notes = [f"measured part {source.part}"] if source.part is not None else []
-        if left_out:
-            notes.append(f"{left_out} characteristics are no coordinate of a point")
+        notes = [f"{left_out} characteristics are no coordinate of a point"] if left_out else []
         if not measured.all():
             notes.append(f"{np.count_nonzero(~measured)} points were not measured on this part")
         return source.measurement(
@@ -271,30 +269,35 @@ class _Reading:
 
     def _choice(self, points: dict[int, dict[str, _Point]], counts: Ints) -> tuple[int, int]:
         """Part and piece, from 0, that the caller wants; `counts` has the number of values of each place."""
-        told: list[str] = []
-        ends: list[tuple[int, int]] = []
-        total = 0
+        pieces: list[tuple[int, int]] = []
+        titles: list[str] = []
         for part, groups in points.items():
-            times = int(max(counts[place] for group in groups.values() for place in group if place >= 0))
-            title = f" of {shown(self.parts[part])}" if self.parts.get(part) else ""
-            if times:
-                told.append((f"{total + 1}" if times == 1 else f"{total + 1} to {total + times}") + title)
-                ends.append((total := total + times, part))
-        if not ends:
+            times = self._times(groups, counts)
+            name = self.parts.get(part)
+            pieces += [(part, piece) for piece in range(times)]
+            titles += [(f"part {shown(name)}" if name else f"part {part}")] * times
+        if not pieces:
             raise self.source.error("no values: the file describes characteristics and holds no results")
-        number = self.source.part
-        if number is None and total > 1:
-            some = ", ".join(told[:4]) + (", ..." if len(told) > 4 else "")
-            raise UsageError(f"{self.source.name} holds {total} measured parts ({some}): say which with --part N")
-        if number is not None and not 1 <= number <= total:
-            raise UsageError(f"--part {number}: {self.source.name} holds {total} measured parts, counted from 1")
-        number = number or 1
-        begin = 0
-        for end, part in ends:
-            if number <= end:
-                return part, number - begin - 1
-            begin = end
-        raise AssertionError(number)
+        return pieces[chosen_part(self.source, titles)]
+
+    def _times(self, groups: dict[str, _Point], counts: Ints) -> int:
+        """How often a part was measured; FormatError where that is not the same for all its points."""
+        named = [
+            (stem, axis, place)
+            for stem, group in groups.items()
+            for axis, place in zip("XYZ", group, strict=True)
+            if place >= 0
+        ]
+        own = counts[[place for _, _, place in named]]
+        times = int(own.max())
+        if (own < times).any():
+            stem, axis, place = named[int(np.flatnonzero(own < times)[0])]
+            raise self.source.error(
+                f"{axis} of point {shown(stem)} has {counts[place]} of {times} values: the file was cut off, or "
+                "K0002 256 is missing for a point that was not measured",
+                self.begins[place],
+            )
+        return times
 
     def _unit(self, points: dict[int, dict[str, _Point]]) -> str | None:
         found: dict[str, int] = {}

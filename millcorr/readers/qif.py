@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from millcorr.errors import UsageError
 from millcorr.measurement import Measurement
 
+from .parts import chosen_part
 from .qif_document import POINTS, Document, Feature, PointSet
 from .source import MM_PER_INCH, Source, shown
 from .xml_events import parse
@@ -25,6 +26,17 @@ STATED_TOLERANCE = 1e-6
 """A stored profile value this near, in mm, shows what a location is."""
 
 _CURVES = {"PointDefinedCurve", "PointDefinedSurface", "OtherCurve", "OtherSurface"}
+
+_NAMED = {
+    **dict.fromkeys(("mm", "millimeter", "millimeters", "millimetre", "millimetres"), 1.0),
+    **dict.fromkeys(("in", "inch", "inches"), MM_PER_INCH),
+    **dict.fromkeys(("m", "meter", "meters", "metre", "metres"), 1000.0),
+    **dict.fromkeys(("cm", "centimeter", "centimeters", "centimetre", "centimetres"), 10.0),
+    **dict.fromkeys(("um", "µm", "μm", "micron", "microns", "micrometer", "micrometre"), 1e-3),
+}
+"""Millimetres in units by the names that files give them."""
+_FACTOR_TOLERANCE = 1e-9
+"""Of a factor that is printed in full; 39.37 inches to a metre would be 3 um on 1.5 m."""
 
 _CONTACT, _UNKNOWN = 0.0, -1.0
 """Radius of a compensated point, and of one that the file says nothing about; NaN: a centre of unknown radius."""
@@ -53,11 +65,49 @@ def read(source: Source) -> Measurement:
         If the XML is not well formed or declares a document type, an id refers to nothing or is there twice, a
         number or a count is wrong, or the file has no points; names the line and the element's id.
     UsageError
-        If the caller contradicts the file, or does not say what the file leaves open.
+        If the caller contradicts the file, or does not say what the file leaves open or which of several parts.
     """
     document = Document(source)
     parse(source, document, "QIFDocument")
+    _keep_part(source, document)
     return _Joined(source, document).measurement()
+
+
+def _keep_part(source: Source, document: Document) -> None:
+    """Leave in the document what the part that the caller wants has measured. In place.
+
+    Results follow each other on one part as long as none of their features is one that the part has. Features
+    without an item or nominal, and points without a feature, do not show what they are: one result a part has them.
+    """
+    of_result: list[set[str]] = [set() for _ in document.results]
+    counts = [0] * len(of_result)
+    for m in document.measured.values():
+        if m.result >= 0:
+            of_result[m.result].add(m.reference)
+            counts[m.result] += 1
+    in_features = {label for m in document.measured.values() for label in m.sets}
+    for s in document.sets.values():
+        if s.result >= 0 and s.id not in in_features and not counts[s.result]:
+            of_result[s.result].add("")
+    parts: list[list[int]] = []
+    known: set[str] = set()
+    for result, own in enumerate(of_result):
+        if not own:
+            continue
+        if not parts or own & known:
+            parts.append([])
+            known = set()
+        parts[-1].append(result)
+        known |= own
+    if not parts:
+        parts = [[]]
+    titles = [
+        ", ".join(f"result {shown(document.results[r][0])} in line {document.results[r][1]}" for r in part[:3])
+        for part in parts
+    ]
+    wanted = {-1, *parts[chosen_part(source, titles)]}
+    document.measured = {label: m for label, m in document.measured.items() if m.result in wanted}
+    document.sets = {label: s for label, s in document.sets.items() if s.result in wanted}
 
 
 class _Joined:
@@ -71,6 +121,14 @@ class _Joined:
 
     def _units(self) -> tuple[dict[str, float], float]:
         """Factors to mm of every named unit and of the primary one."""
+        for u in self.document.units:
+            wanted = _NAMED.get(u.name.casefold())
+            if wanted is not None and abs(u.factor * 1000 - wanted) > _FACTOR_TOLERANCE * wanted:
+                raise self.source.error(
+                    f"the unit named {shown(u.name)} has the factor {u.factor:g} to metres, not {wanted / 1000:g}: one "
+                    "of them is wrong, export the file again",
+                    u.line or None,
+                )
         factors = {u.name: float(f"{u.factor * 1000:.12g}") for u in self.document.units}
         primary = [u for u in self.document.units if u.primary]
         if len(primary) > 1:
@@ -215,6 +273,9 @@ class _Joined:
         """Radius a point between a set's points and the surface, in mm."""
         if s.compensated is None:
             return np.full(s.count, _UNKNOWN)
+        if s.count == 1 and s.radius is not None:
+            radius = s.radius * self._factor(s.unit, s.line)
+            return radius if s.compensated[0] == 0 else np.zeros(1)
         out = np.full(s.count, np.nan)
         if s.radius is not None:
             out = np.broadcast_to(s.radius * self._factor(s.unit, s.line), (s.count,)).copy()
@@ -254,6 +315,8 @@ class _Joined:
         source = self.source
         unknown, nameless, contact = radii == _UNKNOWN, np.isnan(radii), radii == _CONTACT
         stated = radii[~(unknown | nameless | contact)]
+        if source.points == "axis" and not unknown.all():
+            source.ball_radius(centres=not contact.all())
         if len(stated) and (contact.any() or unknown.any()) and source.points == "contact":
             raise UsageError(f"--points contact contradicts {source.name}: {len(stated)} points are ball centres")
         if contact.all():

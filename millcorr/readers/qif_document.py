@@ -13,6 +13,7 @@ from typing import NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
+from .fields import NUMBER
 from .source import Source, shown
 
 Floats = NDArray[np.float64]
@@ -48,6 +49,8 @@ class Feature:
     name: str = ""
     sets: list[str] = field(default_factory=list)
     unit: str = ""
+    result: int = -1
+    """Which of the document's results holds it; -1 for none."""
 
 
 @dataclass(slots=True)
@@ -62,6 +65,7 @@ class PointSet:
     compensated: Floats | None = None
     radius: Floats | None = None
     unit: str = ""
+    result: int = -1
 
 
 @dataclass(slots=True)
@@ -80,6 +84,7 @@ class Unit:
     name: str = ""
     factor: float = 1.0
     primary: bool = True
+    line: int = 0
 
 
 class Document:
@@ -93,6 +98,8 @@ class Document:
         self.sets: dict[str, PointSet] = {}
         self.values: list[ProfileValue] = []
         self.units: list[Unit] = []
+        self.results: list[tuple[str, int]] = []
+        """Id and line of every MeasurementResults."""
         self.record: Feature | PointSet | ProfileValue | Unit | None = None
         self.depth = 0
 
@@ -100,6 +107,8 @@ class Document:
         """Open a record, or say whether the text of this element is wanted."""
         name = path[-1]
         if self.record is None:
+            if name == "MeasurementResults":
+                self.results.append((attributes.get("id", "").strip()[:40], line))
             self.record = self._opened(path, attributes, line)
             self.depth = len(path)
             return False
@@ -176,18 +185,21 @@ class Document:
         name = path[-1]
         found = _FEATURE.fullmatch(name)
         if found and found[1] and (found[1] in POINTS or found[2] in ("Measurement", "Actual")):
-            return Feature(found[1], self._id(name, attributes, line), line)
+            return Feature(found[1], self._id(name, attributes, line), line, result=self._result(path))
         if name == "MeasuredPointSet":
             label = self._id(name, attributes, line)
             count = attributes.get("count", "")
             if not re.fullmatch(r"\d{1,9}", count, re.ASCII):
                 self._refuse(f"point set {label} has no count", line)
-            return PointSet(label, line, int(count), unit=attributes.get("linearUnit", ""))
+            return PointSet(label, line, int(count), unit=attributes.get("linearUnit", ""), result=self._result(path))
         if _PROFILE_VALUE.fullmatch(name):
             return ProfileValue(line)
         if name == "LinearUnit" and "FileUnits" in path:
-            return Unit(primary="PrimaryUnits" in path)
+            return Unit(primary="PrimaryUnits" in path, line=line)
         return None
+
+    def _result(self, path: Sequence[str]) -> int:
+        return len(self.results) - 1 if "MeasurementResults" in path else -1
 
     def _id(self, name: str, attributes: dict[str, str], line: int) -> str:
         if not attributes.get("id", "").strip():
@@ -252,6 +264,12 @@ class Document:
     def _numbers(self, text: str, label: str, line: int, count: int) -> Floats:
         """Exactly `count` numbers; long lists by the block, for the memory's sake."""
         owner = f"element {label}: " if label else ""
+        words = text.split() if count <= 3 else []
+        if len(words) == count and all(map(_is_number, words)):
+            # Many documents hold nothing but single points.
+            few = list(map(float, words))
+            if max(map(abs, few)) <= _LARGEST:
+                return np.array(few)
         blocks = []
         position = 0
         while position < len(text):
@@ -284,4 +302,4 @@ class Document:
 
 
 def _is_number(word: str) -> bool:
-    return bool(re.fullmatch(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", word, re.ASCII))
+    return NUMBER.fullmatch(word) is not None

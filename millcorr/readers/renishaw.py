@@ -14,6 +14,7 @@ import numpy as np
 
 from millcorr.measurement import Measurement
 
+from .parts import chosen_part, titled
 from .source import Source, shown
 
 _HEADING = re.compile(r"COMPONENT\s+NO\.?\s*(\d{1,9})\s+FEATURE\s+NO\.?\s*(\d{1,9})\b", re.ASCII)
@@ -30,6 +31,7 @@ class _Feature:
     """Feature of a part: per axis the nominal and the actual value."""
 
     name: str
+    component: str
     line: int
     axes: dict[str, tuple[float, float]] = field(default_factory=dict)
     sized: bool = False
@@ -58,7 +60,7 @@ def read(source: Source) -> Measurement:
     FormatError
         If a line is damaged, DEV does not add up, or no feature is a point; names the line.
     UsageError
-        If the caller does not say what the points are.
+        If the caller does not say what the points are, or which of several components.
     """
     ball = source.ball_radius()
     features: list[_Feature] = []
@@ -66,12 +68,23 @@ def read(source: Source) -> Measurement:
         text = raw.strip().upper()
         found = _HEADING.search(text)
         if found:
-            features.append(_Feature(f"{found[1]}.{found[2]}", number))
+            features.append(_Feature(f"{found[1]}.{found[2]}", found[1], number))
         elif text.startswith("POSN"):
             _position(source, features, number, text)
         elif text.startswith("SIZE") and features:
             features[-1].sized = True
-    return _measurement(source, features, ball)
+    return _measurement(source, _of_part(source, features), ball)
+
+
+def _of_part(source: Source, features: list[_Feature]) -> list[_Feature]:
+    """Features of the component that the caller wants: each number is a part."""
+    components: dict[str, list[_Feature]] = {}
+    for feature in features:
+        components.setdefault(feature.component, []).append(feature)
+    if not components:
+        return features
+    titles = [f"component {n}, {titled(np.array([f.line for f in own]))}" for n, own in components.items()]
+    return list(components.values())[chosen_part(source, titles)]
 
 
 def _position(source: Source, features: list[_Feature], number: int, text: str) -> None:
@@ -117,6 +130,9 @@ def _measurement(source: Source, features: list[_Feature], ball: float) -> Measu
     sized = sum(f.sized for f in features)
     if sized:
         notes.append(f"{sized} features with a size left out")
+    rest = len(features) - len(points) - len(lone) - sized
+    if rest:
+        notes.append(f"{rest} features without POSN of X and Y left out")
     table = np.array([[f.axes.get(a, (0.0, 0.0)) for a in "XYZ"] for f in points])
     return source.measurement(
         "renishaw", table[:, :, 1], [f.line for f in points], ball_radius=ball, unit=source.unit(None),

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.errors import FormatError, UsageError
-from millcorr.measurement import Measurement
+from millcorr.measurement import LARGEST_LOBING, Measurement, Probe
 
 from .decoding import decode
 
@@ -40,6 +40,10 @@ LARGEST_BALL = 100.0
 FARTHEST = 1e6
 """No coordinate lies farther out than this, in mm."""
 
+KINDS = ("contact", "centre", "axis")
+"""What coordinates can be: contact points, ball centres, or ball centres that a control shifted along an axis."""
+
+_TOLD = {"contact": "contact points", "centre": "centres of the probe ball", "axis": "shifted along an axis"}
 _FACTORS = {"mm": 1.0, "inch": MM_PER_INCH}
 
 
@@ -54,10 +58,12 @@ class Source:
         File name for messages and for the measurement's source.
     digest : str
         SHA-256 of the bytes.
-    points : {"contact", "centre"} or None
+    points : {"contact", "centre", "axis"} or None
         What the coordinates are; None: what the file says.
     probe_radius : float or None
         Radius of the probe ball in mm; None: what the file says.
+    probe : Probe or None
+        Calibration of the probe; its radius counts where neither caller nor file say one.
     units : {"mm", "inch"} or None
         Unit of the coordinates; None: what the file says.
     work_offset : tuple of 3 float, or None
@@ -74,6 +80,7 @@ class Source:
     units: str | None = None
     work_offset: tuple[float, float, float] | None = None
     part: int | None = None
+    probe: Probe | None = None
 
     def text(self, *, drop: bytes = b"") -> str:
         r"""Text of the file, lines ending in ``\n``.
@@ -88,7 +95,7 @@ class Source:
         FormatError
             If the file is no text.
         """
-        return decode(self.data.translate(None, drop) if drop else self.data, self.name)
+        return decode(self.data, self.name, drop)
 
     def lines(self, *, drop: bytes = b"") -> Iterator[tuple[int, str]]:
         """Lines of the file with their numbers from 1; FormatError for one of absurd length, or if it is no text."""
@@ -107,8 +114,35 @@ class Source:
             raise UsageError(f"--units {self.units} contradicts {self.name}, which says {stated}")
         return self.units or stated or default
 
+    def kind(self, stated: str | None) -> str:
+        """What the points are, of `KINDS`.
+
+        Parameters
+        ----------
+        stated : str or None
+            What the file says.
+
+        Raises
+        ------
+        UsageError
+            If the caller contradicts the file, or neither says what the points are.
+        """
+        if stated is not None and self.points not in (None, stated):
+            raise UsageError(
+                f"--points {self.points} contradicts {self.name}, whose points are {_TOLD[stated]}: leave --points out"
+            )
+        kind = stated or self.points
+        if kind is None:
+            raise UsageError(
+                "say --points contact or --points centre (or axis): the file does not say whether its coordinates are "
+                "contact points or centres of the probe ball"
+            )
+        return kind
+
     def ball_radius(self, *, centres: bool | None = None, radius: float | None = None) -> float:
         """Radius in mm that lies between the points and the surface; 0 for contact points.
+
+        It is 0 also for points shifted along an axis: see `axis_radii`.
 
         Parameters
         ----------
@@ -123,32 +157,61 @@ class Source:
         UsageError
             If the caller contradicts the file, or neither says what is needed.
         """
-        if centres is not None and self.points is not None and (self.points == "centre") != centres:
-            told = "centres of the probe ball" if centres else "contact points"
-            raise UsageError(
-                f"--points {self.points} contradicts {self.name}, whose points are {told}: leave --points out"
-            )
-        if centres is None:
-            if self.points is None:
-                raise UsageError(
-                    "say --points contact or --points centre: the file does not say whether its coordinates are "
-                    "contact points or centres of the probe ball"
-                )
-            centres = self.points == "centre"
-        if not centres:
+        if self.kind(None if centres is None else "centre" if centres else "contact") != "centre":
             return 0.0
-        if radius is None:
-            if self.probe_radius is None:
-                raise UsageError(
-                    f"ball centres need --probe-radius MM, the radius of the probe ball: {self.name} does not say it"
-                )
-            return float(self.probe_radius)
-        if self.probe_radius is not None and abs(self.probe_radius - radius) > RADIUS_TOLERANCE:
+        told = self._radius(radius)
+        if told is None:
             raise UsageError(
-                f"--probe-radius {self.probe_radius:g} contradicts {self.name}, which says {radius:g} mm: "
-                "leave --probe-radius out"
+                f"ball centres need --probe-radius MM, the radius of the probe ball: {self.name} does not say it"
             )
-        return radius
+        return told
+
+    def axis_radii(self, radius: float | None = None) -> tuple[float, float]:
+        """Radii in mm by which the control shifted points along X and along Y.
+
+        Parameters
+        ----------
+        radius : float, optional
+            Radius in mm that the file states.
+
+        Raises
+        ------
+        UsageError
+            If nobody says it, or two say otherwise.
+        """
+        control = None if self.probe is None else self.probe.control_radii
+        if control is None:
+            told = self._radius(radius)
+            if told is None:
+                raise UsageError(
+                    "points shifted along an axis need --probe-radius MM, the radius by which the control shifted them"
+                )
+            return told, told
+        said = self.probe_radius if radius is None else radius
+        if said is not None and max(abs(said - r) for r in control) > RADIUS_TOLERANCE:
+            who = "--probe-radius" if radius is None else self.name
+            raise UsageError(f"{who} {said:g} contradicts control_radius in the probe's file: leave one of them out")
+        return control
+
+    def _radius(self, stated: float | None) -> float | None:
+        """Radius of the ball in mm by file, caller or calibration; UsageError where they contradict each other."""
+        said = self.probe_radius
+        if stated is not None and said is not None and abs(said - stated) > RADIUS_TOLERANCE:
+            raise UsageError(
+                f"--probe-radius {said:g} contradicts {self.name}, which says {stated:g} mm: leave --probe-radius out"
+            )
+        radius = said if stated is None else stated
+        if self.probe is None:
+            return None if radius is None else float(radius)
+        calibrated = self.probe.radius
+        if radius is not None and abs(radius - calibrated) > LARGEST_LOBING:
+            raise UsageError(
+                f"a probe radius of {radius:g} mm contradicts {self.probe.source or 'the probe'}, which says "
+                f"{calibrated:g} mm: they differ by more than a calibration can"
+            )
+        if radius is None and self.points == "axis" and self.probe.directions is not None:
+            raise UsageError("radii by direction do not say by which one the control shifted: add --probe-radius MM")
+        return calibrated if radius is None else float(radius)
 
     def measurement(
         self,
@@ -251,18 +314,23 @@ class Source:
 
 def unit_normals(normals: Floats, lines: Ints, name: str) -> Floats:
     """Normals (n, 3) brought to length 1; FormatError names the line of one that is no direction."""
+    return unit_vectors(normals, lines, name, "normal i,j,k")
+
+
+def unit_vectors(vectors: Floats, lines: Ints, name: str, what: str) -> Floats:
+    """Vectors (n, 3) brought to length 1; FormatError says `what` and the line of one that is no direction."""
     with np.errstate(over="ignore", invalid="ignore"):
-        length = np.sqrt((normals**2).sum(axis=1))
+        length = np.sqrt((vectors**2).sum(axis=1))
     wrong = np.flatnonzero(~(np.abs(length - 1.0) <= NORMAL_TOLERANCE))
     if len(wrong):
         row = int(wrong[0])
-        what = "zero" if length[row] == 0 else f"{length[row]:.4g}"
+        size = "zero" if length[row] == 0 else f"{length[row]:.4g}"
         raise FormatError(
-            f"the normal i,j,k has length {what}, not 1: export unit normals or leave the columns out",
+            f"the {what} has length {size}, not 1: export unit vectors or leave the columns out",
             name,
             int(lines[row]),
         )
-    out: Floats = normals / length[:, None]
+    out: Floats = vectors / length[:, None]
     return out
 
 

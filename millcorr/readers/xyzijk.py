@@ -64,6 +64,8 @@ def read(source: Source) -> Measurement:
     rows = _whole(lines) or _row_by_row(source, lines)
     values, numbers, names, circles = rows
     notes = [f"{circles} circles left out: rows of 4 or 7 numbers are no points"] if circles else []
+    if "METRIC" not in head and source.units is None:
+        notes.append("no METRIC in the first line: taken for inch, as PC-DMIS does; --units mm says otherwise")
     if not len(values):
         raise source.error(f"no points in the file{', only circles' if circles else ''}", 1)
     normals = values[:, 3:]
@@ -81,7 +83,8 @@ def _unit(source: Source, head: str) -> str:
     if rest == "METRIC" and head[_METRIC_COLUMNS] == "METRIC":
         return source.unit("mm")
     if not rest:
-        return source.unit("inch")
+        # Without METRIC PC-DMIS takes inch, but the file does not say so.
+        return source.unit(None, "inch")
     if rest != "METRIC":
         raise source.error(f"{shown(rest)} behind XYZIJK: only METRIC may stand there, in columns 11 to 16", 1)
     if source.units is None:

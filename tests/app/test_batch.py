@@ -188,3 +188,56 @@ def test_several_parts_are_averaged_and_kept_in_the_document(part_files, measure
         (dressup,) = [obj for obj in document.Objects if obj.Name.startswith("DressupMillcorr")]
         assert len(dressup.FurtherParts) == 1
         assert dressup.FurtherParts[0].Digest != dressup.Measurement.Digest
+
+
+def test_everything_said_of_a_file_stays_with_it_in_the_document(part_files, measured_file, tmp_path):
+    """A mapped file in another frame gives the correction that the plain one gives, and again after reopening."""
+    plain = batch.correct_document(part_files[0], measured=measured_file[0], points="contact", filter="none")
+    rows = np.loadtxt(measured_file[0], delimiter=",", skiprows=1)
+    turned = np.column_stack([100.0 - rows[:, 1], 200.0 + rows[:, 0], rows[:, 2]])
+    strange = tmp_path / "strange.txt"
+    strange.write_text("\n".join(f"P{k};{z:.9f};{y:.9f};{x:.9f}" for k, (x, y, z) in enumerate(turned)))
+    mapping = tmp_path / "layout.toml"
+    mapping.write_text('separator = "semicolon"\npoints = "contact"\n[columns]\nid = 1\nz = 2\ny = 3\nx = 4\n')
+    output = tmp_path / "out.FCStd"
+    result = batch.correct_document(
+        part_files[0], measured=strange, mapping=mapping, work_offset=(100.0, 200.0, 0.0), work_rotation=90.0,
+        filter="none", output=output,
+    )  # fmt: skip
+    # Nine decimals went into the file.
+    np.testing.assert_allclose(result.deviation.value, plain.deviation.value, atol=2e-9)
+    mapping.unlink()
+    doc = FreeCAD.openDocument(str(output))
+    dressup = doc.getObject("DressupMillcorr")
+    dressup.touch()
+    doc.recompute()
+    assert dressup.DeviationMean.Value == pytest.approx(result.deviation.value.mean(), abs=1e-12)
+
+
+def test_unknown_option_is_named(part_files, measured_file):
+    with pytest.raises(UsageError, match="unknown setting colour"):
+        batch.correct_document(part_files[0], measured=measured_file[0], points="contact", colour="red")
+
+
+def test_operation_contour_for_a_measuring_program(part_files):
+    """The exact profile of the operation, not the one its approximated path would show."""
+    found = process.operation_contour(str(part_files[0]), None)
+    profile = Profile.from_dict(found["profile"])
+    assert found["tool_diameter"] == 10.0
+    toolpath = nc.parse(found["path"].encode(), "path").toolpath
+    arcs = toolpath.take(toolpath.kind == Kind.ARC)
+    points = arcs.position(np.linspace(0, 1, 17))[:, :, :2].reshape(-1, 2)
+    off = np.abs(FootPointSearch(profile, margin=7.0).find(points).distance - 5.0)
+    assert 0.01 < np.median(np.sort(off)[-50:]) < 0.04
+    with pytest.raises(UsageError, match="no operation called None"):
+        process.operation_contour(str(part_files[0]), "None")
+
+
+def test_no_input_is_replaced(part_files, measured_file, tmp_path):
+    own = tmp_path / "own.FCStd"
+    own.write_bytes(part_files[0].read_bytes())
+    with pytest.raises(UsageError, match="must stay untouched"):
+        batch.correct_document(own, measured=measured_file[0], points="contact", output=own)
+    with pytest.raises(UsageError, match="must stay untouched"):
+        batch.correct_document(own, measured=measured_file[0], points="contact", gcode=measured_file[0])
+    assert own.read_bytes() == part_files[0].read_bytes()

@@ -10,12 +10,14 @@ from pathlib import Path
 
 import FreeCAD
 import numpy as np
+import Part
 import pytest
 
 from millcorr.app import (
     batch,
     compat,
     convert,
+    correction,
     demonstration,
     dressup,
     measurement_object,
@@ -344,6 +346,7 @@ def test_missing_measurement_is_refused(document, tmp_path):
 
 WITHOUT_ADDON = """
 import FreeCAD
+import Part
 doc = FreeCAD.openDocument({document!r})
 obj = doc.getObject("DressupMillcorr")
 before = obj.Path.toGCode()
@@ -402,3 +405,70 @@ def test_document_of_another_version(part_files, measured_file, tmp_path):
     target = store / f"job-{own}.FCStd"
     if not target.exists():
         target.write_bytes(part_files[0].read_bytes())
+
+
+def test_contour_check_as_shapes(corrected):
+    """Path, contour, points and magnified deviations of the operation, each where it must lie."""
+    doc, obj, _ = corrected
+    shapes = {}
+    for shown in ("nominal", "path", "measured points", "contact points", "deviations"):
+        shape = profile_object.create(obj, shown)
+        shape.Magnification = 100.0
+        doc.recompute()
+        assert valid(shape)
+        shapes[shown] = shape.Shape
+    count = obj.PointsUsed
+    measured = measurement_object.measurement_of(obj.Measurement).points
+    assert len(shapes["measured points"].Vertexes) == len(shapes["contact points"].Vertexes) == count == len(measured)
+    nominal = shapes["nominal"]
+    for vertex in shapes["path"].Vertexes[::7]:
+        flat = Part.Vertex(vertex.X, vertex.Y, 0.0)
+        # FreeCAD's own arcs along the spline err by up to 22 um.
+        assert abs(nominal.distToShape(flat)[0] - 5.0) < 0.04
+    for k in range(0, count, 29):
+        contact, line = shapes["contact points"].Vertexes[k], shapes["deviations"].Edges[k]
+        off = nominal.distToShape(Part.Vertex(contact.X, contact.Y, 0.0))[0]
+        assert line.Length == pytest.approx(100 * off, abs=2e-4)
+
+
+def distances(doc, obj):
+    """Distance of the dressup's contour-following moves from the exact profile of the demonstration part."""
+    program = motion.program_of_path(obj.Path, "now")
+    toolpath = program.toolpath
+    cutting = toolpath.take((toolpath.kind == Kind.ARC) | (toolpath.kind == Kind.CUBIC))
+    points = cutting.position(np.linspace(0, 1, 9))[:, :, :2].reshape(-1, 2)
+    profile = correction.correct(obj).result.nominal
+    return FootPointSearch(profile, margin=8.0).find(points).distance
+
+
+def test_single_piece_in_two_stages_of_one_dressup(part_files, tmp_path):
+    """First cut leaves 0.4 mm; what was measured then goes into the same dressup, which finishes the part."""
+    doc = FreeCAD.openDocument(str(part_files[0]))
+    base = batch.find_operation(doc)
+    obj = dressup.create(base, LeaveStock=0.4, OutputMoves="arcs")
+    doc.recompute()
+    assert valid(obj)
+    far = distances(doc, obj)
+    # Leads of arcs end elsewhere; what follows the contour is within a micrometre of its parallel.
+    following = np.abs(far - 5.4) < 0.1
+    assert following.mean() > 0.9 and np.abs(far[following] - 5.4).max() < 0.0011
+    assert "first cut, leaves 0.4 mm" in words(obj)
+
+    # A machine that yields by a tenth of what it cuts left 0.44 mm.
+    profile = correction.correct(obj).result.nominal
+    s = np.linspace(0.0, float(profile.total[0]), 150, endpoint=False)
+    points, normals = profile.at(0, s)
+    points = points + 0.44 * normals
+    path = tmp_path / "first.csv"
+    path.write_text("x,y,z\n" + "\n".join(f"{x:.6f},{y:.6f},-0.5" for x, y in points))
+    obj.Measurement = measurement_object.create(doc, path, "contact")
+    doc.recompute()
+    assert not valid(obj) and not obj.Path.Commands, "a first cut is made before anything is measured"
+    obj.LeaveStock, obj.Method, obj.Depth, obj.Allowance = 0.0, "transfer", [0.4], [0.4]
+    doc.recompute()
+    assert valid(obj)
+    near = distances(doc, obj)
+    # delta/(H - delta) = 0.04/0.36 of the 0.44 mm that are really left.
+    wanted = 5.0 - 0.44 * 0.04 / 0.36
+    following = np.abs(near - wanted) < 0.02
+    assert following.mean() > 0.9 and np.abs(near[following] - wanted).max() < 0.0015

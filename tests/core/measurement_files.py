@@ -4,10 +4,13 @@
 from __future__ import annotations
 
 import base64
+import importlib
 import random
 import re
+import struct
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -210,16 +213,16 @@ def pcdmis(
         return f"{axis:<4}{shown} ---#---"
 
     lines = ["PART NAME  : PLATE 12", "REV NUMBER :", "STATS COUNT : 1", ""]
+    unit = "IN" if inch else "MM"
+    nominals, contacts, deviations = part.nominal / scale, part.contact / scale, part.deviations / scale
     for k, name in enumerate(part.names):
-        unit = "IN" if inch else "MM"
         lines += [f"DIM LOC{k + 1}= LOCATION OF POINT {name}  UNITS={unit}", heading]
-        nominal, contact = part.nominal[k] / scale, part.contact[k] / scale
-        for axis, (a, b) in zip("XYZ", zip(nominal, contact, strict=True), strict=True):
+        for axis, a, b in zip("XYZ", nominals[k], contacts[k], strict=True):
             lines.append(row(axis, a, b))
             if pages and axis == "Y":
                 lines += ["\x0c", f"PART NAME  : PLATE 12        DATE : 29.02.2024    PAGE {k + 2}", "", heading]
         if vectors:
-            lines.append(row("T", 0.0, part.deviations[k] / scale))
+            lines.append(row("T", 0.0, deviations[k]))
             lines.append("V   " + "".join(f"{v:14.9f}" for v in part.normals[k]) + "             -" * 4)
         lines.append(f"END OF DIMENSION LOC{k + 1}")
     lines += ["DIM D1= LOCATION OF CIRCLE CIR1  UNITS=MM", heading, row("D", 10.0, 10.01), "END OF DIMENSION D1"]
@@ -404,6 +407,67 @@ def qdas(
             for index, v in enumerate(values, 1):
                 rows += [f"K0001/{index} {v}", f"K0004/{index} 29.02.2024/10:31:07"]
     return ending.join([*rows, ""])
+
+
+# --- point clouds -----------------------------------------------------------------------------------------
+
+
+def ply(
+    part: Part, *, kind: str = "binary", number: str = "double", normals: bool = True, mesh: bool = False
+) -> bytes:
+    """PLY file by hand: ASCII, little endian or big endian."""
+    order = {"ascii": "", "binary": "<", "big": ">"}[kind]
+    name = {"ascii": "ascii", "binary": "binary_little_endian", "big": "binary_big_endian"}[kind]
+    table = np.hstack([part.contact, part.normals]) if normals else part.contact
+    columns = ["x", "y", "z", "nx", "ny", "nz"][: table.shape[1]]
+    head = ["ply", f"format {name} 1.0", "comment made up", f"element vertex {len(table)}"]
+    head += [f"property {number} {c}" for c in columns] + ["property uchar quality"]
+    if mesh:
+        head += ["element face 1", "property list uchar int vertex_indices"]
+    data = ("\n".join([*head, "end_header"]) + "\n").encode()
+    code = "d" if number == "double" else "f"
+    for row in table.tolist():
+        data += (
+            (" ".join(map(repr, row)) + " 7\n").encode()
+            if not order
+            else struct.pack(f"{order}{len(row)}{code}B", *row, 7)
+        )
+    if mesh:
+        data += b"3 0 1 2\n" if not order else struct.pack(f"{order}B3i", 3, 0, 1, 2)
+    return data
+
+
+def pcd(part: Part, *, kind: str = "ascii", number: str = "double") -> bytes:
+    """PCD file by hand, ASCII or binary."""
+    size, code, text = (8, "d", "F") if number == "double" else (4, "f", "F")
+    table = np.hstack([part.contact, part.normals])
+    n = len(table)
+    head = f"""# .PCD v0.7 - Point Cloud Data file format
+VERSION 0.7
+FIELDS x y z normal_x normal_y normal_z
+SIZE{f" {size}" * 6}
+TYPE{f" {text}" * 6}
+COUNT{" 1" * 6}
+WIDTH {n}
+HEIGHT 1
+VIEWPOINT 0 0 0 1 0 0 0
+POINTS {n}
+DATA {kind}
+""".encode()
+    if kind == "ascii":
+        return head + "".join(" ".join(map(repr, row)) + "\n" for row in table.tolist()).encode()
+    return head + table.astype("<" + code).tobytes()
+
+
+def e57(part: Part, folder: Path, scans: int = 1) -> bytes:
+    """E57 file by its library, which writes 32-bit numbers."""
+    path = folder / "made.e57"
+    path.unlink(missing_ok=True)
+    image = importlib.import_module("pye57").E57(str(path), mode="w")
+    for piece in np.array_split(part.contact / 1000, scans):
+        image.write_scan_raw({f"cartesian{c}": np.ascontiguousarray(v) for c, v in zip("XYZ", piece.T, strict=True)})
+    image.close()
+    return path.read_bytes()
 
 
 # --- damage -----------------------------------------------------------------------------------------------

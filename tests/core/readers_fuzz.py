@@ -3,23 +3,32 @@
 
 from __future__ import annotations
 
+import importlib.util
 import random
+import resource
+import tempfile
 import time
 import warnings
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 from hashlib import sha256
+from pathlib import Path
 
 import numpy as np
 
 from millcorr import readers
 from millcorr.errors import FormatError, UsageError
+from millcorr.measurement import Measurement
+from millcorr.readers import mapped
+from millcorr.readers.mapping import TextMapping
 from tests.core import measurement_files as files
 
 NAME = "damaged"
 SLOW = 2.0
 """Seconds that no small file may take, however loaded the machine."""
+GREEDY = 32 << 10
+"""Kilobytes by which no small file may make the process grow."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +42,12 @@ class Subject:
 
 def subjects(n: int = 6) -> list[Subject]:
     """Undamaged files of every format with n points, several dresses each."""
-    return [Subject(format, *dress) for format, dresses in DRESSES.items() for dress in dresses(n)]
+    return [Subject(format, *dress) for format in installed() for dress in DRESSES[format](n)]
+
+
+def installed() -> list[str]:
+    """Formats that can be read here: those of point clouds need their libraries."""
+    return [format for format in DRESSES if importlib.util.find_spec(LIBRARIES.get(format, "numpy"))]
 
 
 def large(format: str, n: int = 10_000) -> list[Subject]:
@@ -47,25 +61,28 @@ def run(format: str, count: int, seed: int = 1, *, by_content: bool = False) -> 
     With `by_content` the reader is the one that the damaged content leads to, else the format's own.
     """
     generator = random.Random(f"{format} {seed}")
-    candidates = [s for s in subjects() if s.format == format]
+    candidates = [Subject(format, *dress) for dress in DRESSES[format](6)]
     outcomes: Counter[str] = Counter()
+    for subject in candidates:
+        # What a library keeps once it is imported is no cost of a file.
+        outcome(format, subject.data, subject.options)
     for _ in range(count):
         subject = generator.choice(candidates)
         data = files.damaged(subject.data, generator)
         chosen = readers.recognised(data) if by_content else format
-        start = time.perf_counter()
+        start, size = time.perf_counter(), resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
         outcomes[outcome(chosen, data, subject.options)] += 1
         assert time.perf_counter() - start < SLOW, data
+        assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - size < GREEDY, data
     return outcomes
 
 
 def outcome(format: str, data: bytes, options: dict[str, object]) -> str:
     """How reading ends: "points", "format", or "usage" where the damage contradicts what the caller says."""
-    source = readers.Source(data, NAME, sha256(data).hexdigest(), **options)  # type: ignore[arg-type]
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            m = readers.FORMATS[format].read(source)
+            m = read(format, data, options)
     except FormatError as error:
         assert error.file == NAME and str(error).startswith(NAME), data
         assert "\n" not in str(error) and len(str(error)) < 400, data
@@ -80,6 +97,17 @@ def outcome(format: str, data: bytes, options: dict[str, object]) -> str:
     assert m.normals is None or np.allclose(np.linalg.norm(m.normals, axis=1), 1, atol=1e-3), data
     assert m.lines.min() >= 1 and m.ball_radius >= 0, data
     return "points"
+
+
+def read(format: str, data: bytes, options: dict[str, object]) -> Measurement:
+    """Points of a file's bytes, by a mapping where the format is "mapped"."""
+    said = {key: value for key, value in options.items() if key != "mapping"}
+    source = readers.Source(data, NAME, sha256(data).hexdigest(), **said)  # type: ignore[arg-type]
+    if format == "mapped":
+        mapping = options.get("mapping", TextMapping({"x": 1, "y": 2}))
+        assert isinstance(mapping, TextMapping)
+        return mapped.read(source, mapping)
+    return readers.FORMATS[format].read(source)
 
 
 BALL: dict[str, object] = {"probe_radius": 1.5}
@@ -158,6 +186,34 @@ def _qdas(n: int) -> list[Dress]:
     return [(files.qdas([part], **dress).encode(), {"points": "centre", "probe_radius": 1.5}) for dress in dresses]  # type: ignore[arg-type]
 
 
+def _mapped(n: int) -> list[Dress]:
+    part, every = files.ellipse(n), "id x y z i j k nominal_x nominal_y nominal_z deviation".split()
+    out: list[Dress] = []
+    for order, separator, comma, named in (
+        (every, "semicolon", True, True), (every, "tab", False, False), (["x", "-", "y", "z"], "comma", False, False)
+    ):  # fmt: skip
+        content, keys = files.mapped(part, order, separator=separator, comma=comma, named=named, inch=False)
+        out.append((content.encode(), {"mapping": TextMapping(**keys)}))  # type: ignore[arg-type]
+    return out
+
+
+def _ply(n: int) -> list[Dress]:
+    part = files.ellipse(n)
+    dresses = ({"kind": "ascii"}, {"kind": "binary"}, {"kind": "big", "number": "float", "mesh": True})
+    return [(files.ply(part, **dress), {"points": "contact"}) for dress in dresses]  # type: ignore[arg-type]
+
+
+def _pcd(n: int) -> list[Dress]:
+    part = files.ellipse(n)
+    dresses = ({"kind": "ascii"}, {"kind": "binary"}, {"kind": "binary", "number": "float"})
+    return [(files.pcd(part, **dress), {"points": "contact"}) for dress in dresses]
+
+
+def _e57(n: int) -> list[Dress]:
+    with tempfile.TemporaryDirectory() as folder:
+        return [(files.e57(files.ellipse(n), Path(folder), scans), {"points": "contact"}) for scans in (1, 2)]
+
+
 DRESSES: dict[str, Callable[[int], list[Dress]]] = {
     "msr": _msr,
     "qif": _qif,
@@ -170,4 +226,10 @@ DRESSES: dict[str, Callable[[int], list[Dress]]] = {
     "renishaw": _renishaw,
     "qdas": _qdas,
     "text": _text,
+    "mapped": _mapped,
+    "ply": _ply,
+    "pcd": _pcd,
+    "e57": _e57,
 }
+LIBRARIES = {"ply": "plyfile", "pcd": "pypcd4", "e57": "pye57"}
+"""What reads these, and writes one of them."""

@@ -30,6 +30,7 @@ from tests.core.contours import (
     rectangle,
     scipy_closed_spline,
 )
+from tests.core.sweeps import examples, seeds, slow
 
 MICRON = 1e-3
 REACHED = 0.1 * MICRON
@@ -230,7 +231,7 @@ def test_freedom_refuses_other_text(text):
 # ---- the optimum --------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", seeds(3, quick=1))
 @pytest.mark.parametrize("n", [60, 400, 5000])
 @pytest.mark.parametrize("name", CONTOURS)
 def test_reaches_the_noise_limited_optimum(name, n, seed):
@@ -327,7 +328,9 @@ def test_all_points_count_on_demand():
     assert (found.weight[found.taking_part] == 1).all()
 
 
-@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much])
+@settings(
+    max_examples=examples(25), deadline=None, suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much]
+)
 @given(parts(), st.floats(-3, 3), st.floats(-3, 3), st.floats(-3, 3), st.integers(0, 99))
 def test_finds_back_from_anywhere_near(part, dx, dy, angle, seed):
     elements = part.elements
@@ -414,7 +417,7 @@ def test_turn_of_a_round_profile_is_undetermined(kind, n):
     assert math.isnan(found.scale) and found.scale_uncertainty == math.inf
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", seeds(6, quick=2))
 def test_coarse_polygon_for_a_circle_ends(seed):
     # 100 facets 15 um high: the sum of squares has a kink at every joint that a point passes, and hardly any slope
     # over the turn. The shift is that of the circle within what half a facet's height can push it.
@@ -524,7 +527,7 @@ def zone_oracle(sample, xy, start, free):
     return height * MICRON, np.sqrt(np.mean(d * d)) * MICRON
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", seeds(3, quick=1))
 @pytest.mark.parametrize("name", ["closed", "sharp", "pocket", "open"])
 def test_minimum_zone_against_linear_programmes(name, seed):
     points = sample(CONTOURS[name], 400, seed, outliers=0.0, noise=4 * MICRON, offset=3 * MICRON)
@@ -572,9 +575,10 @@ def test_minimum_zone_leaves_outliers_out():
 # ---- uncertainty, and what the fit absorbs ------------------------------------------------------------------
 
 
+@pytest.mark.parametrize("trials", [50, slow(150)])
 @pytest.mark.parametrize("name", ["closed", "open"])
-def test_covariance_against_simulation(name):
-    trials, n = 150, 80
+def test_covariance_against_simulation(name, trials):
+    n = 80
     nominal = profile(name)
     normalised, whitened = [], []
     for seed in range(trials):

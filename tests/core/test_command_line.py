@@ -304,7 +304,7 @@ def test_other_work_frame(shop):
 
 def test_wrong_side(shop):
     # The points lie a tool diameter away from where this side puts the contour.
-    shop.fails(INPUT, "part.nc", "--side, --points", extra="--side left")
+    shop.fails(INPUT, "cmm.csv", "wrong side of the path: --side", extra="--side left")
 
 
 def test_ball_centres_given_as_contact_points(shop):
@@ -417,3 +417,104 @@ def test_reading_a_program_needs_no_plots():
 def test_measurement_written_by_millcorr_is_read_by_it(shop):
     text.write(shop.directory / "own.csv", programs.measured(shop.nominal, wave), comments=("made by a test",))
     assert shop.correct(measured="own.csv") == DONE
+
+
+def test_points_in_another_frame_are_laid_into_the_work_frame(shop):
+    assert shop.correct() == DONE
+    # Work x runs along the machine's y: (x, y) of the work frame lies at (100 - y, 200 + x) in the machine's.
+    shop.measure("machine.csv", wave, lambda xyz: np.column_stack([100 - xyz[:, 1], 200 + xyz[:, 0], xyz[:, 2] + 7]))
+    frame = "--work-offset 100 200 7 --work-rotation 90"
+    assert shop.correct(frame, measured="machine.csv", output="turned.nc") == DONE
+    assert moves_of(shop.directory / "turned.nc") == pytest.approx(moves_of(shop.directory / "out.nc"), abs=2e-4)
+    assert shop.correct(measured="machine.csv", output="no.nc") == INPUT
+
+
+def moves_of(path):
+    return np.nan_to_num(gcode.read(path).toolpath.end)
+
+
+def test_series_from_first_part_to_history(shop):
+    """Journal and control by the command line: corrected, kept byte for byte, the same part refused, the table."""
+    control = "--journal --control ewma:2 --control-limit 0.006"
+    assert shop.correct(f"--nominal part.nc {control}", output="p1.nc") == DONE
+    assert (shop.directory / "part.nc.journal").exists()
+    shop.measure("second.csv", lambda k, s: np.full(len(s), 0.004))
+    again = dict(measured="second.csv", program="p1.nc", output="p2.nc")
+    assert shop.correct(f"--nominal part.nc {control}", **again) == DONE
+    assert "NOT CORRECTED" in shop.out
+    assert (shop.directory / "p2.nc").read_bytes() == (shop.directory / "p1.nc").read_bytes()
+    assert shop.correct(f"--nominal part.nc {control}", **again) == REFUSED
+    assert "part 2" in shop.err
+    assert shop.run("history") == DONE
+    assert shop.out.count("corrected by its own deviation") == 1 and shop.out.count("NOT CORRECTED") == 1
+    assert shop.run("history part.nc.journal --csv all.csv --report shown") == DONE
+    assert len((shop.directory / "all.csv").read_text().splitlines()) == 3
+    assert (shop.directory / "shown" / "history.html").exists()
+    (shop.directory / "other.journal").write_text("no journal at all" * 99)
+    assert shop.run("history") == USAGE
+    assert "other.journal, part.nc.journal" in shop.err
+    assert shop.run("history other.journal") == INPUT
+
+
+def test_a_report_replaces_no_input(shop):
+    assert shop.correct("--report rep") == DONE
+    before = snapshot(shop.directory)
+    deviations = shop.directory / "rep" / "deviations.csv"
+    assert (
+        shop.run(
+            "check --program part.nc --tool-diameter 10 --measured rep/deviations.csv --points contact --report rep"
+        )
+        == USAGE
+    )
+    assert "would replace the measured file 1, deviations.csv" in shop.err and deviations.exists()
+    assert snapshot(shop.directory) == before
+
+
+def test_the_compensated_profile_is_no_nominal(shop):
+    assert shop.correct("--report rep") == DONE
+    assert shop.correct("--nominal rep/profile.json", output="other.nc") == INPUT
+    assert "give the nominal.json beside it" in shop.err
+    assert shop.correct("--nominal rep/nominal.json", output="other.nc") == DONE
+    own, again = (moves_of(shop.directory / name) for name in ("out.nc", "other.nc"))
+    assert own == pytest.approx(again, abs=1.1e-3)
+
+
+@pytest.mark.parametrize("option", ["--mapping map.toml", "--probe probe.toml"])
+def test_what_explains_a_measurement_is_not_overwritten(shop, option):
+    for name in ("map.toml", "probe.toml"):
+        (shop.directory / name).write_text("radius = 3.0\n")
+    before = snapshot(shop.directory)
+    assert shop.correct(option, output=option.split()[1]) == USAGE
+    assert "must stay untouched" in shop.err and snapshot(shop.directory) == before
+
+
+def test_usage_errors_are_one_line(shop):
+    for line in ("correct", "correct --align", "check --points contac", "nosuch", "split --program x", ""):
+        assert shop.run(line) == USAGE
+        assert len(shop.err.splitlines()) == 1 and shop.err.startswith("millcorr: "), shop.err
+
+
+def test_radius_of_contact_points_is_a_contradiction(shop):
+    assert shop.correct("--probe-radius 3") == USAGE
+    assert "--probe-radius belongs to --points centre" in shop.err
+
+
+def test_done_is_done_though_nobody_reads_it(shop):
+    line = "correct --program part.nc --tool-diameter 10 --measured cmm.csv --points contact --output full.nc"
+    with open("/dev/full", "w") as full:
+        done = subprocess.run(
+            [sys.executable, "-m", "millcorr", *line.split()],
+            cwd=shop.directory,
+            env=os.environ | {"PYTHONPATH": str(REPOSITORY)},
+            stdout=full,
+            stderr=subprocess.PIPE,
+            check=False,
+        )
+    assert done.returncode == 0 and not done.stderr and (shop.directory / "full.nc").exists()
+
+
+def test_document_needs_the_name_of_a_document(shop):
+    line = "correct --document job.FCStd --measured cmm.csv --points contact --output out.nc"
+    assert shop.run(line) == USAGE and "a corrected document is an .FCStd file" in shop.err
+    assert shop.run(line.replace("out.nc", "none/out.FCStd")) == USAGE and "no directory none" in shop.err
+    assert shop.run(line.replace("out.nc", "o.FCStd --tool-diameter 0")) == USAGE and "--tool-diameter 0" in shop.err

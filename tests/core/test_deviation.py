@@ -27,6 +27,7 @@ from tests.core.contours import (
     spline_poles,
     turns,
 )
+from tests.core.sweeps import examples
 
 EXACT = 1e-9
 
@@ -46,7 +47,7 @@ def reasons(d: Deviation) -> dict[int, str]:
 # Value, sign, components
 
 
-@settings(max_examples=25, deadline=None, derandomize=True)
+@settings(max_examples=examples(25), deadline=None, derandomize=True)
 @given(poles=spline_poles(), seed=st.integers(0, 99), ball=st.sampled_from([0.0, 1.0]), reverse=st.booleans())
 def test_displaced_points_of_a_spline_give_their_displacement(poles, seed, ball, reverse):
     """Points moved along scipy's normal by d, and further by the ball for centres."""
@@ -249,7 +250,7 @@ def test_rejected_and_used_are_all_points():
 # Out of the cutter's reach
 
 
-@settings(max_examples=30, deadline=None, derandomize=True)
+@settings(max_examples=examples(30), deadline=None, derandomize=True)
 @given(part=parts(), side=st.integers(0, 6), end=st.booleans(), R=st.floats(0.5, 5.0))
 def test_inner_corners_are_out_of_reach_up_to_the_tangent_point(part, side, end, R):
     """Beside a sharp concave corner turning by w the cutter leaves R tan(w / 2) of either side."""
@@ -320,7 +321,7 @@ def test_no_loop_over_measured_points():
     np.testing.assert_allclose(result.value, 0.01, atol=EXACT)
 
 
-@settings(max_examples=20, deadline=None, derandomize=True)
+@settings(max_examples=examples(20), deadline=None, derandomize=True)
 @given(part=parts(), c=st.floats(-0.2, 0.2), seed=st.integers(0, 99))
 def test_part_of_a_wrong_size_deviates_by_the_same_all_round(part, c, seed):
     """A polygon cut c too large: every point of its sides that is nobody else's deviates by c."""

@@ -42,6 +42,7 @@ DANGEROUS = {
     "radius-for-diameter": (changed(CENTRES, 0.5), "--probe-radius 1"),
     "wrong-side": (changed(measured(NOMINAL, lambda k, s: wave(k, s) + 10.0).points), "--side"),
     "constant-offset": (changed(measured(NOMINAL, lambda k, s: wave(k, s) - 0.3).points), "-0.290 mm"),
+    "turned": (changed(PLAIN @ [[0, 1, 0], [-1, 0, 0], [0, 0, 1]]), "turned by -90 degrees"),
     "misalignment": (changed(PLAIN + [0.12, -0.05, 0.0]), r"X\+1[12]\d Y-[45]\d um"),
 }
 
@@ -76,10 +77,35 @@ def test_zero_deviations_are_noticed() -> None:
     assert any("nominal was probably exported" in w for w in result.warnings)
 
 
-def test_points_below_the_cut_are_noticed() -> None:
+def test_some_points_below_the_cut_are_noticed() -> None:
     points = PLAIN.copy()
-    points[:, 2] = -7.5
-    assert any("deepest pass at Z-5.000" in w for w in run(changed(points)).warnings)
+    points[::4, 2] = -7.5
+    assert any(
+        "56 points (from Z-7.500) lie below the deepest pass at Z-5.000" in w for w in run(changed(points)).warnings
+    )
+
+
+def test_some_points_above_the_cut_are_noticed() -> None:
+    points = PLAIN.copy()
+    points[::4, 2] = 40.0
+    assert any("56 points (up to Z40.000) lie above Z2.000" in w for w in run(changed(points)).warnings)
+
+
+@pytest.mark.parametrize(
+    ("z", "words"),
+    [
+        (-7.5, r"Z-5.000 to Z2.000: check the height"),
+        (-80.0, r"divided by 25.4 they would lie there"),
+        (4.0, r"with z reversed they would lie there"),
+    ],
+)
+def test_all_points_at_a_wrong_height_stop_the_correction(z: float, words: str) -> None:
+    points = PLAIN.copy()
+    points[:, 2] = z
+    with pytest.raises(DistrustError, match=words) as caught:
+        run(changed(points))
+    assert "--accept wrong-level" in str(caught.value)
+    assert any(w.startswith("accepted wrong-level") for w in run(changed(points), accept=("wrong-level",)).warnings)
 
 
 def test_outliers_are_counted() -> None:
@@ -135,3 +161,62 @@ def test_alignment_takes_a_shift_out_and_says_so() -> None:
     summary = aligned.summary()["alignment"]
     assert summary["rotation_deg"] == pytest.approx(-0.3, abs=0.01)
     assert gcode.parse(aligned.text)
+
+
+ELASTIC = {
+    # What MS leaves of 2 or 4 mm: as large as mistakes, but never negative and never more than MS 0.15 leaves.
+    "constant-offset": (lambda k, s: 0.21 + 0.002 * np.sin(s / 9.0), 4.0),
+    "scale": (None, 2.0),
+    "misalignment": (None, 2.0),
+}
+
+
+def elastic(name: str) -> Measurement:
+    if ELASTIC[name][0] is not None:
+        return measured(NOMINAL, ELASTIC[name][0])
+    left, bottom, right, top = NOMINAL.bounding_box()
+    size = max(right - left, top - bottom) / 2
+
+    def softer_walls(k: int, s: np.ndarray) -> np.ndarray:
+        c, n = NOMINAL.at(k, s)
+        if name == "scale":
+            return 0.07 + 0.08 * ((c - [(left + right) / 2, (bottom + top) / 2]) * n).sum(axis=1) / size
+        return 0.15 * n[:, 0]
+
+    whole = measured(NOMINAL, softer_walls)
+    if name == "scale":
+        return whole
+    # Seen all round a shift leaves too little on one side; on the half that was measured it does not.
+    normals = measured(NOMINAL, lambda k, s: np.ones(len(s))).points - measured(NOMINAL, lambda k, s: 0 * s).points
+    return changed(whole.points[normals[:, 0] > 0.05])
+
+
+@pytest.mark.parametrize("name", ELASTIC)
+def test_what_an_elastic_machine_leaves_is_a_note_with_its_depth_and_dangerous_without(name: str) -> None:
+    with pytest.raises(DistrustError, match=f"--accept {name}|--accept ball-not-compensated"):
+        run(elastic(name), filter="auto")
+    result = run(elastic(name), filter="auto", method="transfer", depth=ELASTIC[name][1])
+    said = "what a transfer function of 0.055 leaves of 4 mm" if name == "constant-offset" else "would give them, too"
+    assert any(said in w for w in result.warnings)
+
+
+@pytest.mark.parametrize(
+    ("name", "depth"),
+    [
+        *((name, 2.0) for name in DANGEROUS if name != "ball-not-compensated"),
+        *(("ball-not-compensated", depth) for depth in (0.5, 2.0, 4.0, 7.0)),
+    ],
+)
+def test_a_depth_excuses_no_mistake(name: str, depth: float) -> None:
+    measurement, remedy = DANGEROUS[name]
+    with pytest.raises(DistrustError, match=remedy):
+        run(measurement, method="transfer", depth=depth)
+
+
+@pytest.mark.parametrize("radius", [0.25, 0.5, 1.0, 2.0])
+def test_a_ball_not_taken_off_is_seen_at_every_depth_that_would_leave_as_much(radius: float) -> None:
+    """At the depth of which MS 0.15 leaves just the radius, and beyond, the size alone tells it."""
+    for depth in (1.0, 7.67 * radius, 15.0 * radius):
+        left = radius + 0.02 * radius
+        with pytest.raises(DistrustError, match="--accept ball-not-compensated"):
+            run(measured(NOMINAL, lambda k, s, left=left: np.full(len(s), left)), method="transfer", depth=depth)

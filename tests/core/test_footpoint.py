@@ -12,6 +12,7 @@ from millcorr.footpoint import FootPointSearch, Place
 from millcorr.nurbs import NurbsCurve
 from millcorr.profile import Contour, Profile, join
 from millcorr.simulated_machine import reference_contour
+from tests.core.sweeps import examples
 
 EXACT = 1e-9
 FILL = 4000
@@ -176,7 +177,7 @@ def test_plate_with_holes():
 # --- oracles ----------------------------------------------------------------------------------------------
 
 
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=examples(12), deadline=None)
 @given(seed=st.integers(0, 10**6), weights=st.booleans())
 def test_random_splines_against_brute_force(seed, weights):
     profile = random_spline(seed, weights=weights)
@@ -203,7 +204,7 @@ def test_distance_and_sign_against_shapely(profile):
     np.testing.assert_array_equal((feet.distance < 0)[clear], inside[clear])
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=examples(15), deadline=None)
 @given(seed=st.integers(0, 10**6), near=st.booleans())
 def test_few_and_many_points_go_different_ways_to_one_result(seed, near):
     profile = random_spline(seed)
@@ -338,7 +339,7 @@ def test_a_hundred_thousand_facets():
         np.testing.assert_allclose(feet.distance, r - 50, atol=2.6e-8)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=examples(25), deadline=None)
 @given(seed=st.integers(0, 10**6), closed=st.booleans(), spread=st.sampled_from([0.01, 0.3, 2.0]))
 def test_sharp_corners_hide_nothing(seed, closed, spread):
     # Random polygons with acute spikes and wedges of both kinds, and random open polylines that cross themselves.

@@ -15,6 +15,7 @@ from millcorr.errors import FormatError, InputError, MillcorrError
 from millcorr.gcode import Program, parse, read, write
 from millcorr.toolpath import Kind, Plane, Toolpath
 from tests.core.nc_programs import Made, displaced, programs
+from tests.core.sweeps import examples
 
 SAMPLES = sorted((Path(__file__).parents[1] / "data" / "nc").glob("*.nc"))
 ALONG = np.linspace(0.0, 1.0, 9)
@@ -75,7 +76,7 @@ def check_arrived(wanted: Toolpath, back: Toolpath, tolerance: float) -> None:
 # -- random programs ---
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 @given(programs())
 def test_nothing_changed_gives_the_same_bytes(made: Made) -> None:
     p = parse(made.text)
@@ -83,7 +84,7 @@ def test_nothing_changed_gives_the_same_bytes(made: Made) -> None:
     assert write(p, p.toolpath.take(slice(None))) == made.text
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=examples(300), deadline=None)
 @given(programs(), st.integers(0, 2**32 - 1), st.sampled_from([0.001, 0.0001, 0.01]), st.floats(0, 1))
 def test_displaced_vertices_arrive(made: Made, seed: int, tolerance: float, share: float) -> None:
     p = parse(made.text)
@@ -110,7 +111,7 @@ def test_displaced_vertices_arrive(made: Made, seed: int, tolerance: float, shar
         assert re.findall(rb"(?i)^n\d+|\(.*\)|;.*", a) == re.findall(rb"(?i)^n\d+|\(.*\)|;.*", b)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=examples(200), deadline=None)
 @given(programs(), st.integers(0, 2**32 - 1))
 def test_divided_moves_arrive(made: Made, seed: int) -> None:
     p = parse(made.text)
@@ -125,7 +126,7 @@ def test_divided_moves_arrive(made: Made, seed: int) -> None:
     check_arrived(wanted, back.toolpath, 0.001)
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 @given(programs(), st.integers(0, 2**32 - 1))
 def test_arcs_become_lines(made: Made, seed: int) -> None:
     p = parse(made.text)
@@ -149,7 +150,7 @@ def test_arcs_become_lines(made: Made, seed: int) -> None:
         check_arrived(wanted, back.toolpath, 0.001)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=examples(200), deadline=None)
 @given(st.sampled_from(SAMPLES), st.integers(0, 2**32 - 1), st.sampled_from([None, 3, 6]))
 def test_samples_with_shifted_cutting_moves(path: Path, seed: int, decimals: int | None) -> None:
     p = read(path)
@@ -176,7 +177,7 @@ TOKENS = """G0 G1 G2 G3 X1 X2.5 Y3 Y-1 Z2 Z.5 I1 J1 K1 R4 R-4 P2 F5 M3 M30 G91 G
 G0X0Y0Z0 G92 G92.1 X[#1] G28 G81 G80 G54 G55 M98 G41 G90.1 G91.1 G5 Q1 /""".split()
 
 
-@settings(max_examples=500, deadline=None)
+@settings(max_examples=examples(500), deadline=None)
 @given(st.lists(st.sampled_from([*TOKENS, "\n", "\n", "\n", "\n"]), max_size=50), st.integers(0, 2**32 - 1))
 def test_any_program_is_written_or_refused(tokens: list[str], seed: int) -> None:
     data = ("G0X0Y0Z0\nF9\n" + " ".join(tokens)).encode()

@@ -10,7 +10,7 @@ import pytest
 
 from millcorr import readers
 from millcorr.__main__ import main
-from millcorr.distrust import examine_points
+from millcorr.distrust import examine_file, examine_points
 from millcorr.measurement import Measurement
 from millcorr.simulated_machine import reference_contour
 
@@ -38,7 +38,7 @@ def test_inspect_of_text_names_what_is_missing(tmp_path: Path, capsys: pytest.Ca
     file.write_text("x,y\n1,2\n3,4\n")
     assert main(["inspect", str(file)]) == 0
     said = capsys.readouterr().out
-    assert "--points contact or --points centre" in said and "no Z" in said
+    assert "--points contact, centre or axis" in said and "no Z" in said
 
 
 def test_convert_writes_text_that_reads_back(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -78,5 +78,5 @@ def test_what_a_file_says_twice_must_agree() -> None:
     shifted = Measurement(*parts, nominal=flat + [0.0, 0.4, 0.0])
     assert [f.name for f in examine_points(shifted, nominal, 5.0)] == ["other-nominal"]
     wrong = Measurement(*parts, nominal=flat, stated=np.where(np.arange(50) == 7, 0.02, 0.01))
-    (finding,) = examine_points(wrong, nominal, 5.0)
+    (finding,) = examine_file(wrong)
     assert finding.name == "stated-deviations" and "cmm.txt:8 states a deviation of +0.0200" in finding.text

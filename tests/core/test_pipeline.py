@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.spatial import cKDTree
 from shapely import LinearRing, LineString, Point, distance
 from shapely import points as shapely_points
 
@@ -15,6 +16,7 @@ from millcorr.measurement import Measurement
 from millcorr.simulated_machine import SimulatedMachine, reference_contour
 from millcorr.theoretical_contour import cutting_runs
 from tests.core import loop_programs as programs
+from tests.core.sweeps import slow
 
 CASES = {
     # name: (text, tool radius, material right of the path, distance kept from inner corners)
@@ -156,8 +158,9 @@ def spline_program(nominal, radius: float, count: int = 800):
     return gcode.parse("\n".join(lines), "spline.nc")
 
 
+@pytest.mark.parametrize("parts", [4, slow(20)])
 @pytest.mark.parametrize(("filter_", "bound"), [("auto", 1.1), ("mean:5", 1.15), ("none", 1.5)])
-def test_residual_after_one_correction(filter_: str, bound: float) -> None:
+def test_residual_after_one_correction(filter_: str, bound: float, parts: int) -> None:
     """On 20 seeds, without measurement noise: auto leaves at most 1.1 sigma_r, a mean of 5 1.10, raw data 1.41."""
     nominal = reference_contour()
     sigma = 0.0015
@@ -165,7 +168,7 @@ def test_residual_after_one_correction(filter_: str, bound: float) -> None:
         errors=SimulatedMachine.reference().errors, process_noise=sigma, measurement_noise=0.0
     )
     ratio = []
-    for seed in range(20):
+    for seed in range(parts):
         first = machine.follow(nominal, seed=2 * seed)
         measurement = first.measure(200, noise=0.0, seed=seed)
         result = pipeline.correct(
@@ -333,7 +336,8 @@ def test_without_measurement_the_path_is_made_exact() -> None:
     c, _, _ = nominal.evaluate(span, t)
     p = gcode.parse(result.text).toolpath
     p = p.take(np.flatnonzero(result.regeneration.following)).position(np.linspace(0, 1, 9))[:, :, :2].reshape(-1, 2)
-    assert np.abs(distance(shapely_points(p), LineString(c)) - 5.0).max() < 0.001
+    # The nearest sample is at most 0.0025 mm along the curve from the foot point: 0.6 nm farther off than that.
+    assert np.abs(cKDTree(c).query(p)[0] - 5.0).max() < 0.001
     assert Point(p[0]).distance(LineString(c)) > 4.9
 
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
+import math
 import os
 import time
+from dataclasses import replace
 from hashlib import sha256
 
 import numpy as np
@@ -10,7 +12,7 @@ from hypothesis import strategies as st
 
 from millcorr import readers
 from millcorr.errors import FormatError, MillcorrError, UsageError
-from millcorr.measurement import Measurement
+from millcorr.measurement import Measurement, Probe
 from millcorr.readers import read, text
 
 
@@ -53,6 +55,10 @@ def contact(path, **options):
         "x,y,z\n1.5,2,3\n4,5,6.25",
         "\ufeffx,y,z\n1.5,2,3\n4,5,6.25\n",
         '"x","y","z"\n"1.5","2","3"\n"4","5","6.25"\n',
+        '"x";"y";"z"\n"1,5";"2";"3"\n"4";"5";"6,25"\n',
+        '"1,5";"2,0";"3,0"\n"4,0";"5,0";"6,25"\n',
+        'name;x;y;z\n"P 1";"1,5";"2";"3"\n"P 2";"4";"5";"6,25"\n',
+        '"x"\t"y"\t"z"\n"1,5"\t"2"\t"3"\n4\t5\t"6,25"\n',
         "x,y,z,\n1.5,2,3,\n4,5,6.25,\n",
         "x,y,z\n1.5,2,3,\n4,5,6.25,\n",
         "# made by a machine\n\nx,y,z\n\n1.5,2,3\n// between\n4,5,6.25 # behind\n",
@@ -72,9 +78,7 @@ def test_one_table_in_many_dresses(points_file, content):
     assert m.normals is None and m.ball_radius == 0 and m.has_z
 
 
-@pytest.mark.parametrize(
-    "encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "utf-32", "cp1252"]
-)
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "utf-32", "cp1252"])
 def test_encodings(points_file, encoding):
     m = contact(points_file("# Prüfling Ø10 µm\nx;y;z\n1,5;−2;3\n".replace("−", "-").encode(encoding)))
     np.testing.assert_array_equal(m.points, [[1.5, -2, 3]])
@@ -211,6 +215,9 @@ def test_requests_that_make_no_sense(points_file, options):
         ("x,y,z\n1.5,2.5,2023-05-12\n", 2, "date"),
         ("x,y,z\n1.5,2.5,12-May\n", 2, "date"),
         ('x,y,z\n"1,234","5,6",3\n', 2, "decimal comma"),
+        ('"1,5","2,3"\n', 1, "with semicolons between"),
+        ('x,y\n1.5, "2,3"\n', 2, "export with decimal points"),
+        ('"x";"y"\n"1,5";"2.3"\n', 2, "decimal points and decimal commas"),
         ("x,y,z\n1,234,5,678,9,012\n", 2, "decimal comma"),
         ("x,y\n1,234,5,678\n", 2, "decimal comma"),
         ("1,234\n5,678\n", 1, "decimal comma"),
@@ -335,9 +342,7 @@ def test_any_bytes_end_in_points_or_a_format_error(tmp_path, content):
 
 
 @settings(max_examples=500, suppress_health_check=[HealthCheck.function_scoped_fixture])
-@given(
-    content=st.text(alphabet="xyzij,;\t .\n\r#/-+0123456789eE\"[]*%nainf'", max_size=80), header=st.booleans()
-)
+@given(content=st.text(alphabet="xyzij,;\t .\n\r#/-+0123456789eE\"[]*%nainf'", max_size=80), header=st.booleans())
 def test_any_text_ends_in_points_or_a_format_error(tmp_path, content, header):
     path = tmp_path / "any"
     path.write_text(("x,y,z\n" if header else "") + content, newline="")
@@ -373,11 +378,29 @@ def test_whole_and_line_by_line_agree(tmp_path, rows, blank, separator, comma, e
     path.write_bytes((ending.join(lines) + ending).encode(encoding))
     m = contact(path)
     np.testing.assert_allclose(m.points, np.array(rows), atol=0.51e-5)
-    layout = text._find_layout("\n".join(lines) + "\n", "any")
+    layout = text.find_layout("\n".join(lines) + "\n", "any")
     slow, numbers = text._read_lines("\n".join(lines) + "\n", layout, "any")
     np.testing.assert_array_equal(slow, m.points)
     np.testing.assert_array_equal(numbers, m.lines)
     np.testing.assert_array_equal(numbers, [i for i, v in enumerate(lines, 1) if v][header:])
+
+
+@pytest.mark.parametrize("ending", ["\n", "\r\n"])
+@pytest.mark.parametrize("separator", [",", ";", " "])
+def test_bytes_and_text_give_the_same(points_file, monkeypatch, ending, separator):
+    # Also where the first block is taken from the bytes and a later one needs the text.
+    rows = [f"{k}.5 {-k}.125 4.0 0.6 -0.8 0.0".replace(" ", separator) for k in range(2000)]
+    header = separator.join("xyzijk")
+    for extra in ("", "# remark", "1e2 2 3 0 1 0".replace(" ", separator), '"5.5" 6 7 0 1 0'.replace(" ", separator)):
+        lines = [header, *rows[:1500], extra, *rows[1500:], ""]
+        m = contact(points_file(ending.join(lines)))
+        monkeypatch.setattr(text, "_rows_of_bytes", lambda source: None)
+        slow = contact(points_file(ending.join(lines)))
+        monkeypatch.undo()
+        np.testing.assert_array_equal(m.points, slow.points)
+        np.testing.assert_array_equal(m.normals, slow.normals)
+        np.testing.assert_array_equal(m.lines, slow.lines)
+        assert len(m) == 2000 + (extra[:1] in '15"' and bool(extra))
 
 
 def test_a_million_lines(tmp_path):
@@ -394,3 +417,63 @@ def test_a_million_lines(tmp_path):
     start = time.perf_counter()
     np.loadtxt(path, delimiter=",", skiprows=1)
     assert took < 8 * (time.perf_counter() - start) + 0.5
+
+
+def test_known_transform_lays_points_normals_and_nominal_into_the_work_frame(tmp_path):
+    path = tmp_path / "turned.csv"
+    path.write_text("x,y,z,i,j,k\n110,250,7,0,1,0\n90,200,5,-1,0,0\n")
+    m = readers.read(path, points="contact", work_offset=(100.0, 200.0, 5.0), work_rotation=90.0)
+    # Work x runs along the file's y, work y against the file's x.
+    np.testing.assert_array_equal(m.points, [[50.0, -10.0, 2.0], [0.0, 10.0, 0.0]])
+    np.testing.assert_array_equal(m.normals, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+    assert "X100 Y200 Z5, turned by 90 deg" in m.notes[-1]
+
+
+@pytest.mark.parametrize("angle", [math.inf, math.nan])
+def test_rotation_of_the_work_frame_must_be_an_angle(tmp_path, angle):
+    path = tmp_path / "points.csv"
+    path.write_text("x,y,z\n1,2,3\n")
+    with pytest.raises(UsageError, match="--work-rotation"):
+        readers.read(path, points="contact", work_rotation=angle)
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "Id,X Actual,Y Actual\n0,1.0,-0.02\n",
+        "X-Ist\tY-Ist\tZ-Ist\n1.0\t-0.02\t-2.5\n",
+        "1 1.0 -0.02 -2.5\n2 2.5 -0.02 -2.5\n",
+    ],
+)
+def test_columns_that_a_mapping_would_explain(tmp_path, content):
+    path = tmp_path / "points.csv"
+    path.write_text(content)
+    with pytest.raises(FormatError, match="--mapping FILE.toml"):
+        readers.read(path, points="contact")
+
+
+def test_a_calibration_that_text_cannot_keep_is_not_dropped(tmp_path):
+    points = np.arange(6.0).reshape(2, 3)
+    measurement = Measurement(points, None, 3.0, np.array([1, 2]), "centres.log", "")
+    written = tmp_path / "centres.csv"
+    turns = np.arange(4) * math.pi / 2
+    for probe, lost in (
+        (Probe(3.0, offset=(0.02, 0.0), source="ball.toml"), "offset"),
+        (
+            Probe(3.0, directions=turns, radii=np.array([3.0, 3.004, 3.0, 2.996]), source="ball.toml"),
+            "radii by direction",
+        ),
+    ):
+        with pytest.raises(UsageError, match=f"cannot keep the {lost} of ball.toml.*--probe with the written file"):
+            text.write(written, replace(measurement, probe=probe))
+        assert not written.exists()
+    text.write(written, replace(measurement, probe=Probe(3.0)))
+    assert readers.read(written, points="centre", probe_radius=3.0).points.tolist() == points.tolist()
+
+
+def test_content_is_looked_at_before_what_a_format_says(tmp_path):
+    path = tmp_path / "points.csv"
+    path.write_text("x,y,z\n1,2,3\n")
+    for name, says in (("linuxcnc", "1 numbers where X Y Z"), ("grbl", "no probe report")):
+        with pytest.raises(FormatError, match=says):
+            readers.read(path, points="contact", format=name)

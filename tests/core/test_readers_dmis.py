@@ -172,3 +172,14 @@ def test_written_and_read_back(tmp_path, n, seed, prcomp, **dress):
     np.testing.assert_allclose(m.nominal, part.nominal, atol=1e-9)
     np.testing.assert_allclose(m.from_nominal(), part.deviations, atol=1e-9)
     assert m.unit == ("inch" if dress["inch"] else "mm")
+
+
+def test_what_is_left_out_is_noted(tmp_path):
+    path = tmp_path / "part.dmo"
+    point = "FA(P1)=FEAT/POINT,CART,1.0,2.0,3.0\n"
+    path.write_text("UNITS/MM\nPRCOMP/ON\n" + point + "ENDFIL\n")
+    assert readers.read(path).notes == ()
+    path.write_text("UNITS/MM\nPRCOMP/ON\n" + point + point)
+    assert readers.read(path).notes == (
+        "no ENDFIL: points may be missing at the end of the file", "1 repetitions of points left out: they are equal",
+    )  # fmt: skip

@@ -358,3 +358,14 @@ def test_damaged_files_end_in_points_or_an_error(tmp_path, seed):
             assert len(m) and np.isfinite(m.points).all()
             outcomes["points"] += 1
     assert min(outcomes.values()) > 10
+
+
+def test_a_column_that_is_not_there_names_the_mapping_and_the_nearest(tmp_path):
+    (tmp_path / "cam.toml").write_text(
+        'separator = "comma"\npoints = "contact"\n[columns]\nx = "X Act"\ny = "Y Actual"\n'
+    )
+    path = tmp_path / "meas.csv"
+    path.write_text("Id,X Actual,Y Actual\n0,1.0,2.0\n")
+    with pytest.raises(FormatError, match=r"cam.toml; lacking: 'X Act' \(is it 'X Actual'\?\)") as caught:
+        readers.read(path, mapping=tmp_path / "cam.toml")
+    assert caught.value.line == 1

@@ -53,9 +53,12 @@ def test_xyzijk(written, separator, inch, normals, names):
 def test_xyzijk_without_metric_is_inch(written):
     assert contact(written("XYZIJK\n1,2,3\n")).points.tolist() == [[25.4, 50.8, pytest.approx(76.2)]]
     assert contact(written("XYZIJK    METRIC\n1,2,3\n")).points.tolist() == [[1, 2, 3]]
-    for text, units in (("XYZIJK\n1,2,3\n", "mm"), ("XYZIJK    METRIC\n1,2,3\n", "inch")):
-        with pytest.raises(UsageError, match="contradicts"):
-            contact(written(text), units=units)
+    assert "taken for inch" in contact(written("XYZIJK\n1,2,3\n")).notes[-1]
+    # Without METRIC the file says nothing: the caller may.
+    said = contact(written("XYZIJK\n1,2,3\n"), units="mm")
+    assert said.points.tolist() == [[1, 2, 3]] and said.unit == "mm" and not said.notes
+    with pytest.raises(UsageError, match="contradicts"):
+        contact(written("XYZIJK    METRIC\n1,2,3\n"), units="inch")
 
 
 def test_xyzijk_metric_elsewhere_is_asked_about(written):

@@ -57,7 +57,7 @@ def test_written_and_read_back(tmp_path, seed, encoding, **dress):
 def test_several_measured_parts_are_chosen_by_number(dfq, capsys, lines):
     several = [files.ellipse(5, seed=k) for k in range(3)]
     path = dfq(files.qdas(several, lines=lines))
-    with pytest.raises(UsageError, match=r"holds 3 measured parts \(1 to 3 of '4711'\): say which with --part N"):
+    with pytest.raises(UsageError, match=r"holds 3 measured parts \(1 to 3: part '4711'\): say which with --part N"):
         readers.read(path, **CENTRES)
     for k, part in enumerate(several, 1):
         m = readers.read(path, part=k, **CENTRES)
@@ -81,7 +81,7 @@ def test_parts_of_their_own_characteristics(dfq):
     assert readers.read(path, points="contact", part=1).points[:, :2].tolist() == [[1, 2], [3, 4]]
     second = readers.read(path, points="contact", part=2)
     assert second.points[:, :2].tolist() == [[5, 6], [7, 8]] and second.elements == ("A1", "A2")
-    with pytest.raises(UsageError, match="1 of 'P1', 2 of 'P2'"):
+    with pytest.raises(UsageError, match="1: part 'P1'; 2: part 'P2'"):
         readers.read(path, points="contact")
 
 
@@ -124,7 +124,7 @@ HEAD = "K0100 2\nK2001/1 A.X\nK2001/2 A.Y\n"
         (HEAD + "K0001/1 9e9\nK0001/2 1\n", 4, "no length"),
         (HEAD + "K0001/3 1\n", 4, "characteristic 3"),
         (HEAD + "KA\n", 4, "neither"),
-        (HEAD + "K0001/1 1\n", None, "none of the points"),
+        (HEAD + "K0001/1 1\n", 3, "Y of point 'A' has 0 of 1 values"),
         (HEAD + "K2001/1 B.X\n", 4, "twice"),
         (HEAD.replace("A.Y", "A.X") + "1\x0f2\n", 3, "X of point 'A' is there twice"),
         (HEAD + "K2142/1 µm\n1\x0f2\n", 2, "only mm and inch"),

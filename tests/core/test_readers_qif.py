@@ -130,6 +130,7 @@ def test_contradictions(qif_file):
 
 def test_other_units(qif_file):
     metres = files.qif(PART, stated=False).replace("<Factor>0.001</Factor>", "<Factor>1</Factor>")
+    metres = metres.replace("<UnitName>mm<", "<UnitName>m<")
     m = readers.read(qif_file(metres.replace(repr(PART.radius), "0.0015")), units="mm")
     np.testing.assert_allclose(m.points, PART.centres * 1000, rtol=1e-15)
     assert m.ball_radius == 1.5 and "1000 mm" in m.notes[0]
@@ -141,6 +142,18 @@ def test_other_units(qif_file):
     m = readers.read(qif_file(other.replace('id="9" ', 'id="9" linearUnit="inch" ')))
     np.testing.assert_allclose(m.points, PART.centres * 25.4, rtol=1e-15)
     assert m.ball_radius == pytest.approx(1.5 * 25.4)
+
+
+@pytest.mark.parametrize(("name", "factor"), [("inch", "0.001"), ("mm", "0.0254"), ("MM", "1"), ("Metre", "0.001")])
+def test_a_unit_whose_name_contradicts_its_factor(qif_file, name, factor):
+    content = (
+        files.qif(PART).replace("<UnitName>mm<", f"<UnitName>{name}<").replace("<Factor>0.001<", f"<Factor>{factor}<")
+    )
+    with pytest.raises(FormatError, match=f"unit named '{name}' has the factor {factor} to metres, not"):
+        readers.read(qif_file(content))
+    readers.read(
+        qif_file(content.replace(f"<UnitName>{name}<", "<UnitName>own<")), units="inch" if factor == "0.0254" else "mm"
+    )
 
 
 BOMB = (

@@ -35,6 +35,7 @@ from tests.core.contours import (
     started_at,
     turns,
 )
+from tests.core.sweeps import examples
 
 EXACT = 1e-9
 
@@ -134,7 +135,7 @@ def check_valid(curve: NurbsCurve) -> None:
 # T, its normal and its stretch
 
 
-@settings(max_examples=15, deadline=None, derandomize=True)
+@settings(max_examples=examples(15), deadline=None, derandomize=True)
 @given(poles=spline_poles(), size=st.sampled_from([0.003, 0.05]), wavelength=st.sampled_from([4.0, 30.0]))
 def test_moved_point_is_exact(poles, size, wavelength):
     """Against scipy's B-spline, with arc length by brute force."""
@@ -161,7 +162,7 @@ def test_moved_point_is_exact(poles, size, wavelength):
     np.testing.assert_allclose(found, expected, atol=EXACT)
 
 
-@settings(max_examples=25, deadline=None, derandomize=True)
+@settings(max_examples=examples(25), deadline=None, derandomize=True)
 @given(
     poles=spline_poles(),
     offset=st.sampled_from([0.0, 2.0, -1.0]),
@@ -212,7 +213,7 @@ def test_hollows_that_only_the_correction_makes_are_seen(wavelength):
         np.testing.assert_allclose(stretch, np.hypot(1, slope) - R * bend / (1 + slope**2), atol=1e-3)
 
 
-@settings(max_examples=20, deadline=None, derandomize=True)
+@settings(max_examples=examples(20), deadline=None, derandomize=True)
 @given(poles=spline_poles(), offset=st.sampled_from([0.0, 3.0]))
 def test_distance_off_against_brute_force(poles, offset):
     profile = spline_profile(poles)
@@ -260,7 +261,7 @@ def test_pieces_go_on_straight_or_round():
 # Corners
 
 
-@settings(max_examples=50, deadline=None, derandomize=True)
+@settings(max_examples=examples(50), deadline=None, derandomize=True)
 @given(part=parts(), data=st.data())
 def test_corners_of_polygons_with_a_constant_on_every_side(part, data):
     part = Part(part.vertices, (0.0,) * len(part.vertices))
@@ -280,7 +281,7 @@ def signed_area(v: np.ndarray) -> float:
     return float((v[:, 0] * w[:, 1] - v[:, 1] * w[:, 0]).sum() / 2)
 
 
-@settings(max_examples=50, deadline=None, derandomize=True)
+@settings(max_examples=examples(50), deadline=None, derandomize=True)
 @given(part=parts(), c=st.floats(-0.3, 0.3), index=st.integers(0, 9), fraction=st.sampled_from([0.0, 0.4]))
 def test_constant_correction_keeps_lines_lines_and_arcs_arcs(part, c, index, fraction):
     """All fillets change their radius by c, all sides move by c: the closed form of the exact parallel."""
@@ -447,7 +448,7 @@ def test_facets_with_a_varying_correction():
 # The NURBS
 
 
-@settings(max_examples=15, deadline=None, derandomize=True)
+@settings(max_examples=examples(15), deadline=None, derandomize=True)
 @given(poles=spline_poles(), size=st.sampled_from([1e-3, 0.01, 0.2]), wavelength=st.sampled_from([5.0, 20.0, 100.0]))
 def test_fit_of_closed_splines(poles, size, wavelength):
     profile = spline_profile(poles)
@@ -457,7 +458,7 @@ def test_fit_of_closed_splines(poles, size, wavelength):
     assert (curve.multiplicities == 1).all()
 
 
-@settings(max_examples=25, deadline=None, derandomize=True)
+@settings(max_examples=examples(25), deadline=None, derandomize=True)
 @given(
     part=parts(),
     size=st.sampled_from([1e-3, 0.05]),

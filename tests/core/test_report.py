@@ -14,7 +14,9 @@ import pytest
 from millcorr import gcode, pipeline, report, svg
 from millcorr import report_page as pages
 from millcorr import report_plots as plots
+from millcorr import report_view as views
 from millcorr.errors import UsageError
+from millcorr.largest import largest_correction
 from millcorr.measurement import Measurement
 from millcorr.nurbs import NurbsCurve
 from millcorr.profile import Contour, Profile
@@ -144,7 +146,16 @@ def disc():
 
 def test_writes_its_files_and_nothing_else(disc, tmp_path):
     files = report.write(disc, tmp_path / "deep" / "report")
-    names = {"report.html", "report.json", "deviations.csv", "profile.json", "profile.step"}
+    names = {
+        "report.html",
+        "report.json",
+        "deviations.csv",
+        "contour.csv",
+        "points.csv",
+        "profile.json",
+        "profile.step",
+        "nominal.json",
+    }
     assert {f.name for f in files} == names
     assert {f.name for f in (tmp_path / "deep" / "report").iterdir()} == names
     assert [f.name for f in (tmp_path / "deep").iterdir()] == ["report"]
@@ -156,7 +167,7 @@ def test_replaces_a_report_and_leaves_other_files(disc, tmp_path):
     report.write(disc, tmp_path)
     assert "old" != (tmp_path / "report.html").read_text(encoding="utf-8")
     assert (tmp_path / "mine.txt").read_text() == "mine"
-    assert len(list(tmp_path.iterdir())) == 6
+    assert len(list(tmp_path.iterdir())) == 9
 
 
 @pytest.mark.parametrize("there", [True, False])
@@ -244,10 +255,14 @@ def test_csv_columns_and_round_trip(disc, tmp_path):
         "deviation": d.value,
         "filtered": disc.filtered,
         "predicted": disc.predicted,
+        # The part is round about the origin: the contact point is the measured one, the slope its polar angle + 90.
+        "x_contact": points[:, 0],
+        "y_contact": points[:, 1],
+        "slope_deg": np.mod(np.degrees(np.arctan2(points[:, 1], points[:, 0])) + 90.0, 360.0),
     }
     for name, values in expected.items():
         np.testing.assert_allclose([float(r[name]) for r in rows], values, rtol=1e-9, err_msg=name)
-    assert {r["used"] for r in rows} == {"1"}
+    assert {r["used"] for r in rows} == {"1"} and "ms" not in rows[0]
     assert [int(r["line"]) for r in rows] == disc.request.measurement.lines.tolist()
 
 
@@ -297,7 +312,7 @@ def test_page_is_sound_and_needs_nothing_else(disc):
 
 def test_every_drawing_is_well_formed(disc):
     drawings = re.findall(r"<svg.*?</svg>", pages.page(disc), flags=re.DOTALL)
-    assert len(drawings) == 3
+    assert len(drawings) == 4
     for drawing in drawings:
         root = ET.fromstring(drawing)
         assert "nan" not in drawing.lower() and "inf" not in re.sub(r"[a-z]*inf[a-z]+", "", drawing)
@@ -319,7 +334,7 @@ def test_page_says_what_was_done(disc):
         "ab" * 32,
         disc.request.program.digest,
         "Moran",
-        f"at {plots.magnification_for(disc.nominal, np.abs(disc.deviation.value).max()):g}:1",
+        f"at {views.magnification_for(disc.nominal, np.abs(disc.deviation.value).max()):g}:1",
         "p.nc",
     ):
         assert words in text, words
@@ -359,7 +374,7 @@ def test_without_a_filter_the_prediction_is_called_too_favourable():
 
 def test_one_point_and_zero_deviation():
     for points in (ring(1, lambda t: 0 * t), ring(60, lambda t: 0 * t)):
-        text = pages.page(corrected(points=points))
+        text = pages.page(corrected(points=points, accept=("unmeasured",)))
         assert "nan" not in re.sub(r"<style>.*?</style>", "", text, flags=re.DOTALL)
     assert "the program stays as it is" in text
 
@@ -398,7 +413,7 @@ def test_own_path_error_is_named_when_it_is_worth_it(disc):
 
 def test_largest_correction_is_where_the_deviation_is_largest():
     result = corrected(points=ring(120, lambda t: 0.004 + 0.006 * np.cos(t - 1.0)), filter="none")
-    largest = pages.largest_correction(result)
+    largest = largest_correction(result.correction, result.nominal)
     assert largest.value == pytest.approx(-0.010, abs=1e-5)
     assert np.arctan2(*largest.point[::-1]) == pytest.approx(1.0, abs=0.05)
     assert abs(largest.value) == pytest.approx(result.correction.largest, abs=1e-12)
@@ -418,7 +433,7 @@ def test_expected_std_counts_the_random_part_twice_over():
 def test_many_points_make_no_large_page():
     result = corrected(points=ring(100_000, lambda t: wavy(t)), filter="gauss:8")
     text = pages.page(result)
-    assert len(text) < 400_000
+    assert len(text) < 500_000
     assert "range from the smallest to the largest" in text
     assert f"{result.deviation.value.std(ddof=1) * 1000:.2f}" in Page(text).text
 
@@ -445,12 +460,12 @@ def test_round_numbers(value, down, up):
 @pytest.mark.parametrize(("largest", "expected"), [(0.0, 500), (0.005, 500), (0.008, 500), (0.05, 50), (0.0001, 20000)])
 def test_magnification_fits_the_part(largest, expected):
     # 40 mm across: whiskers of at most 4.8 mm.
-    assert plots.magnification_for(circle(20.0), largest) == pytest.approx(expected)
+    assert views.magnification_for(circle(20.0), largest) == pytest.approx(expected)
 
 
 def test_whiskers_point_outward_for_excess():
     result = corrected(points=ring(40, lambda t: np.where(np.cos(t) > 0, 0.008, -0.008)), filter="none")
-    plot = plots.on_contour(result.nominal, result.deviation, result.filtered, within=0.001, magnification=500)
+    plot = views.on_contour(result.nominal, result.deviation, result.filtered, within=0.001, magnification=500)
     for css, side in (("excess", 1), ("undercut", -1)):
         data = re.search(rf'class="{css}" d="([^"]*M[^"]*L[^"]*M[^"]*)"', plot.svg)[1]
         ends = np.array(re.findall(r"M([\d.]+) ([\d.]+)L([\d.]+) ([\d.]+)", data), dtype=float)
@@ -470,3 +485,99 @@ def test_standalone_drawing_has_its_colours(disc):
         text = plots.standalone(plot, theme)
         ET.fromstring(text)
         assert "var(" not in text and plots.COLOURS[theme]["predicted"] in text
+
+
+def test_the_uncertainty_is_drawn_as_a_band_with_its_coverage_factor(disc, tmp_path):
+    result = corrected(filter="mean:5")
+    plot = plots.along_contour(
+        result.nominal, result.deviation, result.filtered, result.predicted, np.full(120, 0.0005)
+    )
+    assert "its uncertainty, k = 2" in plot.svg and "\N{PLUS-MINUS SIGN}1.00" in plot.caption
+    band = re.search(r'<path class="band" d="([^"]*)" clip-path', plot.svg)[1]
+    line = re.search(r'<path class="filtered dash0" d="([^"]*)"', plot.svg)[1]
+
+    def y_of(data):
+        return np.array(re.findall(r"[ML]([-\d.]+) ([-\d.]+)", data.split("z")[0]), dtype=float)[:, 1]
+
+    # Out along the lower edge, back along the upper: together 4 u high, with the line in the middle.
+    edges, points = y_of(band), y_of(line)[: len(y_of(band)) // 2]
+    lower, upper = edges[: len(points)], edges[len(points) :][::-1]
+    np.testing.assert_allclose((lower + upper) / 2, points, atol=0.2)
+    assert (lower - upper).min() > 1.0 and np.ptp(lower - upper) < 0.3
+    report.write(result, tmp_path)
+    data = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))
+    assert data["correction"]["uncertainty_max"] == pytest.approx(result.uncertainty.max())
+    assert set(data["uncertainty"]) == {"mean", "min", "max", "height", "std"}
+    text = Page((tmp_path / "report.html").read_text(encoding="utf-8")).text
+    assert "Uncertainty of the correction" in text and "nothing is said about conformity (ISO 14253-1)" in text
+
+
+def test_an_unknown_uncertainty_is_not_drawn(tmp_path):
+    result = corrected(filter="none")
+    text = pages.page(result)
+    assert 'class="band"' not in text and "Uncertainty of the correction" not in Page(text).text
+    report.write(result, tmp_path)
+    data = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))
+    assert data["correction"]["uncertainty_max"] is None and data["uncertainty"]["mean"] is None
+
+
+# --- transfer function and contour check -------------------------------------------------------------------
+
+
+def elastic(points=None):
+    """MS = 0.25 on one half of a disc and 0.125 on the other, cut 0.1 mm deep: 20 and 11.1 um stay."""
+
+    def left(theta):
+        ms = np.where(np.sin(theta) > 0, 0.25, 0.125)
+        return 0.1 * ms / (1 + ms)
+
+    points = ring(120, left) if points is None else points
+    return corrected(points=points, filter="none", method="transfer", depth=0.1, transfer_function="points")
+
+
+def test_the_transfer_function_has_its_section_and_its_column(tmp_path):
+    result = elastic()
+    report.write(result, tmp_path)
+    rows = rows_of(tmp_path / "deviations.csv")
+    ms = [float(r["ms"]) for r in rows]
+    np.testing.assert_allclose(ms, [0.25 if float(r["y"]) > 0 else 0.125 for r in rows], atol=1e-6)
+    text = Page((tmp_path / "report.html").read_text(encoding="utf-8")).text
+    assert "Transfer function" in text and "0.1875 in the mean, 0.1250 to 0.2500" in text
+    assert "Depth of the measured part0.1 mm, deviations along the normal" in text
+    assert "Depth that the next part finds0.1 mm" in text and "Constant offset" not in text
+
+
+def test_no_transfer_function_no_section(disc):
+    assert "Transfer function" not in Page(pages.page(disc)).text
+
+
+def test_an_offset_told_apart_by_two_depths_is_shown():
+    """delta = 5 um + 0.2 h at h = 0.1 and 0.2 mm: MS = 0.25, offset 5 um."""
+    a, b = (measured(ring(90, lambda t, h=h: 0.005 + 0.2 * h + 0 * t), f"{h}.csv") for h in (0.1, 0.2))
+    chosen = pipeline.Settings(side="right", filter="none", method="transfer", depth=(0.1, 0.2), next_depth=0.15)
+    request = pipeline.Request(gcode.parse(DISC, "disc.nc"), RADIUS, a, None, chosen, (b,))
+    text = Page(pages.page(pipeline.correct(request))).text
+    assert "+5.00 µm in the mean" in text and "0.2500 in the mean" in text
+
+
+def test_contour_check_files_hold_path_and_points(disc, tmp_path):
+    report.write(disc, tmp_path)
+    path, points = rows_of(tmp_path / "contour.csv"), rows_of(tmp_path / "points.csv")
+    np.testing.assert_allclose([np.hypot(float(r["x_path"]), float(r["y_path"])) for r in path], 25.0, atol=1e-9)
+    np.testing.assert_allclose([np.hypot(float(r["x"]), float(r["y"])) for r in path], 20.0, atol=1e-9)
+    np.testing.assert_allclose([float(r["error"]) for r in points], disc.deviation.value, rtol=1e-9)
+    assert [int(r["line"]) for r in points] == disc.request.measurement.lines.tolist()
+
+
+def test_contact_points_stand_off_the_contour_at_the_stated_magnification():
+    result = corrected(points=ring(8, lambda t: 0.01 + 0 * t), filter="none")
+    plot = views.path_and_contour(result)
+    times = views.magnification_for(result.nominal, 0.01)
+    assert f"at {times:g}:1" in plot.caption
+    drawn = [d for d in re.findall(r'class="excess" d="([^"]+)"', plot.svg) if "L" in d]
+    lines = np.array(re.findall(r"M([\d.]+) ([\d.]+)L([\d.]+) ([\d.]+)", drawn[0]), dtype=float)
+    assert len(lines) == 8
+    # Feet lie on a circle that is 20 mm on the part: this gives the scale that the whiskers are magnified from.
+    radius = np.hypot(*(lines[:, :2] - lines[:, :2].mean(axis=0)).T)
+    length = np.hypot(lines[:, 2] - lines[:, 0], lines[:, 3] - lines[:, 1])
+    np.testing.assert_allclose(length, radius * times * 0.01 / 20.0, rtol=0.01)

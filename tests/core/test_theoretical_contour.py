@@ -27,6 +27,7 @@ from tests.core.contours import (
     reversed_elements,
     started_at,
 )
+from tests.core.sweeps import examples
 
 R = 5.0
 EXACT = 1e-9
@@ -59,7 +60,7 @@ def path_for(elements: list[Element], **start: float) -> Path:
     return Path(here=(float(x), float(y), 0.0), **start).along(elements)
 
 
-@settings(max_examples=120, deadline=None, derandomize=True)
+@settings(max_examples=examples(120), deadline=None, derandomize=True)
 @given(
     part=parts(cutter=R),
     mitre=st.booleans(),
@@ -78,7 +79,7 @@ def test_part_comes_back(part, mitre, climb, index, fraction):
     np.testing.assert_array_equal(found.rows, np.arange(len(toolpath)))
 
 
-@settings(max_examples=80, deadline=None, derandomize=True)
+@settings(max_examples=examples(80), deadline=None, derandomize=True)
 @given(part=parts(cutter=R), mitre=st.booleans(), decimals=st.sampled_from([3, 4]))
 def test_rounded_programs_come_back_to_their_rounding(part, mitre, decimals):
     """Programs round every number, so tangents are broken by micrometres over short moves."""

@@ -24,12 +24,13 @@ SEED = 20240229
 def main() -> int:
     """Run over the formats; an AssertionError shows the file that ended otherwise than it may."""
     count = int(sys.argv[1]) if len(sys.argv) > 1 else 10_000
-    for format in sys.argv[2:] or list(readers_fuzz.DRESSES):
+    for format in sys.argv[2:] or readers_fuzz.installed():
         start = time.perf_counter()
         outcomes = readers_fuzz.run(format, count * 3 // 4, SEED)
         outcomes += readers_fuzz.run(format, count - count * 3 // 4, SEED + 1, by_content=True)
         took = time.perf_counter() - start
-        print(f"{format:>12}: {dict(outcomes)} in {took:.0f} s; memory {memory(format):.1f} times the file", flush=True)
+        count_of = ", ".join(f"{outcomes[kind]} {kind}" for kind in ("points", "format", "usage"))
+        print(f"{format:>12}: {count_of} in {took:.0f} s; memory {memory(format):.1f} times the file", flush=True)
     return 0
 
 

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What speaks against a measured file before it is in the document: alone, and against the operation it belongs to."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from millcorr import distrust, pipeline
+from millcorr.distrust import Finding
+from millcorr.errors import MillcorrError
+from millcorr.measurement import Measurement
+from millcorr.probe import contact_known
+
+from . import correction, draft, dressup
+
+
+def prepared(operation: Any = None) -> Callable[[Measurement], tuple[Finding, ...]]:
+    """Do now what needs FreeCAD, and give what looks for doubts: it may be called in any thread.
+
+    Parameters
+    ----------
+    operation : document object, optional
+        The operation that cut the part; without one only the file itself is looked at.
+
+    Returns
+    -------
+    callable
+        Gives the findings about a measurement; raises MillcorrError where the points lie nowhere near the
+        operation.
+    """
+    request = None
+    if operation is not None:
+        values = draft.defaults(dressup.PROPERTIES) | {"Base": operation}
+        try:
+            request, _ = correction.request_of(draft.Draft(operation.Label, values))
+        except MillcorrError:
+            # The correction itself will say so; the file can be looked at nevertheless.
+            request = None
+
+    def find(measurement: Measurement) -> tuple[Finding, ...]:
+        found = distrust.examine_file(measurement)
+        if request is None:
+            return found
+        nominal = request.nominal
+        if nominal is None:
+            program, radius = request.program, request.radius
+            nominal = pipeline.nominal_from_program(program, radius, request.settings, measurement)
+        return found + distrust.examine_points(contact_known(measurement, nominal), nominal, request.radius)
+
+    return find

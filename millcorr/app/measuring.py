@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Measuring programs of operations in a document: for the window, scripts and macros.
+
+Example
+-------
+>>> from millcorr.app import measuring
+>>> operation = FreeCAD.ActiveDocument.getObject("Profile")
+>>> print(measuring.write(operation, "PROBE.nc", dialect="linuxcnc-protected", probe={"ball_radius": 2.5}))
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+from millcorr import measuring_programs
+from millcorr.errors import UsageError
+from millcorr.gcode import Program
+from millcorr.measuring_programs import MeasuringProgram
+from millcorr.measuring_task import POINTS
+from millcorr.measuring_task import save as written
+from millcorr.probing import Placement, TouchProbe
+from millcorr.probing_heights import Cleared
+from millcorr.profile import Profile
+
+from . import base_geometry, compat, convert, motion
+
+
+def contour_of(operation: Any, nominal: Any = None) -> tuple[Profile, Program, float]:
+    """What an operation or a dressup cuts, its path as a program, and the tool's radius.
+
+    Parameters
+    ----------
+    operation : document object
+    nominal : document object, optional
+        What to measure instead of the operation's own contour.
+
+    Returns
+    -------
+    profile : Profile
+        Material on the left.
+    program : Program
+        Under G41 or G42 where the control holds the radius.
+    radius : float
+        mm.
+
+    Raises
+    ------
+    InputError, UsageError
+        If the operation has no contour of its own and no nominal is given, or no path.
+    """
+    bottom = compat.bottom_operation(operation)
+    path = compat.path_of(operation)
+    program = motion.program_of_path(path, operation.Label)
+    if nominal is not None:
+        material = "inside" if getattr(bottom, "Side", "Outside") != "Inside" else "outside"
+        profile = convert.profile_of_shape(nominal.Shape, material)
+    elif base_geometry.is_profile_operation(bottom):
+        profile = base_geometry.profile_of_operation(bottom, program.toolpath)
+    else:
+        raise UsageError(f"{bottom.Label} is no Profile operation: give the contour with --nominal #LABEL")
+    if base_geometry.leaves_radius_to_control(bottom):
+        side = base_geometry.side_of_path(profile, program.toolpath)
+        program = motion.program_of_path(path, operation.Label, side)
+    return profile, program, compat.tool_diameter(operation) / 2
+
+
+def suggested_heights(operation: Any, nominal: Any = None) -> tuple[float, float] | None:
+    """Height to measure at and safe height that an operation suggests, mm; None where it shows none."""
+    profile, program, radius = contour_of(operation, nominal)
+    return measuring_programs.heights(Cleared(program.toolpath, radius, True), profile)
+
+
+def prepared(
+    operation: Any,
+    *,
+    dialect: str,
+    probe: Mapping[str, Any],
+    placement: Mapping[str, Any] | None = None,
+    nominal: Any = None,
+    output: str | Path = "PROBE.nc",
+    z: float | None = None,
+    safe_z: float | None = None,
+    **options: Any,
+) -> Callable[[], MeasuringProgram]:
+    """Do now what needs FreeCAD, and give what plans and writes: it needs none and may be called in any thread.
+
+    Parameters
+    ----------
+    operation : document object
+        Operation or dressup that cuts the contour.
+    dialect : str
+        Name from `millcorr.measuring_programs.DIALECTS`.
+    probe, placement : mapping
+        Fields of `millcorr.probing.TouchProbe` and `Placement`; 40 points where nothing is said.
+    nominal : document object, optional
+        What to measure instead of the operation's own contour.
+    output : str or Path
+        File that it will be written to; program and log are named after it.
+    z, safe_z : float, optional
+        Heights in mm; by default what the operation suggests.
+    **options
+        ``feed, positioning, tool, log, name`` of `millcorr.measuring_programs.measuring_program`.
+
+    Returns
+    -------
+    callable
+        Gives the program; raises MillcorrError where nothing can be touched.
+
+    Raises
+    ------
+    MillcorrError
+        If the operation or an option cannot be used.
+    """
+    profile, program, radius = contour_of(operation, nominal)
+    where = dict(placement or {})
+    cleared = Cleared(program.toolpath, radius, True)
+    suggested = measuring_programs.heights(cleared, profile, where.get("contour"))
+    if suggested is None and (z is None or safe_z is None):
+        raise UsageError("say --z and --safe-z: the operation shows no cut beside the contour, or no rapid above")
+    low, high = suggested or (0.0, 0.0)
+    names = measuring_programs.names_of(dialect, Path(output).stem)
+    if where.get("count") is None and where.get("spacing") is None:
+        where["count"] = POINTS
+    chosen_probe, chosen_places, source = TouchProbe(**probe), Placement(**where), operation.Label
+
+    def finish() -> MeasuringProgram:
+        return measuring_programs.measuring_program(
+            profile,
+            dialect=dialect,
+            probe=chosen_probe,
+            placement=chosen_places,
+            z=low if z is None else z,
+            safe_z=high if safe_z is None else safe_z,
+            source=source,
+            cleared=cleared,
+            **{"name": names.name, "log": names.log} | {k: v for k, v in options.items() if v is not None},
+        )
+
+    return finish
+
+
+def write(operation: Any, output: str | Path, **options: Any) -> str:
+    """Write a program that measures what an operation cuts; what else the control needs is written beside it.
+
+    Parameters
+    ----------
+    operation : document object
+    output : str or Path
+    **options
+        As `prepared`.
+
+    Returns
+    -------
+    str
+        What was written, and how to read back what the control will log.
+
+    Raises
+    ------
+    MillcorrError
+        If no point can be touched; nothing is written then.
+    """
+    return written(prepared(operation, output=output, **options)(), Path(output))

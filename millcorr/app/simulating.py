@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Operations of a document simulated with a setup: for the window, scripts and macros.
+
+Example
+-------
+>>> from millcorr.app import simulating
+>>> print(simulating.write(FreeCAD.ActiveDocument.getObject("Profile"), "setup.toml", "simulated/"))
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from millcorr import pipeline, setup_file
+from millcorr.errors import RefusedError
+from millcorr.prediction import simulate
+from millcorr.settings import Settings
+from millcorr.signals import Signals
+from millcorr.simulation_arrays import Played
+
+from . import base_geometry, compat, measuring
+
+
+def request_of(operation: Any, setup: str | Path) -> pipeline.Request:
+    """What is asked of the pipeline: the operation's path, its contour, and a setup.
+
+    Parameters
+    ----------
+    operation : document object
+        Operation or dressup with a path.
+    setup : str or Path
+        TOML file; see `millcorr.setup_file`.
+
+    Returns
+    -------
+    pipeline.Request
+        With method ``predicted``.
+
+    Raises
+    ------
+    MillcorrError
+        If operation or setup cannot be used.
+    """
+    profile, program, tool_radius = measuring.contour_of(operation)
+    radius = base_geometry.path_radius(compat.bottom_operation(operation), tool_radius)
+    chosen = setup_file.load(setup)
+    return pipeline.Request(program, radius, None, profile, Settings(method="predicted"), setup=chosen)
+
+
+def prepared(operation: Any, setup: str | Path) -> Callable[[], Played]:
+    """Do now what needs FreeCAD, and give what simulates: it needs none and may be called in any thread.
+
+    Parameters
+    ----------
+    operation, setup
+        As `request_of`.
+
+    Returns
+    -------
+    callable
+        Gives what was cut, before and after a correction of the predicted error; raises MillcorrError.
+
+    Raises
+    ------
+    MillcorrError
+        If operation or setup cannot be used.
+    """
+    request = request_of(operation, setup)
+
+    def finish() -> Played:
+        assert request.setup is not None and request.nominal is not None
+        try:
+            foreseen = pipeline.correct(request).foreseen
+        except RefusedError as error:
+            before = simulate(request.program, request.setup, request.nominal)
+            return Played(Signals.of(before, request.program), before, None, str(error))
+        assert foreseen is not None
+        return Played(Signals.of(foreseen.before, request.program), foreseen.before, foreseen.after[-1], "")
+
+    return finish
+
+
+def write(operation: Any, setup: str | Path, directory: str | Path) -> str:
+    """Simulate an operation and write the report of it; see `written`."""
+    return written(request_of(operation, setup), directory)
+
+
+def written(request: pipeline.Request, directory: str | Path) -> str:
+    """Write the report of a simulation; see `millcorr.report_simulation.write`. Needs nothing of FreeCAD."""
+    # Imported when it is wanted: the plots take their time to load.
+    from millcorr import report_simulation
+
+    return report_simulation.write(request, Path(directory))

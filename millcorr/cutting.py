@@ -1,0 +1,268 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Cutting forces of an end mill from its engagement, and the surface that a tool which bends leaves.
+
+Linear-edge model (Altintas, Manufacturing Automation, 2nd ed., chapter 2): on an edge element of height
+dz at immersion angle phi
+
+    dFt = (Ktc f_t sin phi + Kte) dz      against the cutting motion
+    dFr = (Krc f_t sin phi + Kre) dz      towards the axis
+
+so that along the feed and to its left (clockwise spindle), as forces on the tool,
+
+    dFx = -dFt cos phi - dFr sin phi,   dFy = dFt sin phi - dFr cos phi.
+
+Both have elementary integrals over phi. Averages over a turn do not depend on the helix; the course over a turn
+does. Petrakov's model (2023, eqs. 1 to 3) is this one without edge forces.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .engagement import Engagement
+from .errors import UsageError
+from .setup_file import Material, Setup, Tool
+
+Floats = NDArray[np.float64]
+
+_WALL = 1e-6
+"""An arc that ends nearer than this to 0 or pi, in rad, makes a wall."""
+
+
+def force_at(phi: Floats, feed_per_tooth: Floats | float, material: Material) -> Floats:
+    """Force of an edge element per height, along the feed and to its left (clockwise spindle).
+
+    Parameters
+    ----------
+    phi : (...) float64
+        Immersion angle in rad.
+    feed_per_tooth : (...) or float
+        f_t in mm.
+    material : Material
+
+    Returns
+    -------
+    (..., 2) float64
+        N/mm, on the tool.
+    """
+    # Counted from the nearer side, so that the chip at pi is exactly nothing.
+    sine = np.sin(np.minimum(phi, np.pi - phi))
+    cosine = np.cos(phi)
+    chip = feed_per_tooth * sine
+    tangential = material.ktc_n_per_mm2 * chip + material.kte_n_per_mm
+    radial = material.krc_n_per_mm2 * chip + material.kre_n_per_mm
+    return np.stack([-tangential * cosine - radial * sine, tangential * sine - radial * cosine], axis=-1)
+
+
+def force_integral(phi: Floats, feed_per_tooth: Floats | float, material: Material) -> Floats:
+    """Antiderivative over phi of `force_at`; same shapes, N/mm rad."""
+    s, c = np.sin(phi), np.cos(phi)
+    chip_t, chip_r = material.ktc_n_per_mm2 * feed_per_tooth, material.krc_n_per_mm2 * feed_per_tooth
+    double, lens = np.cos(2 * phi) / 4, (2 * phi - np.sin(2 * phi)) / 4
+    return np.stack(
+        [
+            chip_t * double - chip_r * lens - material.kte_n_per_mm * s + material.kre_n_per_mm * c,
+            chip_t * lens + chip_r * double - material.kte_n_per_mm * c - material.kre_n_per_mm * s,
+        ],
+        axis=-1,
+    )
+
+
+def average_force(
+    entry: ArrayLike, exit: ArrayLike, depth: ArrayLike, feed_per_tooth: ArrayLike, flutes: int, material: Material
+) -> Floats:
+    """Mean force over a turn of engaged arcs, along the feed and to its left (clockwise spindle).
+
+    Parameters
+    ----------
+    entry, exit : (...)
+        Immersion angles in rad.
+    depth, feed_per_tooth : (...)
+        mm.
+    flutes : int
+    material : Material
+
+    Returns
+    -------
+    (..., 2) float64
+        N, on the tool.
+    """
+    c = np.asarray(feed_per_tooth, dtype=float)
+    whole = force_integral(np.asarray(exit, dtype=float), c, material)
+    whole = whole - force_integral(np.asarray(entry, dtype=float), c, material)
+    out: Floats = flutes / (2 * np.pi) * np.asarray(depth, dtype=float)[..., None] * whole
+    return out
+
+
+def force_over_turn(
+    turn: ArrayLike,
+    entry: ArrayLike,
+    exit: ArrayLike,
+    low: ArrayLike,
+    high: ArrayLike,
+    feed_per_tooth: float,
+    tool: Tool,
+    material: Material,
+) -> Floats:
+    """Force on the tool as it turns, all teeth and their helix together.
+
+    Parameters
+    ----------
+    turn : (k,)
+        Immersion angle of one tooth's tip in rad.
+    entry, exit : (m,)
+        Engaged arcs, immersion angles in rad.
+    low, high : (m,)
+        Heights above the tip between which each arc is engaged, mm.
+    feed_per_tooth : float
+        mm.
+    tool : Tool
+    material : Material
+
+    Returns
+    -------
+    (k, 2) float64
+        N, along the feed and to its left (clockwise spindle).
+    """
+    begin, end, bottom, top = (np.atleast_1d(np.asarray(v, dtype=float)) for v in (entry, exit, low, high))
+    lag = np.tan(np.radians(tool.helix_deg)) / tool.radius
+    pitch = 2 * np.pi / tool.flutes
+    # Higher up an edge lags behind its tip: teeth that have passed may still cut there.
+    more = int(np.ceil(lag * float(top.max(initial=0.0)) / pitch))
+    tip = np.mod(np.atleast_1d(np.asarray(turn, dtype=float)), pitch)[:, None, None]
+    tip = tip + pitch * np.arange(tool.flutes + more)[None, :, None]
+    if lag * float((top - bottom).max(initial=0.0)) < 1e-12:
+        cutting = (begin <= tip) & (tip <= end)
+        force = force_at(tip, feed_per_tooth, material) * np.where(cutting, top - bottom, 0.0)[..., None]
+    else:
+        first = np.clip(tip - lag * top, begin, end)
+        last = np.clip(tip - lag * bottom, begin, end)
+        force = force_integral(last, feed_per_tooth, material) - force_integral(first, feed_per_tooth, material)
+        force = force / lag
+    out: Floats = force.sum(axis=(1, 2))
+    return out
+
+
+def surface_location_error(
+    height: ArrayLike,
+    entry: float,
+    exit: float,
+    depth: float,
+    feed_per_tooth: float,
+    stiffness: float,
+    tool: Tool,
+    material: Material,
+) -> Floats:
+    """Where a wall ends up when the tool bends: the deflection at the moment in which an edge makes the surface.
+
+    The surface at a height is made when an edge passes the wall there: at immersion pi in down milling, at 0 in up
+    milling. With one straight tooth in the cut its chip is then nothing, and without edge force so is the error.
+
+    Parameters
+    ----------
+    height : (k,)
+        mm above the tip, within the cut.
+    entry, exit : float
+        Engaged arc in rad; it begins at 0 (up milling) or ends at pi (down milling).
+    depth, feed_per_tooth : float
+        mm.
+    stiffness : float
+        Across the wall, N/mm.
+    tool : Tool
+    material : Material
+
+    Returns
+    -------
+    (k,) float64
+        mm, positive where material is left.
+
+    Raises
+    ------
+    UsageError
+        If the arc makes no wall, or both (a slot).
+    """
+    down, up = bool(abs(exit - np.pi) < 1e-9), bool(abs(entry) < 1e-9)
+    if down == up:
+        raise UsageError("surface location error: the engaged arc must begin at 0 or end at pi, one of them")
+    lag = np.tan(np.radians(tool.helix_deg)) / tool.radius
+    tip = (exit if down else entry) + lag * np.atleast_1d(np.asarray(height, dtype=float))
+    across = force_over_turn(tip, entry, exit, 0.0, depth, feed_per_tooth, tool, material)[:, 1]
+    # The wall of down milling lies on the right of a clockwise cutter: to the left is away from it.
+    return across / stiffness if down else -across / stiffness
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Cutting:
+    """Mean cutting force on the tool at every step of an engagement.
+
+    Parameters
+    ----------
+    engagement : Engagement
+    force : (n, 2) float64
+        Along X and Y in N (petrakov-2023, eq. 1).
+    wall : (n, 2) float64
+        Normal out of the part, (cos alpha, cos beta), at the wall the cutter makes: across the direction of travel,
+        away from the side where the arc ends (or begins). NaN in air, in a slot and where it touches no wall.
+    """
+
+    engagement: Engagement
+    force: Floats
+    wall: Floats
+
+    @property
+    def normal_force(self) -> Floats:
+        """Force along the normal of the wall in N, positive away from the part; (n,), NaN without a wall."""
+        out: Floats = (self.force * self.wall).sum(axis=1)
+        return out
+
+    @property
+    def resultant(self) -> Floats:
+        """Size of the mean force in N; (n,) (petrakov-2023, eq. 2)."""
+        out: Floats = np.hypot(*self.force.T)
+        return out
+
+
+def cutting(engagement: Engagement, setup: Setup, layer: Floats | None = None) -> Cutting:
+    """Mean cutting forces along a program.
+
+    Parameters
+    ----------
+    engagement : Engagement
+    setup : Setup
+    layer : (m,) float64, optional
+        Thickness in mm of the material before the middle of every arc: where it is less than the chip
+        ``f_t sin(angle)``, the arc's force is less in proportion. By default there is enough.
+
+    Returns
+    -------
+    Cutting
+
+    Raises
+    ------
+    UsageError
+        If a move that cuts has no feed.
+    """
+    e = engagement
+    step = e.arc_step
+    feed = e.feed_per_tooth[step]
+    if not (np.isfinite(feed) & (feed > 0)).all():
+        where = int(step[np.flatnonzero(~(np.isfinite(feed) & (feed > 0)))[0]])
+        x, y, _ = e.position[where]
+        raise UsageError(f"cutting: the move that cuts at X{x:.3f} Y{y:.3f} has no feed in mm/min: state F in G94")
+    arcs = average_force(e.arc_entry, e.arc_exit, e.arc_depth, feed, setup.tool.flutes, setup.material)
+    if layer is not None:
+        chip = feed * np.sin((e.arc_entry + e.arc_exit) / 2)
+        arcs = arcs * np.minimum(1.0, layer / np.maximum(chip, 1e-12))[:, None]
+    n = len(e)
+    turn = 1.0 if e.clockwise else -1.0
+    along = np.bincount(step, arcs[:, 0], minlength=n)
+    left = turn * np.bincount(step, arcs[:, 1], minlength=n)
+    cx, sx = np.cos(e.direction), np.sin(e.direction)
+    force = np.stack([along * cx - left * sx, along * sx + left * cx], axis=1)
+    with np.errstate(invalid="ignore"):
+        down, up = e.exit > np.pi - _WALL, e.entry < _WALL
+    side = np.where(down == up, np.nan, np.where(down, turn, -turn))
+    return Cutting(e, force, side[:, None] * np.stack([-sx, cx], axis=1))

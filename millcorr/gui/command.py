@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all commands share: they are data, and say in their tooltip what they lack."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import FreeCADGui
+
+from . import guide
+from .icons import icon
+from .text import translate
+
+_lacking: dict[str, str] = {}
+"""What each command's tooltip says now that it lacks."""
+
+
+@dataclass(frozen=True, slots=True)
+class Command:
+    """A command of the workbench.
+
+    Parameters
+    ----------
+    name : str
+        FreeCAD's name of it, and of its icon.
+    menu, tooltip : str
+        Texts, to be translated.
+    lacks : callable
+        What is missing for it to make sense now, to be translated; empty where nothing is.
+    act : callable
+        Does it: opens a panel or a dialog, or runs recorded lines with `panel.run`.
+    shortcut : str
+        Keys, in the way FreeCAD writes them.
+    """
+
+    name: str
+    menu: str
+    tooltip: str
+    lacks: Callable[[], str]
+    act: Callable[[], Any]
+    shortcut: str = ""
+
+    def GetResources(self) -> dict[str, str]:
+        """What FreeCAD shows."""
+        return {
+            "Pixmap": icon(self.name),
+            "MenuText": translate(self.name, self.menu),
+            "ToolTip": translate(self.name, self.tooltip),
+            "WhatsThis": guide.whats_this(self.name, self.menu, self.tooltip),
+            "Accel": self.shortcut,
+        }
+
+    def IsActive(self) -> bool:
+        """Whether the command can run; its tooltip tells what is missing otherwise."""
+        lacking = self.lacks()
+        if _lacking.get(self.name, "") != lacking:
+            _lacking[self.name] = lacking
+            self._tell(lacking)
+        return not lacking
+
+    def _tell(self, lacking: str) -> None:
+        text = translate(self.name, self.tooltip)
+        if lacking:
+            text += "<br><b>" + translate("Millcorr", "Needs:") + "</b> " + translate("Millcorr", lacking)
+        for action in FreeCADGui.Command.get(self.name).getAction():
+            action.setToolTip(f"<p><b>{translate(self.name, self.menu)}</b><br>{text}</p>")
+            action.setStatusTip(translate("Millcorr", lacking) if lacking else translate(self.name, self.tooltip))
+
+    def Activated(self) -> None:
+        """Do it."""
+        self.act()

@@ -1,0 +1,334 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel of the compensated toolpath: what was measured, what will change, and why to trust it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import FreeCADGui
+
+from millcorr.app import candidates, correction, draft, dressup
+from millcorr.errors import MillcorrError, RefusedError
+
+from . import picture, picture_properties, preferences
+from .figures import COLUMNS, figures_of
+from .hover import Hover
+from .panel import Panel, clear, narrow
+from .qt import QtCore, QtWidgets
+from .remedies import Remedy, accepted_by, first_field, remedies_in, worded
+from .text import translate
+
+_COMMON = ("Filter", "Align", "Gain", "Limit", "DeadBand")
+_ELSEWHERE = ("Base", "Measurement", "Accept")
+
+
+class DressupPanel(Panel):
+    """Task panel of a dressup that is there, or of a new one on an operation.
+
+    Parameters
+    ----------
+    base : document object
+        The operation.
+    obj : document object, optional
+        The dressup; none yet where it is to be made.
+    """
+
+    def __init__(self, base: Any, obj: Any = None, measurement: Any = None) -> None:
+        super().__init__(base.Document, translate("Millcorr", "Compensated toolpath"), "Millcorr_Dressup")
+        self.base, self.obj = base, obj
+        label = f"{base.Label} corrected" if obj is None else obj.Label
+        values = draft.defaults(dressup.PROPERTIES) if obj is None else draft.values_of(obj, dressup.PROPERTIES)
+        look = draft.defaults(picture_properties.PROPERTIES, ("Picture",))
+        if obj is None:
+            values |= preferences.correction_values() | {"Base": base, "Measurement": measurement}
+            look |= preferences.look_values()
+        elif "ShowPicture" in obj.ViewObject.PropertiesList:
+            look = draft.values_of(obj.ViewObject, picture_properties.PROPERTIES, ("Picture",))
+        shown = obj is not None or preferences.get("ShowPicture")
+        self.draft, self.look = draft.Draft(label, values), draft.Draft(label, look | {"ShowPicture": shown})
+        self.outcome: picture.Drawn | None = None
+        self._make_choice()
+        self._make_figures()
+        self._make_settings()
+        self.layout.addStretch()
+        self._show_values()
+        self.picture = picture.Picture()
+        self._view = picture.view_of(self.document)
+        self._hover = None
+        if self._view is not None:
+            self._view.getSceneGraph().addChild(self.picture.node)
+            self._hover = Hover(self._view, self.picture, self._picked)
+        if obj is not None:
+            obj.ViewObject.Proxy.pause(True)
+        self.start()
+
+    # What it is made of ------------------------------------------------------------------------------
+
+    def _make_choice(self) -> None:
+        rows = [row for row in dressup.PROPERTIES if row.name == "Measurement"]
+        box = self.group(translate("Millcorr", "Measured part"), rows, self._settings_changed)
+        self.importing = QtWidgets.QPushButton(translate("Millcorr", "&Import file\u2026"))
+        self.importing.setObjectName("Import")
+        self.importing.setAutoDefault(False)
+        self.importing.clicked.connect(self._import)
+        box.layout().addWidget(self.importing)
+
+    def _make_figures(self) -> None:
+        box = QtWidgets.QGroupBox(self.base.Label)
+        box.setObjectName("Figures")
+        layout = QtWidgets.QVBoxLayout(box)
+        layout.setContentsMargins(6, 4, 6, 4)
+        # Two tables: a long figure of the second must not widen the columns of the first.
+        deviations, others = QtWidgets.QGridLayout(), QtWidgets.QGridLayout()
+        for grid in (deviations, others):
+            grid.setColumnStretch(0, 1)
+            grid.setVerticalSpacing(2)
+            grid.setHorizontalSpacing(4)
+            layout.addLayout(grid)
+        right = QtCore.Qt.AlignmentFlag.AlignRight
+        deviations.addWidget(QtWidgets.QLabel("mm"), 0, 0)
+        for column, heading in enumerate(COLUMNS, 1):
+            deviations.addWidget(QtWidgets.QLabel(f"<b>{translate('Millcorr', heading)}</b>"), 0, column, right)
+        self.values: dict[str, list[Any]] = {}
+        for row, figure in enumerate(figures_of(None), 1):
+            grid = deviations if len(figure.shown) > 1 else others
+            name = narrow(QtWidgets.QLabel(figure.label))
+            name.setToolTip(figure.meaning)
+            grid.addWidget(name, row, 0)
+            self.values[figure.label] = []
+            for column, text in enumerate(figure.shown, 1):
+                value = QtWidgets.QLabel(text)
+                value.setToolTip(figure.meaning)
+                value.setObjectName(f"{figure.label} {column}")
+                value.setTextInteractionFlags(QtCore.Qt.TextInteractionFlag.TextSelectableByMouse)
+                grid.addWidget(value, row, column, right)
+                self.values[figure.label].append(value)
+        self.layout.addWidget(box)
+
+    def _make_notes(self) -> None:
+        self.notes = QtWidgets.QVBoxLayout()
+        self.layout.addLayout(self.notes)
+        self.point = QtWidgets.QLabel(translate("Millcorr", "Point at a whisker to see its point; click to keep it."))
+        self.point.setObjectName("Point")
+        self.point.setWordWrap(True)
+        self.point.setTextInteractionFlags(QtCore.Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.layout.addWidget(self.point)
+
+    def _make_settings(self) -> None:
+        rows = {row.name: row for row in dressup.PROPERTIES if row.group in draft.SETTING_GROUPS}
+        common = [rows[name] for name in _COMMON]
+        more = [row for row in rows.values() if row.group == "Correction" and row.name not in (*_COMMON, *_ELSEWHERE)]
+        transfer = [row for row in rows.values() if row.group == "Transfer function"]
+        self.group(translate("Millcorr", "Correction"), common, self._settings_changed)
+        self._make_notes()
+        self.more = self.group(translate("Millcorr", "More settings"), more, self._settings_changed, folded=True)
+        self.transfer = self.group(translate("Millcorr", "Transfer function"), transfer, self._settings_changed)
+        shown = [row for row in picture_properties.PROPERTIES if row.name != "ShowPicture"]
+        self.group(translate("Millcorr", "Picture"), shown, self._look_changed, folded=True)
+        self._offer_objects()
+
+    def _show_values(self) -> None:
+        for name, field in self.fields.items():
+            owner = self.draft if name in self.draft.__dict__ else self.look
+            field.show_value(owner.value(name))
+        self.transfer.setVisible(self.draft.value("Method") == "transfer")
+
+    def _offer_objects(self) -> None:
+        measured = candidates.measurements(self.document)
+        self.fields["Measurement"].offer(measured, translate("Millcorr", "none: only make the path exact"))
+        self.fields["FurtherParts"].offer(measured)
+        own = translate("Millcorr", "the operation's own contour")
+        self.fields["Nominal"].offer(candidates.shapes(self.document), own)
+
+    # What the user does ------------------------------------------------------------------------------
+
+    def _settings_changed(self) -> None:
+        for name, field in self.fields.items():
+            if name not in self.draft.__dict__:
+                continue
+            try:
+                self.draft.change(name, field.value)
+            except ValueError:
+                self.changed()
+                self._pause.stop()
+                self._show_progress(False)
+                self.wrong = translate("Millcorr", "not a number")
+                field.complain(self.wrong)
+                return
+        self.transfer.setVisible(self.draft.value("Method") == "transfer")
+        self.changed()
+
+    def _look_changed(self) -> None:
+        for name, field in self.fields.items():
+            if name in self.look.__dict__:
+                self.look.change(name, field.value)
+                field.complain("")
+        try:
+            look = picture.look_of(self.look)
+        except MillcorrError as error:
+            text = str(error)
+            self.fields["Magnification" if text.startswith("magn") else "ToleranceBand"].complain(text)
+            return
+        self.picture.choose(self.look)
+        if look != self._drawn:
+            self.changed()
+
+    def set_field(self, name: str, value: Any) -> None:
+        """Give a field a value as if the user had; without a value lead there."""
+        field = self.fields.get(name)
+        if field is None:
+            return
+        if value is None:
+            if name not in (*_COMMON, *_ELSEWHERE):
+                self.more.setChecked(True)
+            field.widget.setFocus()
+            return
+        field.show_value(value)
+        self._settings_changed()
+
+    def accept_finding(self, name: str) -> None:
+        """Take a finding for right as it is."""
+        self.draft.change("Accept", [*self.draft.value("Accept"), name])
+        self.changed()
+
+    def _import(self) -> None:
+        from . import import_dialog
+
+        import_dialog.show(self.document, self.base, self._imported)
+
+    def _imported(self, measurement: Any) -> None:
+        self._offer_objects()
+        self.set_field("Measurement", measurement)
+
+    def _picked(self, text: str) -> None:
+        self.point.setText(text)
+
+    # The work ----------------------------------------------------------------------------------------
+
+    def work(self) -> Callable[[], Any]:
+        """Correct and draw the draft."""
+        finish, look = correction.prepared(self.draft), picture.look_of(self.look)
+        self._drawn = look
+
+        def function() -> Any:
+            drawn = picture.draw(finish().result, look)
+            return drawn, drawn.result.summary()
+
+        return function
+
+    def show_outcome(self, outcome: Any) -> None:
+        """Show figures, picture and notes."""
+        self.outcome, summary = outcome
+        self._show_figures(summary)
+        self.picture.fill(self.outcome, self.look)
+        clear(self.notes)
+        for text in summary["warnings"]:
+            self._note(worded(text), "doubt")
+        for text in summary["advice"]:
+            self._note(worded(text), "note")
+
+    def show_failure(self, text: str) -> None:
+        """Show beside the field what is wrong with a setting, anything else at the top, with what resolves it."""
+        self.outcome = None
+        self._show_figures(None)
+        self.picture.hide()
+        clear(self.notes)
+        name = accepted_by(text)
+        field = self._field_at_fault(text)
+        if field is not None and not name:
+            self.say("")
+            field.complain(worded(text))
+            if field.name not in (*_COMMON, *_ELSEWHERE):
+                self.more.setChecked(True)
+            return
+        self.say(worded(text), "wrong")
+        for remedy in remedies_in(text):
+            if remedy.field in self.fields:
+                if remedy.value == self.fields[remedy.field].value:
+                    # The message names the value as it is: only the user knows a better one.
+                    remedy = Remedy(remedy.field)
+                self.offer(
+                    remedy.in_words(), lambda r=remedy: self.set_field(r.field, r.value), f"Remedy {remedy.field}"
+                )
+        if name:
+            self.offer(
+                translate("Millcorr", "It is right as it is"), lambda: self.accept_finding(name), f"Accept {name}"
+            )
+
+    def _field_at_fault(self, text: str) -> Any:
+        """Field of the setting that is wrong in itself; None where the trouble lies elsewhere."""
+        try:
+            correction.settings_of(self.draft)
+        except MillcorrError:
+            named = self.fields.get(first_field(text))
+            return named or next((self.fields[name] for name in ("Filter", "Align") if self._alone_wrong(name)), None)
+        return None
+
+    def _alone_wrong(self, name: str) -> bool:
+        usual = draft.defaults(dressup.PROPERTIES)
+        try:
+            correction.settings_of(draft.Draft("", usual | {name: self.draft.value(name)}))
+        except MillcorrError:
+            return True
+        return False
+
+    def _show_figures(self, summary: Any) -> None:
+        for figure in figures_of(summary):
+            for label, text in zip(self.values[figure.label], figure.shown, strict=True):
+                label.setText(text)
+
+    def _note(self, text: str, kind: str) -> None:
+        label = QtWidgets.QLabel(text)
+        label.setWordWrap(True)
+        label.setProperty("millcorr", kind)
+        label.setTextInteractionFlags(QtCore.Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.notes.addWidget(label)
+
+    # The end -----------------------------------------------------------------------------------------
+
+    def lines(self) -> list[str]:
+        """Make the dressup, or change what differs."""
+        if self.obj is None:
+            self._before = {obj.Name for obj in self.document.Objects}
+            return draft.lines_to_create(self.draft, dressup.PROPERTIES)
+        return draft.lines_to_change(self.draft, self.obj, dressup.PROPERTIES)
+
+    def applied(self) -> None:
+        """Show the new dressup as its preview was shown; raises RefusedError where FreeCAD could not compute it."""
+        obj = self.obj
+        if obj is None:
+            new = [o for o in self.document.Objects if o.Name not in self._before and candidates.is_correction(o)]
+            obj = new[0]
+        if "Invalid" in obj.State:
+            raise RefusedError(f"{obj.Label}: {obj.getStatusString()}")
+        if self.obj is None:
+            FreeCADGui.Selection.clearSelection()
+            FreeCADGui.Selection.addSelection(obj)
+        for name, value in self.look.__dict__.items():
+            if name != "Label" and draft.plain(getattr(obj.ViewObject, name)) != value:
+                setattr(obj.ViewObject, name, value)
+        if self.outcome is not None:
+            obj.ViewObject.Proxy.take(self.picture)
+
+    def close(self) -> None:
+        """Take the preview away."""
+        if self.closed:
+            return
+        super().close()
+        if self._hover is not None:
+            self._hover.end()
+        if self._view is not None:
+            picture.remove(self._view, self.picture)
+        if self.obj is not None:
+            self.obj.ViewObject.Proxy.pause(False)
+
+
+def edit(obj: Any) -> DressupPanel | None:
+    """Panel of a dressup, to be shown; None where it has no operation."""
+    return None if obj.Base is None else DressupPanel(obj.Base, obj)
+
+
+def new(base: Any, measurement: Any = None) -> DressupPanel:
+    """Panel of a new dressup on an operation."""
+    return DressupPanel(base, None, measurement or (candidates.measurements(base.Document) or [None])[-1])

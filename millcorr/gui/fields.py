@@ -1,0 +1,356 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Form fields made from a table of properties: a widget for each kind, and a place for what is wrong beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from .qt import QtCore, QtWidgets
+from .text import QT_TRANSLATE_NOOP, label_of, translate
+
+_text = QT_TRANSLATE_NOOP
+
+DECIMALS = 4
+"""Lengths are entered to 0.1 um."""
+
+SUGGESTIONS = {
+    "Filter": ("auto", "none", "mean:3", "mean:5", "mean:7", "mean:1,2,3,2,1", "gauss:2.5", "robust:2.5"),
+    "Align": ("none", "shift", "rigid", "x", "y", "turn"),
+}
+"""What free text can be, for a list to choose from; anything else can be typed."""
+
+
+CHOICES = {
+    "contact": _text("Millcorr", "points on the surface (contact)"),
+    "centre": _text("Millcorr", "centres of the probe's ball"),
+    "axis": _text("Millcorr", "ball centres that the control shifted along an axis"),
+    "mirror": _text("Millcorr", "mirror: take back what was measured"),
+    "transfer": _text("Millcorr", "transfer: by how the machine gives way"),
+    "keep": _text("Millcorr", "as the operation's"),
+}
+"""What the values of enumerations mean, where the value alone does not tell."""
+
+
+class Field:
+    """One property in a form.
+
+    Parameters
+    ----------
+    row : Property
+        Its name, kind, meaning and default.
+    changed : callable
+        Called whenever the user changes it.
+    """
+
+    def __init__(self, row: Any, changed: Callable[[], None]) -> None:
+        self.name: str = row.name
+        self.widget = self._make(row)
+        self.widget.setObjectName(row.name)
+        self.widget.setToolTip(translate("App::Property", row.doc))
+        self.widget.setAccessibleName(label_of(row.name))
+        if isinstance(self.widget, QtWidgets.QComboBox):
+            # The task view is narrow: long entries must not widen it.
+            self.widget.setSizeAdjustPolicy(QtWidgets.QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+            self.widget.setMinimumContentsLength(8)
+        self.label = QtWidgets.QLabel(label_of(row.name))
+        self.label.setToolTip(self.widget.toolTip())
+        self.label.setBuddy(self.widget)
+        self.note = QtWidgets.QLabel()
+        self.note.setObjectName(f"{row.name}Note")
+        self.note.setWordWrap(True)
+        self.note.setProperty("millcorr", "wrong")
+        self.note.hide()
+        self._connect(changed)
+
+    def _make(self, row: Any) -> Any:
+        """The widget."""
+        raise NotImplementedError
+
+    def _connect(self, changed: Callable[[], None]) -> None:
+        """Call back on every change by the user."""
+        raise NotImplementedError
+
+    def _get(self) -> Any:
+        """What the user chose."""
+        raise NotImplementedError
+
+    @property
+    def value(self) -> Any:
+        """What the user chose; ValueError where that is no such value."""
+        return self._get()
+
+    def show_value(self, value: Any) -> None:
+        """Show a value, without calling back."""
+        before = self.widget.blockSignals(True)
+        try:
+            self._put(value)
+        finally:
+            self.widget.blockSignals(before)
+
+    def _put(self, value: Any) -> None:
+        """Show a value."""
+        raise NotImplementedError
+
+    def complain(self, text: str) -> None:
+        """Say beside the field what is wrong with it; nothing where the text is empty."""
+        self.note.setText(text)
+        self.note.setVisible(bool(text))
+
+    def add_to(self, form: Any) -> None:
+        """Add label, widget and note to a form layout."""
+        form.addRow(self.label, self.widget)
+        form.addRow(self.note)
+
+    def set_shown(self, shown: bool) -> None:
+        """Show or hide the whole row."""
+        self.label.setVisible(shown)
+        self.widget.setVisible(shown)
+        self.note.setVisible(shown and bool(self.note.text()))
+
+
+class NumberField(Field):
+    """A length in mm, an angle in degrees, or a plain number."""
+
+    def _make(self, row: Any) -> Any:
+        box = QtWidgets.QDoubleSpinBox()
+        lengths = row.kind in ("Length", "Distance")
+        box.setDecimals(DECIMALS if lengths else 3)
+        box.setRange(0.0 if row.kind == "Length" else -1e6, 1e6)
+        box.setSingleStep(0.001 if lengths else 0.1)
+        # A number that is not yet complete must not start a correction.
+        box.setKeyboardTracking(False)
+        box.setSuffix(" mm" if lengths else " \u00b0" if row.kind == "Angle" else "")
+        return box
+
+    def _connect(self, changed: Callable[[], None]) -> None:
+        self.widget.valueChanged.connect(lambda *_: changed())
+
+    def _get(self) -> float:
+        return float(self.widget.value())
+
+    def _put(self, value: Any) -> None:
+        self.widget.setValue(float(value))
+
+
+class IntegerField(Field):
+    """A whole number."""
+
+    def _make(self, row: Any) -> Any:
+        box = QtWidgets.QSpinBox()
+        box.setRange(0, 1_000_000)
+        box.setKeyboardTracking(False)
+        return box
+
+    def _connect(self, changed: Callable[[], None]) -> None:
+        self.widget.valueChanged.connect(lambda *_: changed())
+
+    def _get(self) -> int:
+        return int(self.widget.value())
+
+    def _put(self, value: Any) -> None:
+        self.widget.setValue(int(value))
+
+
+class ChoiceField(Field):
+    """One of the values that the property allows."""
+
+    def _make(self, row: Any) -> Any:
+        box = QtWidgets.QComboBox()
+        for choice in row.default:
+            box.addItem(translate("Millcorr", CHOICES.get(choice, choice)), choice)
+        return box
+
+    def _connect(self, changed: Callable[[], None]) -> None:
+        self.widget.currentIndexChanged.connect(lambda *_: changed())
+
+    def _get(self) -> str:
+        return str(self.widget.currentData())
+
+    def _put(self, value: Any) -> None:
+        self.widget.setCurrentIndex(self.widget.findData(value))
+
+
+class TextField(Field):
+    """Free text, with suggestions where there are any."""
+
+    def _make(self, row: Any) -> Any:
+        box = QtWidgets.QComboBox()
+        box.setEditable(True)
+        box.setInsertPolicy(QtWidgets.QComboBox.InsertPolicy.NoInsert)
+        box.addItems(list(SUGGESTIONS.get(row.name, ())))
+        box.completer().setCaseSensitivity(QtCore.Qt.CaseSensitivity.CaseSensitive)
+        return box
+
+    def _connect(self, changed: Callable[[], None]) -> None:
+        self.widget.lineEdit().editingFinished.connect(lambda: changed())
+        self.widget.activated.connect(lambda *_: changed())
+
+    def _get(self) -> str:
+        return str(self.widget.currentText()).strip()
+
+    def _put(self, value: Any) -> None:
+        self.widget.setEditText(str(value))
+
+
+class ListField(Field):
+    """Numbers or words, separated by semicolons."""
+
+    def _make(self, row: Any) -> Any:
+        self._numbers = row.kind == "FloatList"
+        line = QtWidgets.QLineEdit()
+        line.setPlaceholderText(translate("Millcorr", "none; several separated by ;"))
+        return line
+
+    def _connect(self, changed: Callable[[], None]) -> None:
+        self.widget.editingFinished.connect(lambda: changed())
+
+    def _get(self) -> list[Any]:
+        words = [word.strip() for word in self.widget.text().split(";") if word.strip()]
+        if not self._numbers:
+            return words
+        # A comma is a decimal mark here: lists are separated otherwise.
+        return [float(word.replace(",", ".").removesuffix("mm")) for word in words]
+
+    def _put(self, value: Any) -> None:
+        self.widget.setText("; ".join(f"{v:g}" if self._numbers else str(v) for v in value))
+
+
+class SwitchField(Field):
+    """Yes or no."""
+
+    def _make(self, row: Any) -> Any:
+        return QtWidgets.QCheckBox(label_of(row.name))
+
+    def _connect(self, changed: Callable[[], None]) -> None:
+        self.widget.toggled.connect(lambda *_: changed())
+
+    def _get(self) -> bool:
+        return bool(self.widget.isChecked())
+
+    def _put(self, value: Any) -> None:
+        self.widget.setChecked(bool(value))
+
+    def add_to(self, form: Any) -> None:
+        """Add widget, which has the label, and note to a form layout."""
+        form.addRow(self.widget)
+        form.addRow(self.note)
+        self.label.hide()
+
+
+class LinkField(Field):
+    """An object of the document, or none."""
+
+    def _make(self, row: Any) -> Any:
+        self._objects: list[Any] = [None]
+        return QtWidgets.QComboBox()
+
+    def offer(self, objects: Sequence[Any], none: str) -> None:
+        """Offer objects, and first none of them, under this name; the choice stays where it can."""
+        chosen = self.value
+        self._objects = [None, *objects]
+        before = self.widget.blockSignals(True)
+        self.widget.clear()
+        self.widget.addItems([none, *(obj.Label for obj in objects)])
+        self.widget.blockSignals(before)
+        self.show_value(chosen)
+
+    def _connect(self, changed: Callable[[], None]) -> None:
+        self.widget.currentIndexChanged.connect(lambda *_: changed())
+
+    def _get(self) -> Any:
+        at = self.widget.currentIndex()
+        return self._objects[at] if 0 <= at < len(self._objects) else None
+
+    def _put(self, value: Any) -> None:
+        names = [getattr(obj, "Name", None) for obj in self._objects]
+        name = getattr(value, "Name", None)
+        self.widget.setCurrentIndex(names.index(name) if name in names else 0)
+
+
+class LinksField(Field):
+    """Any number of objects of the document."""
+
+    def _make(self, row: Any) -> Any:
+        self._objects: list[Any] = []
+        box = QtWidgets.QListWidget()
+        box.setMaximumHeight(72)
+        return box
+
+    def offer(self, objects: Sequence[Any]) -> None:
+        """Offer objects; those that are chosen stay so."""
+        chosen = self.value
+        self._objects = list(objects)
+        before = self.widget.blockSignals(True)
+        self.widget.clear()
+        for obj in objects:
+            item = QtWidgets.QListWidgetItem(obj.Label, self.widget)
+            item.setCheckState(QtCore.Qt.CheckState.Unchecked)
+        self.widget.blockSignals(before)
+        self.show_value(chosen)
+
+    def _connect(self, changed: Callable[[], None]) -> None:
+        self.widget.itemChanged.connect(lambda *_: changed())
+
+    def _get(self) -> list[Any]:
+        checked = QtCore.Qt.CheckState.Checked
+        return [obj for k, obj in enumerate(self._objects) if self.widget.item(k).checkState() == checked]
+
+    def _put(self, value: Any) -> None:
+        names = {obj.Name for obj in value}
+        for k, obj in enumerate(self._objects):
+            state = QtCore.Qt.CheckState.Checked if obj.Name in names else QtCore.Qt.CheckState.Unchecked
+            self.widget.item(k).setCheckState(state)
+
+
+class FileField(Field):
+    """A file, chosen or typed."""
+
+    def _make(self, row: Any) -> Any:
+        line = QtWidgets.QLineEdit()
+        line.setPlaceholderText(translate("Millcorr", "none"))
+        self._browse = line.addAction(
+            line.style().standardIcon(QtWidgets.QStyle.StandardPixmap.SP_DirOpenIcon),
+            QtWidgets.QLineEdit.ActionPosition.TrailingPosition,
+        )
+        self._browse.setToolTip(translate("Millcorr", "Browse\u2026"))
+        return line
+
+    def _connect(self, changed: Callable[[], None]) -> None:
+        def browse() -> None:
+            chosen, _ = QtWidgets.QFileDialog.getOpenFileName(self.widget, self.label.text(), self.widget.text())
+            if chosen:
+                self.widget.setText(chosen)
+                changed()
+
+        self._browse.triggered.connect(lambda *_: browse())
+        self.widget.editingFinished.connect(lambda: changed())
+
+    def _get(self) -> str:
+        return str(self.widget.text()).strip()
+
+    def _put(self, value: Any) -> None:
+        self.widget.setText(str(value or ""))
+
+
+KINDS: dict[str, type[Field]] = {
+    "Length": NumberField,
+    "Distance": NumberField,
+    "Angle": NumberField,
+    "Float": NumberField,
+    "Integer": IntegerField,
+    "Enumeration": ChoiceField,
+    "String": TextField,
+    "FloatList": ListField,
+    "StringList": ListField,
+    "Bool": SwitchField,
+    "Link": LinkField,
+    "LinkList": LinksField,
+    "FileIncluded": FileField,
+}
+"""Field for each kind of property."""
+
+
+def field_for(row: Any, changed: Callable[[], None]) -> Field:
+    """Field of a property."""
+    return KINDS[row.kind](row, changed)

@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The window of a measuring program: probe, control, places; the touches in the 3-D view, the program as text."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from millcorr.app import candidates, draft, measuring
+from millcorr.app.properties import QT_TRANSLATE_NOOP, Property
+from millcorr.errors import UsageError
+from millcorr.probing import TOUCHES
+from millcorr.probing_overlay import overlay_of
+
+from . import file_task, preferences
+from .line_set import LineSet
+from .options import Expression, call
+from .program_task import PROGRAMS
+from .qt import QtWidgets
+from .remedies import worded
+from .text import translate
+
+_text = QT_TRANSLATE_NOOP
+
+CHECKED = {
+    "linuxcnc": _text("Millcorr", "Run in LinuxCNC's own interpreter. Moves between touches are unprotected."),
+    "linuxcnc-protected": _text(
+        "Millcorr", "Run in LinuxCNC's own interpreter. Moves between touches stop at contact. Prefer it."
+    ),
+    "grbl": _text(
+        "Millcorr", "Run in an interpreter written after GRBL's documentation. Moves between touches are unprotected."
+    ),
+    "fanuc": _text(
+        "Millcorr", "Run in an interpreter written after Renishaw's description of its cycles; result variables "
+        "compared with public tables."
+    ),
+    "haas": _text(
+        "Millcorr", "Run in an interpreter written after Renishaw's description of its cycles; result variables "
+        "compared with public tables."
+    ),
+    "okuma": _text(
+        "Millcorr", "Run in an interpreter written after public descriptions. No manual with the names of the "
+        "arguments was at hand: compare with yours."
+    ),
+    "heidenhain": _text("Millcorr", "Run in an interpreter written after the description of TCH PROBE cycle 3."),
+    "siemens": _text("Millcorr", "Run in an interpreter written after the programming manual of MEAS."),
+}  # fmt: skip
+"""What was checked of each dialect."""
+
+_CONTROL = (
+    Property(
+        "Enumeration", "Dialect", "", _text("App::Property", "Control that runs it"), preferences.CHOICES["Dialect"]
+    ),
+    Property("SaveFile", "Output", "", _text("App::Property", "Measuring program to write"), PROGRAMS),
+)
+_PROBE = (
+    Property(
+        "Length", "BallRadius", "", _text("App::Property", "Radius at which the probe triggers, as calibrated"), 0.0
+    ),
+    Property("Integer", "PointsCount", "", _text("App::Property", "Number of points; 0: by their distance"), 40),
+    Property("Length", "Spacing", "", _text("App::Property", "Distance of points along the contour"), 0.0),
+    Property("Bool", "Curvature", "", _text("App::Property", "Denser where the contour bends"), False),
+    Property(
+        "Enumeration",
+        "Touch",
+        "",
+        _text("App::Property", "Along an axis where the slope allows it, always along an axis, or along the normal"),
+        TOUCHES,
+    ),
+)
+_ROOM = (
+    Property("Distance", "Z", "", _text("App::Property", "Height to measure at"), 0.0),
+    Property("Distance", "SafeZ", "", _text("App::Property", "Height at which the probe passes over everything"), 0.0),
+    Property("Length", "Clearance", "", _text("App::Property", "Distance from which a touch begins"), 2.0),
+    Property("Length", "Overtravel", "", _text("App::Property", "How far behind the surface a touch gives up"), 1.0),
+    Property("Length", "Stock", "", _text("App::Property", "Stock that is still on the contour"), 0.0),
+    Property(
+        "Length", "FreeWidth", "", _text("App::Property", "How far beside the contour it is free; 0: everywhere"), 0.0
+    ),
+)
+_MORE = (
+    Property("Link", "Nominal", "", _text("App::Property", "Contour to measure, where it is not the operation's own")),
+    Property("Float", "Feed", "", _text("App::Property", "Feed of the touch, mm/min"), 100.0),
+    Property(
+        "Float", "PositioningFeed", "", _text("App::Property", "Feed of moves at measuring height, mm/min"), 1000.0
+    ),
+    Property(
+        "Integer", "Tool", "", _text("App::Property", "Number of the probe in the magazine; 0: it is in use"), 0
+    ),
+    Property("String", "Log", "", _text("App::Property", "Name of the file the control writes; empty: as usual"), ""),
+)
+
+
+class MeasuringTask(file_task.FileTask):
+    """A measuring program of an operation.
+
+    Parameters
+    ----------
+    operation : document object
+        Operation or dressup that cuts the contour.
+    """
+
+    verb = _text("Millcorr", "Write program")
+    aside = True
+
+    def __init__(self, operation: Any) -> None:
+        super().__init__(translate("Millcorr", "Measuring program"), "Millcorr_Probe", "measuring-programs.md")
+        self.operation, self.home = operation, operation.Document.Name
+        self.picture = LineSet(operation.Document)
+        warned = QtWidgets.QLabel(
+            translate(
+                "Millcorr",
+                "No program of millcorr has run on a real machine. Run the first one above the part, then with the "
+                "feed override low and a hand on feed hold.",
+            )
+        )
+        warned.setWordWrap(True)
+        warned.setProperty("millcorr", "doubt")
+        self.layout.addWidget(warned)
+        self.group(translate("Millcorr", "Control"), _CONTROL, self.changed)
+        self.checked = QtWidgets.QLabel()
+        self.checked.setObjectName("Checked")
+        self.checked.setWordWrap(True)
+        self.layout.addWidget(self.checked)
+        self.group(translate("Millcorr", "Probe and points on {}").format(operation.Label), _PROBE, self.changed)
+        self.group(translate("Millcorr", "Room"), _ROOM, self.changed, folded=True)
+        self.group(translate("Millcorr", "More settings"), _MORE, self.changed, folded=True)
+        self.text = file_task.monospaced("Program", 9)
+        self.layout.addWidget(self.text)
+        self._show_values()
+        self.changed()
+
+    def _show_values(self) -> None:
+        for row in (*_PROBE, *_ROOM, *_MORE):
+            if row.default is not None:
+                usual = row.default[0] if row.kind == "Enumeration" else row.default
+                self.fields[row.name].show_value(usual)
+        for name in ("BallRadius", "Dialect", "PositioningFeed"):
+            self.fields[name].show_value(preferences.get(name))
+        self.fields["Feed"].show_value(preferences.get("TouchFeed"))
+        shapes = candidates.shapes(self.operation.Document)
+        self.fields["Nominal"].offer(shapes, translate("Millcorr", "the operation's own contour"))
+        low, high = measuring.suggested_heights(self.operation) or (0.0, 0.0)
+        self.fields["Z"].show_value(round(low, 4))
+        self.fields["SafeZ"].show_value(round(high, 4))
+
+    def complete(self) -> bool:
+        """Whether the probe is known."""
+        self.checked.setText(translate("Millcorr", CHECKED[self.fields["Dialect"].value]))
+        return bool(self.fields["BallRadius"].value > 0)
+
+    def _options(self) -> dict[str, Any]:
+        v = self.values
+        probe = {
+            "ball_radius": v["BallRadius"],
+            "clearance": v["Clearance"],
+            "overtravel": v["Overtravel"],
+            "stock": v["Stock"],
+            "touch": v["Touch"],
+        }
+        if v["FreeWidth"]:
+            probe["free_width"] = v["FreeWidth"]
+        placement: dict[str, Any] = {"count": v["PointsCount"]} if v["PointsCount"] else {"spacing": v["Spacing"]}
+        if v["Curvature"]:
+            placement["by_curvature"] = True
+        return {
+            "dialect": v["Dialect"],
+            "probe": probe,
+            "placement": placement,
+            "nominal": v["Nominal"],
+            "z": v["Z"],
+            "safe_z": v["SafeZ"],
+            "feed": v["Feed"],
+            "positioning": v["PositioningFeed"],
+            "tool": v["Tool"] or None,
+            "log": v["Log"] or None,
+            "output": v["Output"] or "PROBE.nc",
+        }
+
+    def work(self) -> Callable[[], Any]:
+        """Plan and write, in memory."""
+        return measuring.prepared(self.operation, **self._options())
+
+    def show_outcome(self, outcome: Any) -> None:
+        """What is touched, what is not and why, and the program."""
+        self.say(worded(file_task.spaced(outcome.words())), "doubt" if outcome.warnings else "good")
+        self.text.setPlainText(outcome.text)
+        values = self.values
+        self.picture.fill(overlay_of(outcome.plan, values["Z"], values["SafeZ"]))
+
+    def show_failure(self, text: str) -> None:
+        """No program, and why."""
+        self.text.setPlainText("")
+        self.picture.hide()
+        super().show_failure(text)
+
+    def job(self) -> file_task.Job:
+        """Write the program and what it needs beside it."""
+        if not self.fields["Output"].value:
+            raise UsageError("--output needs a name: the measuring program is written there")
+        if not self.complete():
+            raise UsageError("--probe-radius: say the radius at which the probe triggers")
+        output = file_task.absolute([self.fields["Output"].value])[0]
+        options = self._options()
+        made = measuring.prepared(self.operation, **options)
+        del options["output"]
+        said = options | {"nominal": None if options["nominal"] is None else _named(options["nominal"])}
+        lines = [
+            "from millcorr.app import measuring",
+            f"print({call('measuring.write', _named(self.operation), output, **said)})",
+        ]
+        return file_task.Job(lines, measuring, "write", lambda: measuring.written(made(), Path(output)))
+
+    def stop_all(self) -> None:
+        """Take the touches out of the 3-D view, too."""
+        self.picture.remove()
+        super().stop_all()
+
+
+def _named(obj: Any) -> Expression:
+    return Expression(draft.in_python(obj))

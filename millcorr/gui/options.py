@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From the values of a form to the options of a call by name, and to the line of Python that a macro records."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import fields
+from typing import Any
+
+from millcorr.settings import Settings
+
+AS_FILE = "as the file says"
+"""Choice of a form where the measured file itself tells."""
+
+READING = {
+    "Points": "points",
+    "BallRadius": "probe_radius",
+    "Unit": "units",
+    "Format": "format",
+    "Mapping": "mapping",
+    "Part": "part",
+    "WorkRotation": "work_rotation",
+    "Probe": "probe",
+}
+"""Fields that say how a measured file is to be read, and their names in `millcorr.readers.Reading`."""
+
+_DEFAULTS = {field.name: field.default for field in fields(Settings)}
+
+
+def reading_options(values: Mapping[str, Any]) -> dict[str, Any]:
+    """How a measured file is to be read, from the values of a form; what it leaves to the file is left out."""
+    said = {option: values.get(name) for name, option in READING.items()}
+    return {option: value for option, value in said.items() if value and value != AS_FILE}
+
+
+def setting_options(values: Mapping[str, Any]) -> dict[str, Any]:
+    """How to correct, from the values of a form; what is as usual is left out, and what belongs to another method."""
+    out = {}
+    for name, usual in _DEFAULTS.items():
+        value = values.get(name.title().replace("_", ""))
+        value = tuple(value) if isinstance(value, list) else value
+        if value is None or value == usual or (usual is None and not value):
+            continue
+        out[name] = value
+    if out.get("method") != "transfer":
+        for name in ("depth", "next_depth", "depth_along", "transfer_function"):
+            out.pop(name, None)
+    return out
+
+
+def call(function: str, *given: Any, **options: Any) -> str:
+    """A call as a line of Python; options that are None are left out.
+
+    Parameters
+    ----------
+    function : str
+    *given, **options
+        Anything whose repr is Python, or an `Expression`.
+    """
+    words = [repr(value) for value in given]
+    words += [f"{name}={value!r}" for name, value in options.items() if value is not None]
+    return f"{function}({', '.join(words)})"
+
+
+class Expression:
+    """A piece of Python that stands for itself in `call`."""
+
+    def __init__(self, text: str) -> None:
+        self._text = text
+
+    def __repr__(self) -> str:
+        return self._text

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Plots drawn by matplotlib; imported only where it is there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg, NavigationToolbar2QT
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+
+from millcorr.plot_arrays import Along, Distribution, Series
+
+from .text import translate
+
+UNIT = "\u00b5m"
+
+
+class Canvas(FigureCanvasQTAgg):
+    """A figure with one pair of axes.
+
+    Parameters
+    ----------
+    colours : mapping of str to str
+        By role, as `millcorr.report_plots.COLOURS` has them.
+    """
+
+    def __init__(self, colours: dict[str, str]) -> None:
+        super().__init__(Figure(layout="constrained"))
+        self.colours = colours
+        self.axes = self.figure.add_subplot()
+        self.setMinimumHeight(90)
+        self.figure.set_facecolor(colours["paper"])
+        self.pointed: Callable[[float | None], None] = lambda x: None
+        self.zoomed: Callable[[float, float], None] = lambda low, high: None
+        self._mark: Any = None
+        self._told = False
+        self.mpl_connect("motion_notify_event", self._moved)
+        self.mpl_connect("axes_leave_event", lambda event: self.pointed(None))
+
+    def clear(self, below: str, beside: str) -> Any:
+        """Empty axes with their names and colours; gives them."""
+        axes, c = self.axes, self.colours
+        axes.clear()
+        self._mark = None
+        axes.set_facecolor(c["paper"])
+        axes.grid(True, color=c["faint"], linewidth=0.8)
+        axes.set_axisbelow(True)
+        axes.tick_params(colors=c["soft"], labelsize=8)
+        for spine in axes.spines.values():
+            spine.set_color(c["soft"])
+        axes.set_xlabel(below, color=c["soft"], fontsize=9)
+        axes.set_ylabel(beside, color=c["soft"], fontsize=9)
+        axes.callbacks.connect("xlim_changed", self._limits)
+        return axes
+
+    def legend(self) -> None:
+        """Legend above the axes, where it covers nothing."""
+        handles, labels = self.axes.get_legend_handles_labels()
+        if not handles:
+            return
+        made = self.axes.legend(
+            handles, labels, fontsize=8, ncols=4, loc="lower left", bbox_to_anchor=(0, 1), frameon=False, borderpad=0.2
+        )
+        for text in made.get_texts():
+            text.set_color(self.colours["ink"])
+
+    def along(self, plot: Along) -> None:
+        """Deviations along the contour."""
+        axes = self.clear(
+            translate("Millcorr", "arc length s, mm"), translate("Millcorr", "deviation, {}").format(UNIT)
+        )
+        c = self.colours
+        size = 6 if len(plot.rows) < 1000 else 2
+        told = translate("Millcorr", "uncertainty, k = {:g}").format(plot.coverage)
+        for course in plot.courses:
+            axes.fill_between(course.x, course.low, course.high, color=c["ink"], alpha=0.16, linewidth=0, label=told)
+            told = ""
+        x = plot.x[plot.rows]
+        axes.scatter(
+            x, plot.raw[plot.rows], s=size, color=c["raw"], label=translate("Millcorr", "measured"), zorder=2
+        )
+        expected = translate("Millcorr", "expected next")
+        axes.scatter(x, plot.predicted[plot.rows], s=size, color=c["predicted"], label=expected, zorder=2)
+        told = translate("Millcorr", "determined part")
+        for course in plot.courses:
+            axes.plot(course.x, course.value, color=c["ink"], linewidth=1.6, label=told, zorder=3)
+            told = ""
+        axes.axhline(0, color=c["soft"], linewidth=1)
+        for corner in plot.corners:
+            axes.axvline(corner, color=c["soft"], linewidth=0.8, linestyle=":")
+        for start in plot.starts[1:]:
+            axes.axvline(start, color=c["soft"], linewidth=1)
+        self.legend()
+        self.show_range(0.0, plot.total)
+
+    def distribution(self, plot: Distribution) -> None:
+        """Histogram of the deviations."""
+        axes = self.clear(translate("Millcorr", "deviation, {}").format(UNIT), translate("Millcorr", "points"))
+        c = self.colours
+        for counts, colour, name in (
+            (plot.before, c["raw"], translate("Millcorr", "measured")),
+            (plot.predicted, c["predicted"], translate("Millcorr", "expected next")),
+        ):
+            axes.stairs(counts, plot.edges, fill=True, color=colour, alpha=0.45, label=name)
+        if len(plot.bell):
+            name = translate("Millcorr", "normal law of the scatter")
+            axes.plot(plot.bell_x, plot.bell, color=c["ink"], linewidth=1.2, linestyle="--", label=name)
+        axes.axvline(0, color=c["soft"], linewidth=1)
+        self.legend()
+        self.draw_idle()
+
+    def history(self, plot: Series) -> None:
+        """Parts of a series."""
+        axes = self.clear(translate("Millcorr", "part"), translate("Millcorr", "deviation, {}").format(UNIT))
+        c = self.colours
+        name = translate("Millcorr", "range of the points")
+        axes.vlines(plot.part, plot.low, plot.high, color=c["raw"], linewidth=2, label=name)
+        name = translate("Millcorr", "mean and standard deviation")
+        axes.errorbar(
+            plot.part, plot.mean, plot.std, fmt="o-", color=c["predicted"], markersize=4, capsize=3, label=name
+        )
+        axes.axhline(0, color=c["soft"], linewidth=1)
+        for part in plot.part[plot.corrected]:
+            axes.axvline(part + 0.5, color=c["soft"], linewidth=0.8, linestyle=":")
+        axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+        axes.set_xlim(plot.part.min() - 0.6, plot.part.max() + 0.6)
+        self.legend()
+        self.draw_idle()
+
+    def mark(self, x: float | None) -> None:
+        """An upright at a place; none where it is None."""
+        if self._mark is None:
+            if x is None:
+                return
+            self._mark = self.axes.axvline(x, color=self.colours["undercut"], linewidth=1.4)
+        self._mark.set_visible(x is not None)
+        if x is not None:
+            self._mark.set_xdata([x, x])
+        self.draw_idle()
+
+    def show_range(self, low: float, high: float) -> None:
+        """Show a part of the axis; nobody is told."""
+        self._told = True
+        self.axes.set_xlim(low, high)
+        self._told = False
+        self.draw_idle()
+
+    @property
+    def shown_range(self) -> tuple[float, float]:
+        """Part of the axis that is shown."""
+        low, high = self.axes.get_xlim()
+        return float(low), float(high)
+
+    def _limits(self, axes: Any) -> None:
+        if not self._told:
+            self.zoomed(*self.shown_range)
+
+    def _moved(self, event: Any) -> None:
+        self.pointed(event.xdata if event.inaxes is self.axes else None)
+
+
+def toolbar(canvas: Canvas, parent: Any) -> Any:
+    """The toolbar of matplotlib: back, pan, zoom, save."""
+    made = NavigationToolbar2QT(canvas, parent, coordinates=False)
+    made.setObjectName("PlotTools")
+    return made

@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""An operation simulated before it is cut: the cutter runs along, its signals in step, the contours it would leave."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from millcorr import simulation_arrays, simulation_view
+from millcorr.app import draft, simulating
+from millcorr.app.properties import QT_TRANSLATE_NOOP, Property
+from millcorr.errors import UsageError
+from millcorr.simulation_arrays import Played
+
+from . import file_task, plots
+from .cutter import Cutter
+from .line_set import LineSet
+from .options import Expression, call
+from .qt import QtCore, QtWidgets
+from .text import translate
+
+_text = QT_TRANSLATE_NOOP
+
+TICK = 40
+"""Milliseconds from one place of the cutter to the next."""
+
+STEPS = 2000
+"""Places of the slider."""
+
+SPEEDS = (0.2, 1.0, 2.0, 5.0, 10.0)
+"""So many times faster than the machine."""
+
+_ROWS = (
+    Property(
+        "OpenFile",
+        "Setup",
+        "",
+        _text("App::Property", "Tool, material, machine and stock"),
+        _text("Millcorr", "Setups (*.toml);;All files (*)"),
+    ),
+    Property("Float", "Magnification", "", _text("App::Property", "So many times larger errors are drawn"), 100.0),
+    Property("Directory", "Report", "", _text("App::Property", "Directory for the report with all signals")),
+)
+
+SIGNALS = (
+    _text("Millcorr", "force"),
+    _text("Millcorr", "engaged arc"),
+    _text("Millcorr", "feed"),
+    _text("Millcorr", "deflection"),
+)
+"""Names of signals, for the tool that collects texts."""
+
+
+class SimulateTask(file_task.FileTask):
+    """The simulation of an operation.
+
+    Parameters
+    ----------
+    operation : document object
+    """
+
+    verb = _text("Millcorr", "Write report")
+    aside = True
+
+    def __init__(self, operation: Any) -> None:
+        super().__init__(translate("Millcorr", "Simulation"), "Millcorr_Simulate", "simulate.md")
+        self.operation, self.home = operation, operation.Document.Name
+        self.played: Played | None = None
+        self.time = 0.0
+        self.contours, self.cutter = LineSet(operation.Document), Cutter(operation.Document)
+        self.group(operation.Label, _ROWS, self.changed)
+        self.fields["Magnification"].show_value(100.0)
+        self.found = QtWidgets.QLabel(
+            translate("Millcorr", "Name the setup: tool, material, machine and stock, as a TOML file.")
+        )
+        self.found.setObjectName("Found")
+        self.found.setWordWrap(True)
+        self.layout.addWidget(self.found)
+        self._make_player()
+        self.canvas: Any = None
+        self.drawing: Any = None
+        if plots.has_matplotlib():
+            from .signal_canvas import SignalCanvas
+
+            self.canvas = SignalCanvas(plots.colours(), self.seek)
+            self.layout.addWidget(self.canvas, 1)
+        else:
+            from .plot_drawing import Drawing
+
+            self.drawing = Drawing()
+            self.layout.addWidget(self.drawing, 1)
+        self._clock = QtCore.QTimer(self.form)
+        self._clock.setInterval(TICK)
+        self._clock.timeout.connect(self._tick)
+
+    def _make_player(self) -> None:
+        row = QtWidgets.QHBoxLayout()
+        self.play = QtWidgets.QPushButton(translate("Millcorr", "Play"))
+        self.play.setObjectName("Play")
+        self.play.setAutoDefault(False)
+        self.play.setEnabled(False)
+        self.play.clicked.connect(lambda *_: self.toggle())
+        self.slider = QtWidgets.QSlider(QtCore.Qt.Orientation.Horizontal)
+        self.slider.setObjectName("Time")
+        self.slider.setAccessibleName(translate("Millcorr", "time, s"))
+        self.slider.setRange(0, STEPS)
+        self.slider.setEnabled(False)
+        self.slider.valueChanged.connect(self._slid)
+        self.speed = QtWidgets.QComboBox()
+        self.speed.setObjectName("Speed")
+        self.speed.setToolTip(translate("Millcorr", "So many times faster than the machine"))
+        for speed in SPEEDS:
+            self.speed.addItem(f"{speed:g}\u00d7", speed)
+        self.speed.setCurrentIndex(SPEEDS.index(5.0))
+        for widget in (self.play, self.slider, self.speed):
+            row.addWidget(widget)
+        self.layout.addLayout(row)
+        self.now = QtWidgets.QLabel()
+        self.now.setObjectName("Now")
+        self.now.setWordWrap(True)
+        self.layout.addWidget(self.now)
+
+    # The work ----------------------------------------------------------------------------------------
+
+    def complete(self) -> bool:
+        """Whether a setup is named."""
+        return bool(self.fields["Setup"].value)
+
+    def work(self) -> Callable[[], Any]:
+        """Simulate, and prepare what is drawn."""
+        finish = simulating.prepared(self.operation, self.fields["Setup"].value)
+        magnification = self.fields["Magnification"].value
+
+        def function() -> Any:
+            played = finish()
+            return played, simulation_arrays.traces(played), simulation_arrays.lines(played, magnification)
+
+        return function
+
+    def show_outcome(self, outcome: Any) -> None:
+        """Contours, signals, and the player at its start."""
+        self.played, self.traces, lines = outcome
+        played = self.played
+        self.contours.fill(lines)
+        radius = played.before.setup.tool.radius
+        self.cutter.size(radius, 5 * radius)
+        largest = 1000.0 * played.before.largest
+        text = translate("Millcorr", "Largest predicted error {:.1f} \u00b5m").format(largest)
+        if played.after is not None:
+            text += translate("Millcorr", ", corrected {:.1f} \u00b5m").format(1000.0 * played.after.largest)
+        text += "<br>" + translate(
+            "Millcorr",
+            "<span style='color:#888'>\u2014</span> commanded path, <span style='color:#c00'>\u2014</span> machined "
+            "contour, <span style='color:#2e9a1c'>\u2014</span> corrected contour, errors {:g}:1",
+        ).format(self.fields["Magnification"].value)
+        cautions = [*played.before.cautions, *([played.refused] if played.refused else [])]
+        self.found.setText("<br>".join([text, *cautions]))
+        if self.canvas is not None:
+            self.canvas.fill(self.traces)
+        else:
+            drawn = simulation_view.load_plot(played.signals)
+            self.drawing.show_svg(plots.report_plots.standalone(drawn, plots.theme()), plots.colours()["paper"])
+        for widget in (self.play, self.slider):
+            widget.setEnabled(True)
+        self.seek(0.0)
+
+    def show_failure(self, text: str) -> None:
+        """Nothing to play, and why."""
+        self._stop_playing()
+        self.played = None
+        self.contours.hide()
+        for widget in (self.play, self.slider):
+            widget.setEnabled(False)
+        super().show_failure(text)
+
+    def job(self) -> file_task.Job:
+        """Write the report."""
+        values = self.values
+        if not (values["Setup"] and values["Report"]):
+            raise UsageError("name the setup and the directory for the report")
+        setup, directory = file_task.absolute([values["Setup"], values["Report"]])
+        made = call("simulating.write", Expression(draft.in_python(self.operation)), setup, directory)
+        request = simulating.request_of(self.operation, setup)
+        return file_task.Job(
+            ["from millcorr.app import simulating", f"print({made})"],
+            simulating,
+            "write",
+            lambda: simulating.written(request, directory),
+        )
+
+    # The player --------------------------------------------------------------------------------------
+
+    def toggle(self) -> None:
+        """Play, or pause."""
+        if self._clock.isActive():
+            self._stop_playing()
+            return
+        if self.played is not None:
+            if self.time >= self.played.duration:
+                self.seek(0.0)
+            self._clock.start()
+            self.play.setText(translate("Millcorr", "Pause"))
+
+    def _stop_playing(self) -> None:
+        self._clock.stop()
+        self.play.setText(translate("Millcorr", "Play"))
+
+    def _tick(self) -> None:
+        if self.played is None:
+            return
+        self.seek(self.time + TICK / 1000.0 * self.speed.currentData())
+        if self.time >= self.played.duration:
+            self._stop_playing()
+
+    def _slid(self, step: int) -> None:
+        if self.played is not None:
+            self._show(step / STEPS * self.played.duration)
+
+    def seek(self, time: float) -> None:
+        """Go to a time from the first step, in s."""
+        if self.played is None:
+            return
+        time = min(max(time, 0.0), self.played.duration)
+        before = self.slider.blockSignals(True)
+        self.slider.setValue(round(time / self.played.duration * STEPS) if self.played.duration else 0)
+        self.slider.blockSignals(before)
+        self._show(time)
+
+    def _show(self, time: float) -> None:
+        assert self.played is not None
+        self.time = time
+        self.cutter.move(*self.played.cutter_at(time))
+        row = self.played.row_at(time)
+        values = [f"{translate('Millcorr', t.name)} {t.now[row]:.3g} {t.unit}" for t in self.traces]
+        line = int(self.played.signals.line[row])
+        told = translate("Millcorr", "{:.2f} s, line {}: ").format(time, line)
+        self.now.setText(told + ", ".join(values))
+        if self.canvas is not None:
+            self.canvas.show_time(time)
+
+    def stop_all(self) -> None:
+        """Take everything out of the 3-D view."""
+        self._stop_playing()
+        self.contours.remove()
+        self.cutter.remove()
+        super().stop_all()

@@ -1,0 +1,277 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How a control and its drives turn a commanded motion into the real one: the constants of a machine.
+
+Every axis is a chain of linear filters of unit gain on the commanded position: acceleration and deceleration
+behind the interpolator, then the servo. Linear acc/dec of time T is the mean over the last T, exponential acc/dec
+of time constant T and a servo of gain Kv are lags of first order, of time constants T and 1/Kv.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from millcorr.errors import UsageError
+
+Floats = NDArray[np.float64]
+
+SHAPES = ("linear", "exponential")
+SHORTEST = 1e-3
+"""No acc/dec and no servo is faster than this, in s; sums would lose digits."""
+
+_NEARLY_EQUAL = 1e-5
+"""Relative difference of two lags below which they are spread by this: it changes a path by 1e-10 of it."""
+_DECAY = 40.0
+"""Time constants after which a lag has forgotten: exp(-40) is 4e-18."""
+
+
+@dataclass(frozen=True, slots=True)
+class AxisDynamics:
+    """Constants of one axis.
+
+    Parameters
+    ----------
+    time : float
+        Acc/dec behind the interpolator, in s: the duration of a change of speed if linear, the time constant if
+        exponential; 0 for none.
+    shape : {"linear", "exponential"}
+    kv : float
+        Servo gain in 1/s (at constant speed the axis is speed / kv behind); infinite for an ideal servo.
+    rapid : float, optional
+        Rapid speed in mm/s; where it is not known, rapids are left out and the time of a program is without them.
+
+    Raises
+    ------
+    UsageError
+        If a constant is no such number.
+    """
+
+    time: float = 0.0
+    shape: str = "linear"
+    kv: float = math.inf
+    rapid: float | None = None
+
+    def __post_init__(self) -> None:
+        if self.shape not in SHAPES:
+            raise UsageError(f"acc/dec is {' or '.join(SHAPES)}, not {self.shape!r}")
+        if not (self.time == 0 or SHORTEST <= self.time < math.inf):
+            raise UsageError(f"acc/dec time {self.time:g} s: state 0, or {SHORTEST:g} s or more")
+        if not (0 < self.kv <= 1 / SHORTEST or self.kv == math.inf):
+            raise UsageError(
+                f"servo gain {self.kv:g} 1/s: state a gain above 0 up to {1 / SHORTEST:g}, or leave it out for an "
+                "ideal servo"
+            )
+        if self.rapid is not None and not (math.isfinite(self.rapid) and self.rapid > 0):
+            raise UsageError(f"rapid speed {self.rapid:g} mm/s: state a speed above 0, or leave it out")
+
+    @property
+    def box(self) -> float:
+        """Width of the moving mean in s; 0 for none."""
+        return self.time if self.shape == "linear" else 0.0
+
+    @property
+    def lags(self) -> tuple[tuple[float, float], ...]:
+        """Weights and time constants in s of the lags whose sum is the chain without its moving mean.
+
+        Two lags one after the other are (a A - b B) / (a - b) for the single lags A and B of time constants a, b.
+        """
+        exponential = self.time if self.shape == "exponential" else 0.0
+        constants = [c for c in (exponential, 1.0 / self.kv) if c > 0]
+        if len(constants) < 2:
+            return tuple((1.0, c) for c in constants)
+        a, b = constants
+        if abs(a - b) < _NEARLY_EQUAL * (a + b):
+            a, b = (a + b) / 2 * (1 + _NEARLY_EQUAL), (a + b) / 2 * (1 - _NEARLY_EQUAL)
+        return (a / (a - b), a), (b / (b - a), b)
+
+    @property
+    def delay(self) -> float:
+        """Mean delay in s: at constant speed the axis is speed times this behind the command."""
+        return self.time / (2.0 if self.shape == "linear" else 1.0) + 1.0 / self.kv
+
+    @property
+    def memory(self) -> float:
+        """Time in s after which an earlier command is forgotten, to the precision of numbers."""
+        return self.box + _DECAY * sum(c for _, c in self.lags)
+
+    def response(self, omega: ArrayLike) -> NDArray[np.complex128]:
+        """Frequency response at angular frequencies in rad/s: actual over commanded position."""
+        s = 1j * np.asarray(omega, dtype=float)
+        out = np.exp(-s * self.box / 2) * np.sinc(s.imag * self.box / (2 * np.pi))
+        exponential = self.time if self.shape == "exponential" else 0.0
+        result: NDArray[np.complex128] = out / ((1 + s * exponential) * (1 + s / self.kv))
+        return result
+
+    def left(self, wait: ArrayLike) -> Floats:
+        """Way still to go, a unit of speed, `wait` s after a long move at constant speed has been commanded."""
+        return self._tail(np.asarray(wait, dtype=float), 1)
+
+    def left_of_ramp(self, wait: ArrayLike) -> Floats:
+        """Way still to go, a unit of deceleration, `wait` s after a long ramp to standstill has been commanded."""
+        return self._tail(np.asarray(wait, dtype=float), 2)
+
+    def _tail(self, wait: Floats, order: int) -> Floats:
+        """What is left `wait` s after the command has ended: once or twice integrated answer to a step."""
+        if self.box == 0:
+            return self._lag_tail(wait, order)
+        out: Floats = (self._lag_tail(wait - self.box, order + 1) - self._lag_tail(wait, order + 1)) / self.box
+        return out
+
+    def _lag_tail(self, wait: Floats, order: int) -> Floats:
+        """Integral of order `order` from `wait` to infinity of one minus the lags' answer to a step at 0.
+
+        The answer's complement is 1 before 0 and a sum of exponentials behind it.
+        """
+        behind = np.maximum(wait, 0.0)
+        before = np.minimum(wait, 0.0)
+        out = (-before) ** order / math.factorial(order)
+        for weight, constant in self.lags:
+            out = out + weight * constant**order * np.exp(-behind / constant)
+            for k in range(1, order):
+                out = out + weight * constant**k * (-before) ** (order - k) / math.factorial(order - k)
+        return out
+
+
+@dataclass(frozen=True, slots=True)
+class ContourControl:
+    """Look-ahead that slows down along the path before a corner (two-stage contour control).
+
+    Ahead of a corner the feed falls along the path, without path error, to a corner feed at which no axis changes
+    its speed by more than `speed_change`; that first stage takes the accuracy-maintenance time
+    ``T = slope * feed + intercept`` (dat-2025, eq. 1). The second stage is the axes' own acc/dec.
+
+    Parameters
+    ----------
+    speed_change : float
+        Largest sudden change of commanded speed of one axis, in mm/s. The paper does not state it; it is a
+        parameter of the control.
+    slope : float
+        In s per mm/s. Default: the paper's 0.0062 ms per mm/min.
+    intercept : float
+        In s. Default: the paper's 39.226 ms.
+
+    Raises
+    ------
+    UsageError
+        If a constant is no such number.
+    """
+
+    speed_change: float
+    slope: float = 0.0062e-3 * 60.0
+    intercept: float = 39.226e-3
+
+    def __post_init__(self) -> None:
+        if not self.speed_change > 0:
+            raise UsageError(f"speed change at corners {self.speed_change:g} mm/s: state a speed above 0")
+        total = self.slope + self.intercept
+        if not (self.slope >= 0 and self.intercept >= 0 and 0 < total < math.inf):
+            raise UsageError("accuracy-maintenance time: slope and intercept are 0 or more, and not both 0")
+
+    def time(self, feed: ArrayLike) -> Floats:
+        """Accuracy-maintenance time in s at programmed feeds in mm/s (dat-2025, eq. 1)."""
+        return self.slope * np.asarray(feed, dtype=float) + self.intercept
+
+
+@dataclass(frozen=True, slots=True)
+class Control:
+    """Control and drives of a machine.
+
+    Parameters
+    ----------
+    x, y, z : AxisDynamics
+    contour : ContourControl, optional
+        None: no contour control, blocks follow one another at their full feeds and the axes' acc/dec overlap.
+    in_position : float
+        At exact stops, dwells and rapids the control waits until every axis is this near, in mm.
+
+    Raises
+    ------
+    UsageError
+        If `in_position` is not above 0.
+    """
+
+    x: AxisDynamics
+    y: AxisDynamics
+    z: AxisDynamics
+    contour: ContourControl | None = None
+    in_position: float = 0.01
+
+    def __post_init__(self) -> None:
+        if not self.in_position > 0:
+            raise UsageError(f"in-position width {self.in_position:g} mm: state a width above 0")
+
+    @staticmethod
+    def alike(axis: AxisDynamics, contour: ContourControl | None = None, in_position: float = 0.01) -> Control:
+        """Control whose three axes have the same constants."""
+        return Control(axis, axis, axis, contour, in_position)
+
+    @property
+    def axes(self) -> tuple[AxisDynamics, AxisDynamics, AxisDynamics]:
+        """The three axes."""
+        return self.x, self.y, self.z
+
+    @property
+    def delay(self) -> float:
+        """Mean delay in s of the slowest axis."""
+        return max(axis.delay for axis in self.axes)
+
+    @property
+    def memory(self) -> float:
+        """Time in s after which all axes have forgotten an earlier command."""
+        return max(axis.memory for axis in self.axes)
+
+    def settling(self, speed: Floats, deceleration: Floats, window: float) -> Floats:
+        """Time from the commanded end of moves until all axes are within a window of it.
+
+        Parameters
+        ----------
+        speed : (n, 3) float64
+            Speed of the axes in mm/s with which the command ends.
+        deceleration : (n, 3) float64
+            Deceleration in mm/s2 of a ramp that ends in standstill there; 0 for none.
+        window : float
+            In mm.
+
+        Returns
+        -------
+        (n,) float64
+            In s. Speed and ramp count as having lasted long before, so that it is never too short.
+        """
+        out = np.zeros(len(speed))
+        for k, axis in enumerate(self.axes):
+            v, a = np.abs(speed[:, k]), np.abs(deceleration[:, k])
+            low, high = np.zeros(len(speed)), np.full(len(speed), axis.memory)
+            for _ in range(60):
+                middle = (low + high) / 2
+                near = v * axis.left(middle) + a * axis.left_of_ramp(middle) <= window
+                low, high = np.where(near, low, middle), np.where(near, middle, high)
+            there = v * axis.left(np.zeros(1)) + a * axis.left_of_ramp(np.zeros(1)) <= window
+            out = np.maximum(out, np.where(there, 0.0, high))
+        return out
+
+
+def arc_shrinkage(radius: ArrayLike, feed: ArrayLike, axis: AxisDynamics) -> Floats:
+    """How much smaller the axes run an arc at constant feed, after the way in has been forgotten.
+
+    Parameters
+    ----------
+    radius : float or array
+        In mm.
+    feed : float or array
+        In mm/s.
+    axis : AxisDynamics
+        Constants of both axes of the arc's plane.
+
+    Returns
+    -------
+    float64 of the common shape
+        ``r (1 - |H(v / r)|)`` in mm, exact for the model. For linear acc/dec T1 and a servo of 1/Kv = T2 this is
+        ``(T1**2 / 24 + T2**2 / 2) v**2 / r`` but for terms of order ``v**4 T**4 / r**3``; exponential acc/dec
+        counts as T2 does.
+    """
+    r, v = np.asarray(radius, dtype=float), np.asarray(feed, dtype=float)
+    out: Floats = r * (1.0 - np.abs(axis.response(v / r)))
+    return out

@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How the rows of a text file are made: separator, columns and unit, by its header or by its first row of numbers."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from millcorr.errors import FormatError
+
+from .fields import COMMENT, is_number, split, why_no_number
+from .source import shown
+
+_NAMES = {
+    **{n: n for n in "xyzijk"},
+    **{"nx": "i", "ny": "j", "nz": "k", "n_x": "i", "n_y": "j", "n_z": "k"},
+}
+_UNITS = {
+    **dict.fromkeys(("mm", "millimeter", "millimeters", "millimetre", "millimetres", "metric"), "mm"),
+    **dict.fromkeys(("inch", "inches", "in", '"', "''"), "inch"),
+}
+_FOREIGN_UNITS = ("m", "cm", "um", "µm", "μm", "nm", "mil", "thou", "ft", "feet", "micron", "microns", "deg")
+
+_STATED_UNIT = re.compile(r"\bunits?\b\W+(\w+)", re.IGNORECASE)
+_BRACKETS = re.compile(r"\s*[\[(]\s*([^\])]*?)\s*[\])]")
+
+_SEPARATORS = ("\t", ";", ",", None)
+
+_EXPECTED = "expected a header x,y,z or x,y,z,i,j,k above the numbers (or say --mapping FILE.toml)"
+_HEADER_DEPTH = 1000
+LINE_LIMIT = 20_000
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """How the rows of a file are made."""
+
+    separator: str | None
+    width: int
+    columns: dict[str, int]
+    """Column of x, y, z, i, j, k, as far as there."""
+    first: int
+    """Index from 0 of the line where rows begin."""
+    header: int | None
+    """Line number from 1 of the header."""
+    unit: str | None
+    """What header or preamble say."""
+
+
+def _numeric_separator(line: str) -> tuple[str | None, list[str]] | None:
+    """Separator and fields of a line that consists of at least two numbers, else None."""
+    for separator in _SEPARATORS:
+        if separator is not None and separator not in line:
+            continue
+        fields = split(line, separator)
+        if separator is not None and fields and fields[-1] == "":
+            fields = fields[:-1]
+        if len(fields) >= 2 and all(is_number(f, separator) for f in fields):
+            return separator, fields
+    return None
+
+
+def _head_lines(text: str) -> Iterator[tuple[int, str]]:
+    """The first lines with their index, without cutting up the whole text."""
+    position = 0
+    for index in range(_HEADER_DEPTH):
+        end = text.find("\n", position)
+        yield index, text[position : end if end >= 0 else len(text)]
+        if end < 0:
+            return
+        position = end + 1
+
+
+def find_layout(text: str, name: str) -> Layout:
+    """Layout of a text by its first lines; FormatError names the line that is neither comment, header nor numbers."""
+    unit: str | None = None
+    first_text: tuple[int, str] | None = None
+    header: tuple[int, list[tuple[str, str | None]], bool] | None = None
+    for index, raw in _head_lines(text):
+        if len(raw) > LINE_LIMIT:
+            raise FormatError(f"a line of {len(raw)} characters: {_EXPECTED}", name, index + 1)
+        bare = raw.strip()
+        if not bare:
+            continue
+        commented = bare.startswith(("#", "//"))
+        content = bare.lstrip("#/ \t") if commented else COMMENT.sub("", raw).strip(" ")
+        stated = _STATED_UNIT.search(content)
+        if stated and header is None:
+            unit = _known_unit(stated[1], name, index + 1) or unit
+        if commented:
+            named = _header_columns(content)
+            if named and header is None:
+                header = (index, named, True)
+            continue
+        if not content.strip():
+            continue
+        numeric = _numeric_separator(content)
+        if numeric is None and (header is None or header[2]):
+            named = _header_columns(content)
+            if named:
+                header = (index, named, False)
+                continue
+        if header is not None:
+            return _layout_under_header(header[0], header[1], content, index, unit, name)
+        if numeric is not None:
+            if first_text is not None:
+                raise FormatError(f"{_EXPECTED}, found {shown(first_text[1])}", name, first_text[0] + 1)
+            return _layout_without_header(text, numeric[0], numeric[1], index, unit, name)
+        first_text = first_text or (index, content)
+    if header is not None:
+        raise FormatError("no points below the header", name, header[0] + 1)
+    if first_text is None:
+        raise FormatError("no points: the file holds only comments", name)
+    index, content = first_text
+    if _split_like_numbers(content):
+        _refuse_field(content, name, index + 1)
+    raise FormatError(f"{_EXPECTED}, found {shown(content)}", name, index + 1)
+
+
+def _split_like_numbers(content: str) -> bool:
+    """True where a first line is meant as numbers, one of them spoilt."""
+    for separator in _SEPARATORS:
+        if separator is None or separator in content:
+            fields = split(content, separator)
+            if sum(is_number(f, separator) for f in fields) * 2 >= len(fields) >= 2:
+                return True
+    return False
+
+
+def _refuse_field(content: str, name: str, line: int) -> None:
+    for separator in _SEPARATORS:
+        if separator is None or separator in content:
+            for field in split(content, separator):
+                if not is_number(field, separator):
+                    raise FormatError(why_no_number(field, separator), name, line)
+
+
+def _header_columns(content: str) -> list[tuple[str, str | None]] | None:
+    """Names and units of a line that names at least x and y, else None."""
+    for separator in _SEPARATORS:
+        if separator is not None and separator not in content:
+            continue
+        # A unit in brackets belongs to the name before it, also where blanks separate the names.
+        joined = _BRACKETS.sub(lambda m: "[" + m[1].replace(" ", "") + "]", content)
+        named: list[tuple[str, str | None]] = []
+        for field in split(joined, separator):
+            match = re.fullmatch(r"(.*?)(?:\[([^\]]*)\])?", field.lower())
+            assert match is not None
+            plain, unit = match[1].strip().strip("'"), match[2]
+            if unit is None:
+                suffix = re.fullmatch(r"([xyz])[_/ ](mm|inch|inches|in)", plain)
+                if suffix:
+                    plain, unit = suffix[1], suffix[2]
+            named.append((_NAMES.get(plain, plain), unit))
+        while len(named) > 1 and named[-1][0] == "":
+            named.pop()
+        names = [n for n, _ in named]
+        if "x" in names and "y" in names:
+            return named
+        if separator is not None and len(named) > 1:
+            return None
+    return None
+
+
+def _known_unit(text: str, name: str, line: int) -> str | None:
+    word = text.strip().lower()
+    if word in _FOREIGN_UNITS:
+        raise FormatError(f"unit {text}: only mm and inch are read, convert the file", name, line)
+    return _UNITS.get(word)
+
+
+def _columns(named: list[tuple[str, str | None]], name: str, line: int) -> dict[str, int]:
+    names = [n for n, _ in named]
+    for c in "xyzijk":
+        if names.count(c) > 1:
+            raise FormatError(f"column {c} appears twice: rename the one that was not measured", name, line)
+    columns = {c: names.index(c) for c in "xyzijk" if c in names}
+    if len({"i", "j", "k"} & columns.keys()) not in (0, 3) and not {"i", "j"} <= columns.keys():
+        missing = next(c for c in "ij" if c not in columns)
+        raise FormatError(f"column {missing} is missing: a normal needs i,j,k", name, line)
+    if "k" in columns and "i" not in columns:
+        raise FormatError("columns i and j are missing: a normal needs i,j,k", name, line)
+    return columns
+
+
+def _layout_under_header(
+    header: int, named: list[tuple[str, str | None]], content: str, first: int, unit: str | None, name: str
+) -> Layout:
+    line = header + 1
+    columns = _columns(named, name, line)
+    units = {_known_unit(u, name, line) for c, u in named if c in "xyz" and c and u}
+    units.discard(None)
+    if len(units) > 1:
+        raise FormatError("the header gives the columns different units", name, line)
+    if units:
+        unit = units.pop()
+    separator = _separator_for(content, len(named), [columns[c] for c in columns])
+    return Layout(separator, len(named), columns, first, line, unit)
+
+
+def _separator_for(content: str, width: int, used: list[int]) -> str | None:
+    """Separator of a first row that should have `width` fields; the likeliest one where none fits."""
+    present = [s for s in _SEPARATORS if s is None or s in content]
+    for separator in present:
+        fields = split(content, separator)
+        if len(fields) == width + 1 and fields[-1] == "":
+            fields = fields[:-1]
+        if len(fields) == width and all(is_number(fields[c], separator) for c in used):
+            return separator
+    for separator in present:
+        if len(split(content, separator)) >= width:
+            return separator
+    return present[0]
+
+
+def _layout_without_header(
+    text: str, separator: str | None, fields: list[str], first: int, unit: str | None, name: str
+) -> Layout:
+    width = len(fields)
+    if width not in (2, 3, 6):
+        raise FormatError(f"{width} columns without a header: {_EXPECTED}", name, first + 1)
+    if separator == "," and width != 3 and "." not in COMMENT.sub("", text):
+        raise FormatError(
+            "commas without a header can be decimal commas or separators: export with decimal points, or put "
+            "a header x,y,z above the numbers",
+            name,
+            first + 1,
+        )
+    return Layout(separator, width, {c: n for n, c in enumerate("xyzijk"[:width])}, first, None, unit)

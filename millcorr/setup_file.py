@@ -1,0 +1,358 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The setup of a machining operation: tool, material, machine and stock, written down once as TOML.
+
+Predictors read what they need from it. Every key carries its unit in its name; a key that is not known, missing
+or out of range ends in one line that names it.
+"""
+
+from __future__ import annotations
+
+import difflib
+import math
+import tomllib
+from dataclasses import MISSING, dataclass, field, fields
+from pathlib import Path
+from types import UnionType
+from typing import Any, TypeVar, get_args, get_type_hints
+
+from .errors import FormatError, UsageError
+
+EFFECTIVE_DIAMETER = 0.8
+"""A fluted shank bends like a solid one of 0.8 times its diameter (dat-2025, eq. 4)."""
+
+_LARGEST_FILE = 1 << 20
+
+Table = TypeVar("Table")
+
+
+def _key(
+    low: float = 0.0, high: float = math.inf, *, default: Any = MISSING, open_: bool = True, hint: str = ""
+) -> Any:
+    """A numeric key with its range; `open_` where the lower bound itself is out of range."""
+    return field(default=default, metadata={"low": low, "high": high, "open": open_, "hint": hint})
+
+
+@dataclass(frozen=True, slots=True)
+class Tool:
+    """End mill and how it runs.
+
+    Parameters
+    ----------
+    diameter_mm : float
+    flutes : int
+    spindle_rpm : float
+        Spindle speed in 1/min.
+    helix_deg : float
+        Helix angle; 0 for straight flutes.
+    overhang_mm : float, optional
+        From the holder to the tip.
+    youngs_modulus_gpa : float
+        Of the shank: about 600 for carbide, 210 for high-speed steel.
+    effective_diameter_factor : float
+        The fluted shank bends like a solid one of so many diameters (dat-2025, eq. 4).
+    stiffness_n_per_mm : float, optional
+        Measured stiffness at the tip, in place of the one that follows from the shank.
+    rotation : {"clockwise", "anticlockwise"}
+        As M3 or M4 turn it, seen from the spindle towards the part.
+    """
+
+    diameter_mm: float = _key(high=1000.0)
+    flutes: int = _key(1, 100, open_=False)
+    spindle_rpm: float = _key(high=1e6)
+    helix_deg: float = _key(0.0, 75.0, default=0.0, open_=False)
+    overhang_mm: float | None = _key(high=2000.0, default=None)
+    youngs_modulus_gpa: float = _key(
+        10.0, 2000.0, default=600.0, hint="GPa: 600 for carbide, 210 for high-speed steel"
+    )
+    effective_diameter_factor: float = _key(0.1, 1.0, default=EFFECTIVE_DIAMETER, open_=False)
+    stiffness_n_per_mm: float | None = _key(
+        1.0, 1e7, default=None, hint="N/mm: an end mill has 500 to 100000 (1 N/um = 1000 N/mm)"
+    )
+    rotation: str = field(default="clockwise", metadata={"one_of": ("clockwise", "anticlockwise")})
+
+    @property
+    def radius(self) -> float:
+        """Cutter radius in mm."""
+        return self.diameter_mm / 2
+
+    @property
+    def tooth_frequency(self) -> float:
+        """Teeth a second."""
+        return self.spindle_rpm / 60.0 * self.flutes
+
+
+@dataclass(frozen=True, slots=True)
+class Material:
+    """Cutting coefficients of one tool and work material, linear-edge model (Altintas).
+
+    Give the four coefficients, or `ks_n_per_mm2` and `mu`: then Ktc = Ks, Krc = mu Ks and there is no edge force,
+    so that the resultant is ``sqrt(1 + mu^2) Ks S`` (dat-2025, eqs. 5, 6).
+
+    Parameters
+    ----------
+    name : str
+    ktc_n_per_mm2, krc_n_per_mm2 : float
+        Tangential and radial force per undeformed chip area, N/mm^2.
+    kte_n_per_mm, kre_n_per_mm : float
+        Edge force per length of cutting edge, N/mm.
+    origin : str
+        Where the numbers come from. Without a calibration on the machine they are good to a factor of two.
+    calibrated : bool
+        True where they were measured with this tool and material.
+    """
+
+    name: str = ""
+    ktc_n_per_mm2: float = _key(10.0, 1e5, default=math.nan, hint="N/mm2: 500 to 5000 for metals")
+    krc_n_per_mm2: float = _key(-1e5, 1e5, default=math.nan)
+    kte_n_per_mm: float = _key(0.0, 1000.0, default=0.0, open_=False)
+    kre_n_per_mm: float = _key(0.0, 1000.0, default=0.0, open_=False)
+    origin: str = ""
+    calibrated: bool = False
+
+    def caution(self) -> str:
+        """What to say about numbers that were not calibrated; empty where they were."""
+        if self.calibrated:
+            return ""
+        return (
+            f"cutting coefficients of {self.name or 'the material'} are not calibrated on this machine "
+            f"({self.origin or 'origin not stated'}): forces are good to a factor of two"
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Machine:
+    """Machine: stiffness between tool and part, and how its axes move.
+
+    Parameters
+    ----------
+    kx_n_per_mm, ky_n_per_mm : float, optional
+        Stiffness of the whole loop, tool included, along X and Y (petrakov-2023, fig. 1).
+    acceleration_time_x_ms, acceleration_time_y_ms : float
+        Time constant of linear acceleration and deceleration of each axis; 0 for none.
+    contour_control : bool
+        True where the control keeps the path by slowing down (dat-2025).
+    contour_time_slope_ms_per_mm_min, contour_time_offset_ms : float
+        Accuracy-maintenance time ``T = slope v_f + offset`` with v_f in mm/min (dat-2025, eq. 1).
+    position_gain_per_s : float, optional
+        Kv of the position loop.
+    """
+
+    kx_n_per_mm: float | None = _key(1.0, 1e7, default=None, hint="N/mm (1 N/um = 1000 N/mm)")
+    ky_n_per_mm: float | None = _key(1.0, 1e7, default=None, hint="N/mm (1 N/um = 1000 N/mm)")
+    acceleration_time_x_ms: float = _key(0.0, 10_000.0, default=0.0, open_=False)
+    acceleration_time_y_ms: float = _key(0.0, 10_000.0, default=0.0, open_=False)
+    contour_control: bool = False
+    contour_time_slope_ms_per_mm_min: float = _key(0.0, 10.0, default=0.0062, open_=False)
+    contour_time_offset_ms: float = _key(0.0, 10_000.0, default=39.226, open_=False)
+    position_gain_per_s: float | None = _key(0.1, 10_000.0, default=None, hint="1/s, not (m/min)/mm: Kv 1 is 16.67/s")
+
+    def stiffness(self) -> tuple[float, float]:
+        """Stiffnesses (kx, ky) in N/mm; UsageError where the setup has none."""
+        if self.kx_n_per_mm is None or self.ky_n_per_mm is None:
+            missing = "kx_n_per_mm" if self.kx_n_per_mm is None else "ky_n_per_mm"
+            raise UsageError(f"setup: [machine] {missing} is missing: deflection needs the stiffness of both axes")
+        return self.kx_n_per_mm, self.ky_n_per_mm
+
+
+@dataclass(frozen=True, slots=True)
+class Stock:
+    """What is there before the program cuts: one of allowance, contour, program or solid.
+
+    Parameters
+    ----------
+    allowance_mm : float, optional
+        Equidistant stock left on the nominal profile.
+    contour : Path, optional
+        Stock as a contour: `profile.json`, material on the left.
+    program : Path, optional
+        NC program that cut before, with a tool of `program_tool_diameter_mm`.
+    program_tool_diameter_mm : float, optional
+        By default the same tool.
+    solid : bool
+        True where nothing was cut before: material everywhere.
+    top_z_mm : float, optional
+        Height of the stock's face.
+    axial_depth_mm : float, optional
+        Height of the stock above the deepest pass, in place of `top_z_mm`.
+    """
+
+    allowance_mm: float | None = _key(0.0, 1000.0, default=None, open_=False)
+    contour: Path | None = None
+    program: Path | None = None
+    program_tool_diameter_mm: float | None = _key(high=1000.0, default=None)
+    solid: bool = False
+    top_z_mm: float | None = _key(-1e5, 1e5, default=None)
+    axial_depth_mm: float | None = _key(high=1000.0, default=None)
+
+
+@dataclass(frozen=True, slots=True)
+class Setup:
+    """A validated setup.
+
+    Parameters
+    ----------
+    tool : Tool
+    material : Material
+    machine : Machine
+    stock : Stock
+    source : str
+        File it came from, for messages.
+    """
+
+    tool: Tool
+    material: Material
+    machine: Machine
+    stock: Stock
+    source: str = ""
+
+    def __post_init__(self) -> None:
+        for name in _TABLES:
+            _check(getattr(self, name), name, self.source)
+        tool, material, stock = self.tool, self.material, self.stock
+        for key in ("ktc_n_per_mm2", "krc_n_per_mm2"):
+            if math.isnan(getattr(material, key)):
+                self._refuse(
+                    f"[material] {key} is missing: give ktc_n_per_mm2 and krc_n_per_mm2, or ks_n_per_mm2 and mu"
+                )
+        given = [k for k in ("allowance_mm", "contour", "program") if getattr(stock, k) is not None]
+        given += ["solid"] if stock.solid else []
+        if not given:
+            self._refuse("[stock] is missing: give allowance_mm, contour, program or solid = true")
+        if len(given) > 1:
+            self._refuse(f"[stock] {given[1]} and {given[0]} say the same twice: give one of them")
+        if stock.program_tool_diameter_mm is not None and stock.program is None:
+            self._refuse("[stock] program_tool_diameter_mm goes with program, which is missing")
+        if (stock.top_z_mm is None) == (stock.axial_depth_mm is None):
+            self._refuse("[stock] top_z_mm or axial_depth_mm is needed, one of them: it says how deep the tool cuts")
+        if stock.axial_depth_mm is not None:
+            self.require_overhang(stock.axial_depth_mm)
+        if tool.overhang_mm is not None and tool.overhang_mm > 40 * tool.diameter_mm:
+            self._refuse(f"[tool] overhang_mm {tool.overhang_mm:g} is more than 40 diameters: is its unit mm?")
+
+    def require_overhang(self, depth: float) -> None:
+        """FormatError where the tool's overhang is shorter than a cut of `depth` mm."""
+        overhang = self.tool.overhang_mm
+        if overhang is not None and overhang < depth:
+            self._refuse(f"[tool] overhang_mm {overhang:g} is shorter than the cut of {depth:g} mm")
+
+    def _refuse(self, message: str) -> None:
+        raise FormatError(message, self.source or None)
+
+
+_TABLES: dict[str, type] = {"tool": Tool, "material": Material, "machine": Machine, "stock": Stock}
+
+
+def load(path: str | Path) -> Setup:
+    """Setup from a TOML file; paths in it are relative to the file.
+
+    Raises
+    ------
+    FormatError
+        If the file is no setup, with the key that is wrong.
+    """
+    path = Path(path)
+    try:
+        if path.stat().st_size > _LARGEST_FILE:
+            raise FormatError("too large for a setup", path)
+        data = tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise FormatError(error.strerror or str(error), path) from error
+    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise FormatError(f"not TOML: {error}", path) from error
+    return from_dict(data, str(path))
+
+
+def from_dict(data: dict[str, Any], source: str = "") -> Setup:
+    """Setup from the tables of a TOML file; FormatError as `load`."""
+    for name in data:
+        if name not in _TABLES:
+            raise FormatError(f"[{name}] is unknown{_near(name, _TABLES)}", source or None)
+    parts: dict[str, Any] = {}
+    for name, kind in _TABLES.items():
+        table = data.get(name, {})
+        if not isinstance(table, dict):
+            raise FormatError(f"[{name}] is a table of keys", source or None)
+        table = dict(table)
+        if name == "material":
+            table = _specific_force(table, source)
+        if name == "stock":
+            for key in ("contour", "program"):
+                if isinstance(table.get(key), str):
+                    table[key] = Path(source).parent / table[key]
+        parts[name] = _made(kind, name, table, source)
+    return Setup(**parts, source=source)
+
+
+def _specific_force(table: dict[str, Any], source: str) -> dict[str, Any]:
+    """Ktc and Krc of Ks and mu."""
+    if not {"ks_n_per_mm2", "mu"} & table.keys():
+        return table
+    for key, low, high in (("ks_n_per_mm2", 10.0, 1e5), ("mu", 0.0, 5.0)):
+        value = table.get(key)
+        if value is None:
+            raise FormatError(f"[material] {key} is missing: ks_n_per_mm2 and mu go together", source or None)
+        if isinstance(value, bool) or not isinstance(value, int | float) or not low <= value <= high:
+            raise FormatError(f"[material] {key} {value!r} is not a number from {low:g} to {high:g}", source or None)
+    for key in ("ktc_n_per_mm2", "krc_n_per_mm2", "kte_n_per_mm", "kre_n_per_mm"):
+        if key in table:
+            raise FormatError(f"[material] {key} and ks_n_per_mm2 say the same twice: give one of them", source or None)
+    ks, mu = float(table.pop("ks_n_per_mm2")), float(table.pop("mu"))
+    return {**table, "ktc_n_per_mm2": ks, "krc_n_per_mm2": mu * ks}
+
+
+def _made(kind: type[Table], name: str, table: dict[str, Any], source: str) -> Table:
+    known = {f.name: f for f in fields(kind)}  # type: ignore[arg-type]
+    for key in table:
+        if key not in known:
+            extra = ("ks_n_per_mm2", "mu") if kind is Material else ()
+            raise FormatError(f"[{name}] {key} is unknown{_near(key, [*known, *extra])}", source or None)
+    for key, item in known.items():
+        if key not in table and item.default is MISSING:
+            raise FormatError(f"[{name}] {key} is missing", source or None)
+    values = {k: float(v) if _wants(kind, k, float) and type(v) is int else v for k, v in table.items()}
+    return kind(**values)
+
+
+def _wants(kind: type, key: str, wanted: type) -> bool:
+    hint = get_type_hints(kind)[key]
+    return wanted in (get_args(hint) if isinstance(hint, UnionType) else (hint,))
+
+
+def _check(part: Any, name: str, source: str) -> None:
+    """FormatError where a value has the wrong kind or is out of its range."""
+    for item in fields(part):
+        value, range_ = getattr(part, item.name), item.metadata
+        if value is None and _wants(type(part), item.name, type(None)):
+            continue
+        where = f"[{name}] {item.name} {value!r}"
+        hint = f" ({range_['hint']})" if range_.get("hint") else ""
+        if _wants(type(part), item.name, float) or _wants(type(part), item.name, int):
+            number = isinstance(value, int | float) and not isinstance(value, bool)
+            if not number or (_wants(type(part), item.name, int) and not isinstance(value, int)):
+                kind = "whole number" if _wants(type(part), item.name, int) else "number"
+                raise FormatError(f"{where} is not a {kind}{hint}", source or None)
+            if value is item.default:
+                continue
+            low, high = range_["low"], range_["high"]
+            if not (low < value <= high or (value == low and not range_["open"])):
+                above = "above" if range_["open"] else "at least"
+                most = f" and at most {high:g}" if math.isfinite(high) else ""
+                raise FormatError(f"{where} is not {above} {low:g}{most}{hint}", source or None)
+        elif _wants(type(part), item.name, bool):
+            if not isinstance(value, bool):
+                raise FormatError(f"{where} is not true or false", source or None)
+        elif _wants(type(part), item.name, Path):
+            if not isinstance(value, Path):
+                raise FormatError(f"{where} is not the name of a file", source or None)
+        elif not isinstance(value, str):
+            raise FormatError(f"{where} is not a text", source or None)
+        elif "one_of" in range_ and value not in range_["one_of"]:
+            raise FormatError(f"{where} is none of {', '.join(range_['one_of'])}", source or None)
+
+
+def _near(key: str, known: Any) -> str:
+    """Advice on a key that is close to a known one, or is one in another unit."""
+    names = list(known)
+    stem = key.split("_")[0]
+    close = difflib.get_close_matches(key, names, n=1, cutoff=0.7) or [n for n in names if n.split("_")[0] == stem][:1]
+    return f": is it {close[0]}?" if close else f", known are {', '.join(names)}"

@@ -1,0 +1,2062 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de">
+<context>
+    <name>App::Property</name>
+    <message>
+        <source>Base</source>
+        <translation>Basis</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>Further parts</source>
+        <translation>Weitere Teile</translation>
+    </message>
+    <message>
+        <source>Nominal</source>
+        <translation>Sollkontur</translation>
+    </message>
+    <message>
+        <source>Tool diameter</source>
+        <translation>Werkzeugdurchmesser</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation>Einpassung</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Annehmen</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Einrichtung</translation>
+    </message>
+    <message>
+        <source>Iterate</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Next depth</source>
+        <translation>Nächste Tiefe</translation>
+    </message>
+    <message>
+        <source>Depth along</source>
+        <translation>Tiefe entlang</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Übertragungsfunktion</translation>
+    </message>
+    <message>
+        <source>Allowance</source>
+        <translation>Aufmaß</translation>
+    </message>
+    <message>
+        <source>Leave stock</source>
+        <translation>Aufmaß lassen</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Dead band</source>
+        <translation>Totband</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Output moves</source>
+        <translation>Ausgegebene Sätze</translation>
+    </message>
+    <message>
+        <source>Cutter compensation</source>
+        <translation>Fräserkorrektur</translation>
+    </message>
+    <message>
+        <source>Deviation mean</source>
+        <translation>Abweichung Mittel</translation>
+    </message>
+    <message>
+        <source>Deviation min</source>
+        <translation>Abweichung kleinste</translation>
+    </message>
+    <message>
+        <source>Deviation max</source>
+        <translation>Abweichung größte</translation>
+    </message>
+    <message>
+        <source>Deviation height</source>
+        <translation>Abweichung Spanne</translation>
+    </message>
+    <message>
+        <source>Deviation std</source>
+        <translation>Abweichung Std.</translation>
+    </message>
+    <message>
+        <source>Random std</source>
+        <translation>Streuung Std.</translation>
+    </message>
+    <message>
+        <source>Largest correction</source>
+        <translation>Größte Korrektur</translation>
+    </message>
+    <message>
+        <source>Path error</source>
+        <translation>Bahnfehler</translation>
+    </message>
+    <message>
+        <source>Points used</source>
+        <translation>Benutzte Punkte</translation>
+    </message>
+    <message>
+        <source>Points rejected</source>
+        <translation>Verworfene Punkte</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Digest</source>
+        <translation>Prüfsumme</translation>
+    </message>
+    <message>
+        <source>Corrected</source>
+        <translation>Korrigiert</translation>
+    </message>
+    <message>
+        <source>Cut path</source>
+        <translation>Gefräste Bahn</translation>
+    </message>
+    <message>
+        <source>The operation whose path is corrected</source>
+        <translation>Die Operation, deren Bahn korrigiert wird</translation>
+    </message>
+    <message>
+        <source>The measured part; without one the path is made exact and nothing is corrected</source>
+        <translation>Das gemessene Teil; ohne eines wird die Bahn genau gelegt und nichts korrigiert</translation>
+    </message>
+    <message>
+        <source>Measurements of further parts cut with the same path; deviations are averaged</source>
+        <translation>Messungen weiterer Teile mit derselben Bahn; die Abweichungen werden gemittelt</translation>
+    </message>
+    <message>
+        <source>Nominal profile; without one the operation's own geometry, or else its path</source>
+        <translation>Sollkontur; ohne eine die Geometrie der Operation, sonst ihre Bahn</translation>
+    </message>
+    <message>
+        <source>Diameter of the tool; 0 takes it from the tool controller</source>
+        <translation>Durchmesser des Werkzeugs; 0 nimmt ihn aus der Werkzeugsteuerung</translation>
+    </message>
+    <message>
+        <source>Side of the contour on which the tool runs, along its direction</source>
+        <translation>Seite der Kontur, auf der das Werkzeug in seiner Richtung läuft</translation>
+    </message>
+    <message>
+        <source>Best fit of the measured points before comparing: none, shift, rigid, or some of x, y, turn joined by +</source>
+        <translation>Einpassung der Messpunkte vor dem Vergleich: none, shift, rigid oder einige von x, y, turn, mit + verbunden</translation>
+    </message>
+    <message>
+        <source>Findings about the measurement that are accepted by name</source>
+        <translation>Befunde zur Messung, die namentlich angenommen sind</translation>
+    </message>
+    <message>
+        <source>What separates form from scatter: none, mean:5, mean:1,2,3,2,1, gauss:MM or auto</source>
+        <translation>Was Form von Streuung trennt: none, mean:5, mean:1,2,3,2,1, gauss:MM oder auto</translation>
+    </message>
+    <message>
+        <source>How the path answers a deviation</source>
+        <translation>Wie die Bahn auf eine Abweichung antwortet</translation>
+    </message>
+    <message>
+        <source>TOML file with tool, material, machine and stock, kept in the document</source>
+        <translation>TOML-Datei mit Werkzeug, Werkstoff, Maschine und Rohteil, im Dokument aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Correct again in the model until the error to expect is at most this; 0: only once</source>
+        <translation>Im Modell weiter korrigieren, bis der erwartete Fehler höchstens so groß ist; 0: nur einmal</translation>
+    </message>
+    <message>
+        <source>Depth in mm along the normal that the measured part was cut at; one, or one a part</source>
+        <translation>Tiefe in mm längs der Normalen, mit der das gemessene Teil gefräst wurde; eine, oder eine je Teil</translation>
+    </message>
+    <message>
+        <source>Depth that the corrected path will cut; 0: that of the measured part</source>
+        <translation>Tiefe, die die korrigierte Bahn fräsen wird; 0: die des gemessenen Teils</translation>
+    </message>
+    <message>
+        <source>How deviations are taken: along the normal, or along one axis</source>
+        <translation>Wie Abweichungen genommen werden: längs der Normalen oder längs einer Achse</translation>
+    </message>
+    <message>
+        <source>Smooth along the contour, one value, or one a point</source>
+        <translation>Geglättet längs der Kontur, ein Wert, oder einer je Punkt</translation>
+    </message>
+    <message>
+        <source>Stock in mm that the path of the measured part left on the nominal</source>
+        <translation>Aufmaß in mm, das die Bahn des gemessenen Teils auf der Sollkontur gelassen hat</translation>
+    </message>
+    <message>
+        <source>Stock that the path leaves on the part: a first cut, before anything is measured</source>
+        <translation>Aufmaß, das die Bahn auf dem Teil lässt: ein erster Schnitt, bevor gemessen wird</translation>
+    </message>
+    <message>
+        <source>Share of the deviation taken back</source>
+        <translation>Anteil der Abweichung, der zurückgenommen wird</translation>
+    </message>
+    <message>
+        <source>Largest correction; a larger one is refused</source>
+        <translation>Größte Korrektur; eine größere wird verweigert</translation>
+    </message>
+    <message>
+        <source>Deviations up to this are left alone</source>
+        <translation>Abweichungen bis hierher bleiben unberührt</translation>
+    </message>
+    <message>
+        <source>Largest distance of the path from the exact one</source>
+        <translation>Größter Abstand der Bahn von der genauen</translation>
+    </message>
+    <message>
+        <source>Moves of the corrected path: as the operation's, only lines, or arcs</source>
+        <translation>Sätze der korrigierten Bahn: wie die der Operation, nur Geraden, oder Bögen</translation>
+    </message>
+    <message>
+        <source>What a path under G41 or G42 is: the contour itself, or the centre path</source>
+        <translation>Was eine Bahn unter G41 oder G42 ist: die Kontur selbst oder die Mittelpunktsbahn</translation>
+    </message>
+    <message>
+        <source>Mean deviation</source>
+        <translation>Mittlere Abweichung</translation>
+    </message>
+    <message>
+        <source>Least deviation</source>
+        <translation>Kleinste Abweichung</translation>
+    </message>
+    <message>
+        <source>Greatest deviation</source>
+        <translation>Größte Abweichung</translation>
+    </message>
+    <message>
+        <source>Greatest less least</source>
+        <translation>Größte weniger kleinste</translation>
+    </message>
+    <message>
+        <source>Standard deviation</source>
+        <translation>Standardabweichung</translation>
+    </message>
+    <message>
+        <source>Standard deviation of what the filter takes for scatter</source>
+        <translation>Standardabweichung dessen, was der Filter für Streuung hält</translation>
+    </message>
+    <message>
+        <source>Largest distance of the path from the exact offset of the compensated profile</source>
+        <translation>Größter Abstand der Bahn von der genauen Parallelen des korrigierten Profils</translation>
+    </message>
+    <message>
+        <source>Points left out</source>
+        <translation>Ausgelassene Punkte</translation>
+    </message>
+    <message>
+        <source>What to know</source>
+        <translation>Was zu wissen ist</translation>
+    </message>
+    <message>
+        <source>Measured file of this correction</source>
+        <translation>Messdatei dieser Korrektur</translation>
+    </message>
+    <message>
+        <source>SHA-256 of that file</source>
+        <translation>SHA-256 dieser Datei</translation>
+    </message>
+    <message>
+        <source>When the correction was made</source>
+        <translation>Wann die Korrektur gemacht wurde</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the measurement, and of the operation's path when it came</source>
+        <translation>SHA-256 der Messung und der Bahn der Operation, als sie kam</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Ball radius</source>
+        <translation>Kugelradius</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Mapping</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Taster</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Work offset</source>
+        <translation>Nullpunkt</translation>
+    </message>
+    <message>
+        <source>Work offset given</source>
+        <translation>Nullpunkt gilt</translation>
+    </message>
+    <message>
+        <source>Work rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Höhen</translation>
+    </message>
+    <message>
+        <source>Has z</source>
+        <translation>Hat Z</translation>
+    </message>
+    <message>
+        <source>The measured file, kept in the document</source>
+        <translation>Die Messdatei, im Dokument aufbewahrt</translation>
+    </message>
+    <message>
+        <source>What the coordinates are: points on the surface or centres of the probe's ball</source>
+        <translation>Was die Koordinaten sind: Punkte auf der Oberfläche oder Mittelpunkte der Tastkugel</translation>
+    </message>
+    <message>
+        <source>Radius of the probe's ball where the points are centres; 0: as the file says</source>
+        <translation>Radius der Tastkugel, wenn die Punkte Mittelpunkte sind; 0: wie die Datei sagt</translation>
+    </message>
+    <message>
+        <source>Unit of length in the file</source>
+        <translation>Längeneinheit der Datei</translation>
+    </message>
+    <message>
+        <source>Format of the file; empty: by its content</source>
+        <translation>Format der Datei; leer: nach dem Inhalt</translation>
+    </message>
+    <message>
+        <source>TOML file that says what the columns of a text file are, kept in the document</source>
+        <translation>TOML-Datei, die sagt, was die Spalten einer Textdatei sind, im Dokument aufbewahrt</translation>
+    </message>
+    <message>
+        <source>TOML file with the calibration of the probe, kept in the document</source>
+        <translation>TOML-Datei mit der Kalibrierung des Tasters, im Dokument aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Which of several measured parts in the file, from 1; 0: it holds one</source>
+        <translation>Welches von mehreren Teilen der Datei, ab 1; 0: sie enthält eines</translation>
+    </message>
+    <message>
+        <source>Origin of the work frame in the frame of the file, mm</source>
+        <translation>Ursprung des Werkstücksystems im System der Datei, mm</translation>
+    </message>
+    <message>
+        <source>The work offset holds; otherwise what the file says</source>
+        <translation>Der Nullpunkt gilt; sonst, was die Datei sagt</translation>
+    </message>
+    <message>
+        <source>Turn of the work frame in the frame of the file, anticlockwise</source>
+        <translation>Drehung des Werkstücksystems im System der Datei, gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Name of the file</source>
+        <translation>Name der Datei</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the file</source>
+        <translation>SHA-256 der Datei</translation>
+    </message>
+    <message>
+        <source>Number of points</source>
+        <translation>Anzahl der Punkte</translation>
+    </message>
+    <message>
+        <source>Number of Z levels</source>
+        <translation>Anzahl der Z-Höhen</translation>
+    </message>
+    <message>
+        <source>The file has a Z coordinate</source>
+        <translation>Die Datei hat eine Z-Koordinate</translation>
+    </message>
+    <message>
+        <source>Correction</source>
+        <translation>Korrektur</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Gezeigt</translation>
+    </message>
+    <message>
+        <source>Magnification</source>
+        <translation>Vergrößerung</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Spanne</translation>
+    </message>
+    <message>
+        <source>Degree</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>Poles</source>
+        <translation>Pole</translation>
+    </message>
+    <message>
+        <source>Contour length</source>
+        <translation>Konturlänge</translation>
+    </message>
+    <message>
+        <source>The dressup whose compensated profile this is</source>
+        <translation>Die korrigierte Bahn, deren Profil dies ist</translation>
+    </message>
+    <message>
+        <source>The profile to cut so that the part comes out right, the nominal one, the operation's path along it, the points as measured, those on the surface, or the deviations as lines along the normal</source>
+        <translation>Das Profil, das zu fräsen ist, damit das Teil stimmt, das Sollprofil, die Bahn der Operation daran, die Punkte wie gemessen, die auf der Oberfläche, oder die Abweichungen als Linien längs der Normalen</translation>
+    </message>
+    <message>
+        <source>So many times longer than they are the deviations are drawn</source>
+        <translation>So viel länger als sie sind werden die Abweichungen gezeichnet</translation>
+    </message>
+    <message>
+        <source>Z of the profile</source>
+        <translation>Z des Profils</translation>
+    </message>
+    <message>
+        <source>Highest degree</source>
+        <translation>Höchster Grad</translation>
+    </message>
+    <message>
+        <source>Number of poles</source>
+        <translation>Anzahl der Pole</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>Stapel</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Journal</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Jobs to run</source>
+        <translation>Aufträge, die laufen sollen</translation>
+    </message>
+    <message>
+        <source>Also run what an earlier run has done</source>
+        <translation>Auch, was ein früherer Lauf getan hat</translation>
+    </message>
+    <message>
+        <source>Journal of a series</source>
+        <translation>Journal einer Serie</translation>
+    </message>
+    <message>
+        <source>Directory for the report and the table of all parts</source>
+        <translation>Verzeichnis für den Bericht und die Tabelle aller Teile</translation>
+    </message>
+    <message>
+        <source>Dialect</source>
+        <translation>Dialekt</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Ausgabe</translation>
+    </message>
+    <message>
+        <source>Points count</source>
+        <translation>Anzahl Punkte</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Curvature</source>
+        <translation>Krümmung</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Antastung</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Safe z</source>
+        <translation>Sicheres Z</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Freiraum</translation>
+    </message>
+    <message>
+        <source>Overtravel</source>
+        <translation>Überlauf</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Aufmaß</translation>
+    </message>
+    <message>
+        <source>Free width</source>
+        <translation>Freie Breite</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Positioning feed</source>
+        <translation>Positioniervorschub</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Control that runs it</source>
+        <translation>Steuerung, auf der es läuft</translation>
+    </message>
+    <message>
+        <source>Measuring program to write</source>
+        <translation>Messprogramm, das geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Radius at which the probe triggers, as calibrated</source>
+        <translation>Radius, bei dem der Taster schaltet, wie kalibriert</translation>
+    </message>
+    <message>
+        <source>Number of points; 0: by their distance</source>
+        <translation>Anzahl der Punkte; 0: nach ihrem Abstand</translation>
+    </message>
+    <message>
+        <source>Distance of points along the contour</source>
+        <translation>Abstand der Punkte längs der Kontur</translation>
+    </message>
+    <message>
+        <source>Denser where the contour bends</source>
+        <translation>Dichter, wo die Kontur sich krümmt</translation>
+    </message>
+    <message>
+        <source>Along an axis where the slope allows it, always along an axis, or along the normal</source>
+        <translation>Längs einer Achse, wo die Neigung es erlaubt, immer längs einer Achse, oder längs der Normalen</translation>
+    </message>
+    <message>
+        <source>Height to measure at</source>
+        <translation>Höhe, in der gemessen wird</translation>
+    </message>
+    <message>
+        <source>Height at which the probe passes over everything</source>
+        <translation>Höhe, in der der Taster über alles hinweggeht</translation>
+    </message>
+    <message>
+        <source>Distance from which a touch begins</source>
+        <translation>Abstand, aus dem eine Antastung beginnt</translation>
+    </message>
+    <message>
+        <source>How far behind the surface a touch gives up</source>
+        <translation>Wie weit hinter der Oberfläche eine Antastung aufgibt</translation>
+    </message>
+    <message>
+        <source>Stock that is still on the contour</source>
+        <translation>Aufmaß, das noch auf der Kontur steht</translation>
+    </message>
+    <message>
+        <source>How far beside the contour it is free; 0: everywhere</source>
+        <translation>Wie weit es neben der Kontur frei ist; 0: überall</translation>
+    </message>
+    <message>
+        <source>Contour to measure, where it is not the operation's own</source>
+        <translation>Zu messende Kontur, wenn es nicht die der Operation ist</translation>
+    </message>
+    <message>
+        <source>Feed of the touch, mm/min</source>
+        <translation>Vorschub der Antastung, mm/min</translation>
+    </message>
+    <message>
+        <source>Feed of moves at measuring height, mm/min</source>
+        <translation>Vorschub der Wege in Messhöhe, mm/min</translation>
+    </message>
+    <message>
+        <source>Number of the probe in the magazine; 0: it is in use</source>
+        <translation>Nummer des Tasters im Magazin; 0: er ist eingewechselt</translation>
+    </message>
+    <message>
+        <source>Name of the file the control writes; empty: as usual</source>
+        <translation>Name der Datei, die die Steuerung schreibt; leer: wie üblich</translation>
+    </message>
+    <message>
+        <source>Show picture</source>
+        <translation>Bild zeigen</translation>
+    </message>
+    <message>
+        <source>Tolerance band</source>
+        <translation>Toleranzband</translation>
+    </message>
+    <message>
+        <source>Whiskers</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>Band</source>
+        <translation>Band</translation>
+    </message>
+    <message>
+        <source>Profiles</source>
+        <translation>Profile</translation>
+    </message>
+    <message>
+        <source>Paths</source>
+        <translation>Bahnen</translation>
+    </message>
+    <message>
+        <source>Rejected points</source>
+        <translation>Verworfene Punkte</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Legende</translation>
+    </message>
+    <message>
+        <source>Show the deviations in the 3-D view</source>
+        <translation>Die Abweichungen in der 3D-Ansicht zeigen</translation>
+    </message>
+    <message>
+        <source>So many times longer than they are deviations and differences are drawn</source>
+        <translation>So viel länger als sie sind werden Abweichungen und Unterschiede gezeichnet</translation>
+    </message>
+    <message>
+        <source>Deviations up to this, either way, are in tolerance and green</source>
+        <translation>Abweichungen bis hierher, in beiden Richtungen, sind in der Toleranz und grün</translation>
+    </message>
+    <message>
+        <source>Show each deviation as a line</source>
+        <translation>Jede Abweichung als Strich zeigen</translation>
+    </message>
+    <message>
+        <source>Show the tolerance band</source>
+        <translation>Das Toleranzband zeigen</translation>
+    </message>
+    <message>
+        <source>Show nominal and compensated profile</source>
+        <translation>Soll- und korrigiertes Profil zeigen</translation>
+    </message>
+    <message>
+        <source>Show the path before and after</source>
+        <translation>Die Bahn vorher und nachher zeigen</translation>
+    </message>
+    <message>
+        <source>Mark points that are left out</source>
+        <translation>Ausgelassene Punkte bezeichnen</translation>
+    </message>
+    <message>
+        <source>Show what the colours mean</source>
+        <translation>Zeigen, was die Farben bedeuten</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>NC program that cut the measured part</source>
+        <translation>NC-Programm, mit dem das gemessene Teil gefräst wurde</translation>
+    </message>
+    <message>
+        <source>Diameter of the cutter</source>
+        <translation>Durchmesser des Fräsers</translation>
+    </message>
+    <message>
+        <source>Contour the part should have: a drawing, or the first program; empty: the program's</source>
+        <translation>Kontur, die das Teil haben soll: eine Zeichnung oder das erste Programm; leer: die des Programms</translation>
+    </message>
+    <message>
+        <source>Measured points, one file a part; deviations of several parts are averaged</source>
+        <translation>Messpunkte, eine Datei je Teil; die Abweichungen mehrerer Teile werden gemittelt</translation>
+    </message>
+    <message>
+        <source>Moves of the corrected program: as the program's, only lines, arcs, or NURBS</source>
+        <translation>Sätze des korrigierten Programms: wie die des Programms, nur Geraden, Bögen oder NURBS</translation>
+    </message>
+    <message>
+        <source>Corrected program to write</source>
+        <translation>Korrigiertes Programm, das geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Directory for the report; empty: none</source>
+        <translation>Verzeichnis für den Bericht; leer: keiner</translation>
+    </message>
+    <message>
+        <source>Record the part in the journal of its series</source>
+        <translation>Das Teil im Journal seiner Serie festhalten</translation>
+    </message>
+    <message>
+        <source>NC program that finishes the part</source>
+        <translation>NC-Programm, das das Teil fertig fräst</translation>
+    </message>
+    <message>
+        <source>Whole allowance over the finished contour</source>
+        <translation>Ganzes Aufmaß über der fertigen Kontur</translation>
+    </message>
+    <message>
+        <source>Share of the allowance that the first cut takes</source>
+        <translation>Anteil des Aufmaßes, den der erste Schnitt nimmt</translation>
+    </message>
+    <message>
+        <source>Program of the first cut</source>
+        <translation>Programm des ersten Schnitts</translation>
+    </message>
+    <message>
+        <source>Tool, material, machine and stock</source>
+        <translation>Werkzeug, Werkstoff, Maschine und Rohteil</translation>
+    </message>
+    <message>
+        <source>So many times larger errors are drawn</source>
+        <translation>So viel größer werden Fehler gezeichnet</translation>
+    </message>
+    <message>
+        <source>Directory for the report with all signals</source>
+        <translation>Verzeichnis für den Bericht mit allen Signalen</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr</name>
+    <message>
+        <source>auto</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>spiegeln</translation>
+    </message>
+    <message>
+        <source>transfer</source>
+        <translation>Übertragung</translation>
+    </message>
+    <message>
+        <source>combined</source>
+        <translation>kombiniert</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>vorhergesagt</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>geglättet</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>eine</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>keep</source>
+        <translation>beibehalten</translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation>Geraden</translation>
+    </message>
+    <message>
+        <source>arcs</source>
+        <translation>Bögen</translation>
+    </message>
+    <message>
+        <source>contour</source>
+        <translation>Kontur</translation>
+    </message>
+    <message>
+        <source>wear</source>
+        <translation>Verschleiß</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>Berührpunkte</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>Mittelpunkte</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>Reading points</source>
+        <translation>Punkte werden gelesen</translation>
+    </message>
+    <message>
+        <source>Best fit</source>
+        <translation>Einpassung</translation>
+    </message>
+    <message>
+        <source>Looking for doubts</source>
+        <translation>Suche nach Zweifeln</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>Abweichungen</translation>
+    </message>
+    <message>
+        <source>Separating form from scatter</source>
+        <translation>Form wird von Streuung getrennt</translation>
+    </message>
+    <message>
+        <source>Laying and proving the path</source>
+        <translation>Bahn wird gelegt und geprüft</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>Auftrag</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Told</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Serie</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Mean, µm</source>
+        <translation>Mittel, µm</translation>
+    </message>
+    <message>
+        <source>Std. deviation, µm</source>
+        <translation>Standardabweichung, µm</translation>
+    </message>
+    <message>
+        <source>Height, µm</source>
+        <translation>Spanne, µm</translation>
+    </message>
+    <message>
+        <source>Correction, µm</source>
+        <translation>Korrektur, µm</translation>
+    </message>
+    <message>
+        <source>Decision</source>
+        <translation>Entscheidung</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Starten</translation>
+    </message>
+    <message>
+        <source>Write report</source>
+        <translation>Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>Batches (*.toml);;All files (*)</source>
+        <translation>Stapel (*.toml);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Journals (*.journal);;All files (*)</source>
+        <translation>Journale (*.journal);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>done before</source>
+        <translation>schon getan</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>getan</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>Stapel</translation>
+    </message>
+    <message>
+        <source>failed ({})</source>
+        <translation>gescheitert ({})</translation>
+    </message>
+    <message>
+        <source>History of parts</source>
+        <translation>Verlauf der Teile</translation>
+    </message>
+    <message>
+        <source>Journal</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>Show as plot</source>
+        <translation>Als Diagramm zeigen</translation>
+    </message>
+    <message>
+        <source>{} of {} jobs</source>
+        <translation>{} von {} Aufträgen</translation>
+    </message>
+    <message>
+        <source>Stopped; run it again to go on</source>
+        <translation>Angehalten; noch einmal starten, um fortzufahren</translation>
+    </message>
+    <message>
+        <source>waits</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>Needs:</source>
+        <translation>Braucht:</translation>
+    </message>
+    <message>
+        <source>the operation's own contour</source>
+        <translation>die Kontur der Operation selbst</translation>
+    </message>
+    <message>
+        <source>Compensated toolpath</source>
+        <translation>Korrigierte Bahn</translation>
+    </message>
+    <message>
+        <source>Measured part</source>
+        <translation>Gemessenes Teil</translation>
+    </message>
+    <message>
+        <source>&amp;Import file…</source>
+        <translation>Datei &amp;importieren…</translation>
+    </message>
+    <message>
+        <source>Point at a whisker to see its point; click to keep it.</source>
+        <translation>Auf einen Strich zeigen, um seinen Punkt zu sehen; klicken, um ihn zu behalten.</translation>
+    </message>
+    <message>
+        <source>Correction</source>
+        <translation>Korrektur</translation>
+    </message>
+    <message>
+        <source>More settings</source>
+        <translation>Weitere Einstellungen</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Übertragungsfunktion</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>none: only make the path exact</source>
+        <translation>keine: nur die Bahn genau legen</translation>
+    </message>
+    <message>
+        <source>It is right as it is</source>
+        <translation>Es ist richtig so</translation>
+    </message>
+    <message>
+        <source>not a number</source>
+        <translation>keine Zahl</translation>
+    </message>
+    <message>
+        <source>points on the surface (contact)</source>
+        <translation>Punkte auf der Oberfläche (Berührpunkte)</translation>
+    </message>
+    <message>
+        <source>centres of the probe's ball</source>
+        <translation>Mittelpunkte der Tastkugel</translation>
+    </message>
+    <message>
+        <source>ball centres that the control shifted along an axis</source>
+        <translation>Kugelmittelpunkte, die die Steuerung längs einer Achse verschoben hat</translation>
+    </message>
+    <message>
+        <source>mirror: take back what was measured</source>
+        <translation>spiegeln: zurücknehmen, was gemessen wurde</translation>
+    </message>
+    <message>
+        <source>transfer: by how the machine gives way</source>
+        <translation>Übertragung: danach, wie die Maschine nachgibt</translation>
+    </message>
+    <message>
+        <source>as the operation's</source>
+        <translation>wie die der Operation</translation>
+    </message>
+    <message>
+        <source>none; several separated by ;</source>
+        <translation>keine; mehrere durch ; getrennt</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>expected</source>
+        <translation>erwartet</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Mean deviation; positive where material is left</source>
+        <translation>Mittlere Abweichung; positiv, wo Material steht</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>Kleinste</translation>
+    </message>
+    <message>
+        <source>Deepest undercut</source>
+        <translation>Tiefster Unterschnitt</translation>
+    </message>
+    <message>
+        <source>Greatest</source>
+        <translation>Größte</translation>
+    </message>
+    <message>
+        <source>Most material left</source>
+        <translation>Am meisten stehendes Material</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Spanne</translation>
+    </message>
+    <message>
+        <source>Greatest less least</source>
+        <translation>Größte weniger kleinste</translation>
+    </message>
+    <message>
+        <source>Std. dev.</source>
+        <translation>Std.-Abw.</translation>
+    </message>
+    <message>
+        <source>Spread of deviations about their mean</source>
+        <translation>Streuung der Abweichungen um ihr Mittel</translation>
+    </message>
+    <message>
+        <source>Scatter</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>Standard deviation of what does not repeat and is therefore not corrected</source>
+        <translation>Standardabweichung dessen, was sich nicht wiederholt und darum nicht korrigiert wird</translation>
+    </message>
+    <message>
+        <source>Largest correction</source>
+        <translation>Größte Korrektur</translation>
+    </message>
+    <message>
+        <source>Farthest that the profile to cut lies from the nominal</source>
+        <translation>Wie weit das zu fräsende Profil höchstens von der Sollkontur liegt</translation>
+    </message>
+    <message>
+        <source>Path error before</source>
+        <translation>Bahnfehler vorher</translation>
+    </message>
+    <message>
+        <source>How far the operation's own path is off the exact one</source>
+        <translation>Wie weit die Bahn der Operation von der genauen abweicht</translation>
+    </message>
+    <message>
+        <source>Path error after</source>
+        <translation>Bahnfehler nachher</translation>
+    </message>
+    <message>
+        <source>How far the corrected path is off the exact one, read back from the finished path</source>
+        <translation>Wie weit die korrigierte Bahn von der genauen abweicht, aus der fertigen Bahn zurückgelesen</translation>
+    </message>
+    <message>
+        <source>Points used</source>
+        <translation>Benutzte Punkte</translation>
+    </message>
+    <message>
+        <source>Points used, of those in the file</source>
+        <translation>Benutzte Punkte, von denen in der Datei</translation>
+    </message>
+    <message>
+        <source>Points left out</source>
+        <translation>Ausgelassene Punkte</translation>
+    </message>
+    <message>
+        <source>Each is marked in the picture, with its reason</source>
+        <translation>Jeder ist im Bild bezeichnet, mit dem Grund</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Wählen</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>nicht benutzt</translation>
+    </message>
+    <message>
+        <source>no file yet</source>
+        <translation>noch keine Datei</translation>
+    </message>
+    <message>
+        <source>Meaning of column {}</source>
+        <translation>Bedeutung der Spalte {}</translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>More in the documentation</source>
+        <translation>Mehr in der Dokumentation</translation>
+    </message>
+    <message>
+        <source>Millcorr help</source>
+        <translation>Hilfe zu Millcorr</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>Import measurement</source>
+        <translation>Messung importieren</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>file of a CMM, a probe log, or a table of points</source>
+        <translation>Datei einer Messmaschine, ein Tasterprotokoll oder eine Tabelle von Punkten</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>&amp;More</source>
+        <translation>&amp;Mehr</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Origin of the work frame in the file's, mm</source>
+        <translation>Ursprung des Werkstücksystems in dem der Datei, mm</translation>
+    </message>
+    <message>
+        <source>Measured points</source>
+        <translation>Messpunkte</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>by its content</source>
+        <translation>nach dem Inhalt</translation>
+    </message>
+    <message>
+        <source>Points: {}, heights: {}. {} mm. Format: {}, unit in the file: {}</source>
+        <translation>Punkte: {}, Höhen: {}. {} mm. Format: {}, Einheit in der Datei: {}</translation>
+    </message>
+    <message>
+        <source>Not imported, see the report view</source>
+        <translation>Nicht importiert, siehe Berichtsansicht</translation>
+    </message>
+    <message>
+        <source>nominal profile</source>
+        <translation>Sollprofil</translation>
+    </message>
+    <message>
+        <source>profile to cut</source>
+        <translation>zu fräsendes Profil</translation>
+    </message>
+    <message>
+        <source>tolerance band</source>
+        <translation>Toleranzband</translation>
+    </message>
+    <message>
+        <source>path before</source>
+        <translation>Bahn vorher</translation>
+    </message>
+    <message>
+        <source>corrected path</source>
+        <translation>korrigierte Bahn</translation>
+    </message>
+    <message>
+        <source>points left out</source>
+        <translation>ausgelassene Punkte</translation>
+    </message>
+    <message>
+        <source>Deviations {}:1</source>
+        <translation>Abweichungen {}:1</translation>
+    </message>
+    <message>
+        <source>material left</source>
+        <translation>Material steht</translation>
+    </message>
+    <message>
+        <source>(the largest of every {})</source>
+        <translation>(die größten von je {})</translation>
+    </message>
+    <message>
+        <source>undercut</source>
+        <translation>Unterschnitt</translation>
+    </message>
+    <message>
+        <source>in tolerance</source>
+        <translation>in der Toleranz</translation>
+    </message>
+    <message>
+        <source>Run in LinuxCNC's own interpreter. Moves between touches are unprotected.</source>
+        <translation>Lief in LinuxCNCs eigenem Interpreter. Wege zwischen den Antastungen sind ungeschützt.</translation>
+    </message>
+    <message>
+        <source>Run in LinuxCNC's own interpreter. Moves between touches stop at contact. Prefer it.</source>
+        <translation>Lief in LinuxCNCs eigenem Interpreter. Wege zwischen den Antastungen halten bei Berührung an. Vorzuziehen.</translation>
+    </message>
+    <message>
+        <source>Run in an interpreter written after GRBL's documentation. Moves between touches are unprotected.</source>
+        <translation>Lief in einem Interpreter nach der Dokumentation von GRBL. Wege zwischen den Antastungen sind ungeschützt.</translation>
+    </message>
+    <message>
+        <source>Run in an interpreter written after Renishaw's description of its cycles; result variables compared with public tables.</source>
+        <translation>Lief in einem Interpreter nach Renishaws Beschreibung der Zyklen; Ergebnisvariablen mit öffentlichen Tabellen verglichen.</translation>
+    </message>
+    <message>
+        <source>Run in an interpreter written after public descriptions. No manual with the names of the arguments was at hand: compare with yours.</source>
+        <translation>Lief in einem Interpreter nach öffentlichen Beschreibungen. Ein Handbuch mit den Namen der Argumente lag nicht vor: mit dem eigenen vergleichen.</translation>
+    </message>
+    <message>
+        <source>Run in an interpreter written after the description of TCH PROBE cycle 3.</source>
+        <translation>Lief in einem Interpreter nach der Beschreibung von TCH PROBE Zyklus 3.</translation>
+    </message>
+    <message>
+        <source>Run in an interpreter written after the programming manual of MEAS.</source>
+        <translation>Lief in einem Interpreter nach dem Programmierhandbuch von MEAS.</translation>
+    </message>
+    <message>
+        <source>Write program</source>
+        <translation>Programm schreiben</translation>
+    </message>
+    <message>
+        <source>Measuring program</source>
+        <translation>Messprogramm</translation>
+    </message>
+    <message>
+        <source>No program of millcorr has run on a real machine. Run the first one above the part, then with the feed override low and a hand on feed hold.</source>
+        <translation>Kein Programm von millcorr ist je auf einer wirklichen Maschine gelaufen. Das erste über dem Teil fahren, dann mit kleinem Vorschub-Override und der Hand am Vorschub-Halt.</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>Room</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>Probe and points on {}</source>
+        <translation>Taster und Punkte auf {}</translation>
+    </message>
+    <message>
+        <source>Stopped: change a setting to compute again</source>
+        <translation>Angehalten: eine Einstellung ändern, um neu zu rechnen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Computing</source>
+        <translation>Rechnen</translation>
+    </message>
+    <message>
+        <source>Internal error, see the report view</source>
+        <translation>Interner Fehler, siehe Berichtsansicht</translation>
+    </message>
+    <message>
+        <source>Close the open task first</source>
+        <translation>Erst die offene Aufgabe schließen</translation>
+    </message>
+    <message>
+        <source>expected next</source>
+        <translation>beim nächsten erwartet</translation>
+    </message>
+    <message>
+        <source>determined part</source>
+        <translation>bestimmter Anteil</translation>
+    </message>
+    <message>
+        <source>range of the points</source>
+        <translation>Bereich der Punkte</translation>
+    </message>
+    <message>
+        <source>mean and standard deviation</source>
+        <translation>Mittel und Standardabweichung</translation>
+    </message>
+    <message>
+        <source>arc length s, mm</source>
+        <translation>Bogenlänge s, mm</translation>
+    </message>
+    <message>
+        <source>normal law of the scatter</source>
+        <translation>Normalverteilung der Streuung</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>uncertainty, k = {:g}</source>
+        <translation>Unsicherheit, k = {:g}</translation>
+    </message>
+    <message>
+        <source>deviation, {}</source>
+        <translation>Abweichung, {}</translation>
+    </message>
+    <message>
+        <source>s {:.2f} mm: measured {:+.1f} µm, expected next {:+.1f} µm</source>
+        <translation>s {:.2f} mm: gemessen {:+.1f} µm, beim nächsten erwartet {:+.1f} µm</translation>
+    </message>
+    <message>
+        <source>Millcorr plots</source>
+        <translation>Millcorr-Diagramme</translation>
+    </message>
+    <message>
+        <source>Linked to the 3-D view</source>
+        <translation>Mit der 3D-Ansicht verbunden</translation>
+    </message>
+    <message>
+        <source>What is pointed at in the plot shows in the 3-D view and the other way round; the view follows the zoom of the plot, the plot that of the view</source>
+        <translation>Worauf im Diagramm gezeigt wird, erscheint in der 3D-Ansicht und umgekehrt; die Ansicht folgt dem Zoom des Diagramms, das Diagramm dem der Ansicht</translation>
+    </message>
+    <message>
+        <source>Along the contour</source>
+        <translation>Längs der Kontur</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Verteilung</translation>
+    </message>
+    <message>
+        <source>Select a compensated toolpath</source>
+        <translation>Eine korrigierte Bahn wählen</translation>
+    </message>
+    <message>
+        <source>{}: nothing was measured</source>
+        <translation>{}: nichts wurde gemessen</translation>
+    </message>
+    <message>
+        <source>NC programs (*.nc *.ngc *.tap *.gcode *.cnc *.mpf *.h *.txt);;All files (*)</source>
+        <translation>NC-Programme (*.nc *.ngc *.tap *.gcode *.cnc *.mpf *.h *.txt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Contours (*.step *.stp *.iges *.igs *.brep *.dxf *.json *.nc *.ngc *.tap *.gcode *.cnc *.mpf);;All files (*)</source>
+        <translation>Konturen (*.step *.stp *.iges *.igs *.brep *.dxf *.json *.nc *.ngc *.tap *.gcode *.cnc *.mpf);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>nurbs</source>
+        <translation>NURBS</translation>
+    </message>
+    <message>
+        <source>Correct NC program file</source>
+        <translation>NC-Programmdatei korrigieren</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>How the file is read</source>
+        <translation>Wie die Datei gelesen wird</translation>
+    </message>
+    <message>
+        <source>Deviations, mm</source>
+        <translation>Abweichungen, mm</translation>
+    </message>
+    <message>
+        <source>What is written</source>
+        <translation>Was geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Split allowance</source>
+        <translation>Aufmaß teilen</translation>
+    </message>
+    <message>
+        <source>The first cut leaves a part of the allowance. Measure it, then correct the program that finishes the part with the method “transfer”: the part itself has shown how far the machine yields.</source>
+        <translation>Der erste Schnitt lässt einen Teil des Aufmaßes stehen. Ihn messen, dann das Programm, das das Teil fertig fräst, mit dem Verfahren „Übertragung“ korrigieren: das Teil selbst hat gezeigt, wie weit die Maschine nachgibt.</translation>
+    </message>
+    <message>
+        <source>The program of the first cut is written</source>
+        <translation>Das Programm des ersten Schnitts ist geschrieben</translation>
+    </message>
+    <message>
+        <source>Set {} to {}</source>
+        <translation>{} auf {} setzen</translation>
+    </message>
+    <message>
+        <source>Go to {}</source>
+        <translation>Zu {} gehen</translation>
+    </message>
+    <message>
+        <source>an operation selected in the tree</source>
+        <translation>eine im Baum gewählte Operation</translation>
+    </message>
+    <message>
+        <source>a compensated toolpath: make one first</source>
+        <translation>eine korrigierte Bahn: zuerst eine machen</translation>
+    </message>
+    <message>
+        <source>an open document</source>
+        <translation>ein offenes Dokument</translation>
+    </message>
+    <message>
+        <source>a job with an operation, such as a Profile</source>
+        <translation>ein Auftrag mit einer Operation, etwa einem Profil</translation>
+    </message>
+    <message>
+        <source>an operation that stands in a job, without a dressup over it: select the dressup</source>
+        <translation>eine Operation, die in einem Auftrag steht, ohne Dressup darüber: das Dressup wählen</translation>
+    </message>
+    <message>
+        <source>a compensated toolpath selected in the tree</source>
+        <translation>eine im Baum gewählte korrigierte Bahn</translation>
+    </message>
+    <message>
+        <source>a compensated toolpath with a measured part</source>
+        <translation>eine korrigierte Bahn mit einem gemessenen Teil</translation>
+    </message>
+    <message>
+        <source>a Profile operation with a path, selected in the tree</source>
+        <translation>eine im Baum gewählte Profil-Operation mit einer Bahn</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>engaged arc</source>
+        <translation>Eingriffswinkel</translation>
+    </message>
+    <message>
+        <source>feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>deflection</source>
+        <translation>Auslenkung</translation>
+    </message>
+    <message>
+        <source>Setups (*.toml);;All files (*)</source>
+        <translation>Einrichtungen (*.toml);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Name the setup: tool, material, machine and stock, as a TOML file.</source>
+        <translation>Die Einrichtung nennen: Werkzeug, Werkstoff, Maschine und Rohteil, als TOML-Datei.</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>So many times faster than the machine</source>
+        <translation>So viel schneller als die Maschine</translation>
+    </message>
+    <message>
+        <source>Largest predicted error {:.1f} µm</source>
+        <translation>Größter vorhergesagter Fehler {:.1f} µm</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>{:.2f} s, line {}: </source>
+        <translation>{:.2f} s, Zeile {}: </translation>
+    </message>
+    <message>
+        <source>, corrected {:.1f} µm</source>
+        <translation>, korrigiert {:.1f} µm</translation>
+    </message>
+    <message>
+        <source>&lt;span style='color:#888'&gt;—&lt;/span&gt; commanded path, &lt;span style='color:#c00'&gt;—&lt;/span&gt; machined contour, &lt;span style='color:#2e9a1c'&gt;—&lt;/span&gt; corrected contour, errors {:g}:1</source>
+        <translation>&lt;span style='color:#888'&gt;—&lt;/span&gt; befohlene Bahn, &lt;span style='color:#c00'&gt;—&lt;/span&gt; gefräste Kontur, &lt;span style='color:#2e9a1c'&gt;—&lt;/span&gt; korrigierte Kontur, Fehler {:g}:1</translation>
+    </message>
+    <message>
+        <source>Constant offset</source>
+        <translation>Fester Versatz</translation>
+    </message>
+    <message>
+        <source>What stays whatever the depth, such as a wrong tool radius; known from two depths only</source>
+        <translation>Was bei jeder Tiefe bleibt, etwa ein falscher Werkzeugradius; nur aus zwei Tiefen bekannt</translation>
+    </message>
+    <message>
+        <source>MS, mean</source>
+        <translation>MS, Mittel</translation>
+    </message>
+    <message>
+        <source>Share of the depth removed that the machine yields</source>
+        <translation>Anteil der abgenommenen Tiefe, um den die Maschine nachgibt</translation>
+    </message>
+    <message>
+        <source>MS, least</source>
+        <translation>MS, kleinste</translation>
+    </message>
+    <message>
+        <source>Where the machine is stiffest</source>
+        <translation>Wo die Maschine am steifsten ist</translation>
+    </message>
+    <message>
+        <source>MS, greatest</source>
+        <translation>MS, größte</translation>
+    </message>
+    <message>
+        <source>Where the machine yields most</source>
+        <translation>Wo die Maschine am meisten nachgibt</translation>
+    </message>
+    <message>
+        <source>Uncertainty of MS</source>
+        <translation>Unsicherheit von MS</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty at a point</source>
+        <translation>Standardunsicherheit an einem Punkt</translation>
+    </message>
+    <message>
+        <source>Next depth</source>
+        <translation>Nächste Tiefe</translation>
+    </message>
+    <message>
+        <source>Depth that the corrected path will find</source>
+        <translation>Tiefe, die die korrigierte Bahn vorfindet</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the correction</source>
+        <translation>Unsicherheit der Korrektur</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of where the path is put</source>
+        <translation>Standardunsicherheit dessen, wohin die Bahn gelegt wird</translation>
+    </message>
+    <message>
+        <source>The machine yields in proportion to what it cuts. From the depth H of the measured part and its error δ follows the transfer function &lt;b&gt;MS = δ / (H − δ)&lt;/b&gt;; the next path commands &lt;b&gt;H · (1 + MS)&lt;/b&gt;, and removes H. That also holds at another depth, where a mirrored error does not.</source>
+        <translation>Die Maschine gibt im Verhältnis zu dem nach, was sie abnimmt. Aus der Tiefe H des gemessenen Teils und seinem Fehler δ folgt die Übertragungsfunktion &lt;b&gt;MS = δ / (H − δ)&lt;/b&gt;; die nächste Bahn befiehlt &lt;b&gt;H · (1 + MS)&lt;/b&gt; und nimmt H ab. Das gilt auch bei anderer Tiefe, wo ein gespiegelter Fehler nicht stimmt.</translation>
+    </message>
+    <message>
+        <source>Depths</source>
+        <translation>Tiefen</translation>
+    </message>
+    <message>
+        <source>Machining system</source>
+        <translation>Bearbeitungssystem</translation>
+    </message>
+    <message>
+        <source>The first cut leaves a part of the allowance on the finished contour. Measure the part then, import the measurement, and correct with the transfer function: the second cut comes out right.</source>
+        <translation>Der erste Schnitt lässt einen Teil des Aufmaßes auf der fertigen Kontur stehen. Dann das Teil messen, die Messung importieren und mit der Übertragungsfunktion korrigieren: der zweite Schnitt stimmt.</translation>
+    </message>
+    <message>
+        <source>A program file instead…</source>
+        <translation>Stattdessen eine Programmdatei…</translation>
+    </message>
+    <message>
+        <source>The first cut takes {:g} mm and leaves {:g} mm. Its path is within {:.2f} µm of the exact parallel.</source>
+        <translation>Der erste Schnitt nimmt {:g} mm und lässt {:g} mm. Seine Bahn ist bis auf {:.2f} µm die genaue Parallele.</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Allgemein</translation>
+    </message>
+    <message>
+        <source>New corrections</source>
+        <translation>Neue Korrekturen</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>What separates form from scatter: none, mean:5, mean:1,2,3,2,1, gauss:MM or auto</source>
+        <translation>Was Form von Streuung trennt: none, mean:5, mean:1,2,3,2,1, gauss:MM oder auto</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Share of the deviation taken back</source>
+        <translation>Anteil der Abweichung, der zurückgenommen wird</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Largest correction; a larger one is refused</source>
+        <translation>Größte Korrektur; eine größere wird verweigert</translation>
+    </message>
+    <message>
+        <source>Dead band</source>
+        <translation>Totband</translation>
+    </message>
+    <message>
+        <source>Deviations up to this are left alone</source>
+        <translation>Abweichungen bis hierher bleiben unberührt</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Largest distance of the path from the exact one</source>
+        <translation>Größter Abstand der Bahn von der genauen</translation>
+    </message>
+    <message>
+        <source>New measurements</source>
+        <translation>Neue Messungen</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>What the coordinates of a measured file are</source>
+        <translation>Was die Koordinaten einer Messdatei sind</translation>
+    </message>
+    <message>
+        <source>as the file says</source>
+        <translation>wie die Datei sagt</translation>
+    </message>
+    <message>
+        <source>Ball radius</source>
+        <translation>Kugelradius</translation>
+    </message>
+    <message>
+        <source>Radius of the probe's ball; 0: as the file says</source>
+        <translation>Radius der Tastkugel; 0: wie die Datei sagt</translation>
+    </message>
+    <message>
+        <source>Measuring programs</source>
+        <translation>Messprogramme</translation>
+    </message>
+    <message>
+        <source>Control that runs measuring programs</source>
+        <translation>Steuerung, auf der Messprogramme laufen</translation>
+    </message>
+    <message>
+        <source>Touch feed</source>
+        <translation>Antastvorschub</translation>
+    </message>
+    <message>
+        <source>Feed of the touch</source>
+        <translation>Vorschub der Antastung</translation>
+    </message>
+    <message>
+        <source>Positioning feed</source>
+        <translation>Positioniervorschub</translation>
+    </message>
+    <message>
+        <source>Feed of moves at measuring height</source>
+        <translation>Vorschub der Wege in Messhöhe</translation>
+    </message>
+    <message>
+        <source>Pictures and plots</source>
+        <translation>Bilder und Diagramme</translation>
+    </message>
+    <message>
+        <source>Show the deviations in the 3-D view as soon as a correction is made</source>
+        <translation>Zeigt die Abweichungen in der 3D-Ansicht, sobald eine Korrektur gemacht ist</translation>
+    </message>
+    <message>
+        <source>Show the deviations of a new correction</source>
+        <translation>Die Abweichungen einer neuen Korrektur zeigen</translation>
+    </message>
+    <message>
+        <source>Magnification</source>
+        <translation>Vergrößerung</translation>
+    </message>
+    <message>
+        <source>So many times longer than they are deviations are drawn</source>
+        <translation>So viel länger als sie sind werden Abweichungen gezeichnet</translation>
+    </message>
+    <message>
+        <source>Tolerance band</source>
+        <translation>Toleranzband</translation>
+    </message>
+    <message>
+        <source>Deviations up to this, either way, are in tolerance and green</source>
+        <translation>Abweichungen bis hierher, in beiden Richtungen, sind in der Toleranz und grün</translation>
+    </message>
+    <message>
+        <source>Colours of plots</source>
+        <translation>Farben der Diagramme</translation>
+    </message>
+    <message>
+        <source>Light or dark plots</source>
+        <translation>Helle oder dunkle Diagramme</translation>
+    </message>
+    <message>
+        <source>as the window</source>
+        <translation>wie das Fenster</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>hell</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>dunkel</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Report</name>
+    <message>
+        <source>Directory for the report</source>
+        <translation>Verzeichnis für den Bericht</translation>
+    </message>
+    <message>
+        <source>Export report…</source>
+        <translation>Bericht ausgeben…</translation>
+    </message>
+    <message>
+        <source>Write the report of the selected compensated toolpath to a directory</source>
+        <translation>Schreibt den Bericht der gewählten korrigierten Bahn in ein Verzeichnis</translation>
+    </message>
+    <message>
+        <source>Export report</source>
+        <translation>Bericht ausgeben</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Profile</name>
+    <message>
+        <source>Compensated profile</source>
+        <translation>Korrigiertes Profil</translation>
+    </message>
+    <message>
+        <source>Make the profile to cut, as a NURBS for any operation</source>
+        <translation>Macht das zu fräsende Profil, als NURBS für jede Operation</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Measurement</name>
+    <message>
+        <source>Import measurement…</source>
+        <translation>Messung importieren…</translation>
+    </message>
+    <message>
+        <source>Read the measured points of a part and keep the file in the document</source>
+        <translation>Liest die Messpunkte eines Teils und bewahrt die Datei im Dokument auf</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Dressup</name>
+    <message>
+        <source>Compensated toolpath…</source>
+        <translation>Korrigierte Bahn…</translation>
+    </message>
+    <message>
+        <source>Correct the path of the selected operation from a measured part</source>
+        <translation>Korrigiert die Bahn der gewählten Operation nach einem gemessenen Teil</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Picture</name>
+    <message>
+        <source>Show deviations</source>
+        <translation>Abweichungen zeigen</translation>
+    </message>
+    <message>
+        <source>Show or hide deviations, profiles and paths of the selected compensated toolpath</source>
+        <translation>Zeigt oder verbirgt Abweichungen, Profile und Bahnen der gewählten korrigierten Bahn</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Transfer</name>
+    <message>
+        <source>Transfer function…</source>
+        <translation>Übertragungsfunktion…</translation>
+    </message>
+    <message>
+        <source>Correct by how far the machine yields, from the depth that was cut</source>
+        <translation>Korrigiert danach, wie weit die Maschine nachgibt, aus der gefrästen Tiefe</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Split</name>
+    <message>
+        <source>Split allowance…</source>
+        <translation>Aufmaß teilen…</translation>
+    </message>
+    <message>
+        <source>Cut an allowance in two: measure after the first cut, correct the second</source>
+        <translation>Teilt ein Aufmaß in zwei Schnitte: nach dem ersten messen, den zweiten korrigieren</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Probe</name>
+    <message>
+        <source>Measuring program…</source>
+        <translation>Messprogramm…</translation>
+    </message>
+    <message>
+        <source>Write a program that measures the selected operation's contour on the machine</source>
+        <translation>Schreibt ein Programm, das die Kontur der gewählten Operation auf der Maschine misst</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Plots</name>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Deviations along the contour and their distribution, linked to the 3-D view</source>
+        <translation>Abweichungen längs der Kontur und ihre Verteilung, mit der 3D-Ansicht verbunden</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Simulate</name>
+    <message>
+        <source>Simulate…</source>
+        <translation>Simulieren…</translation>
+    </message>
+    <message>
+        <source>Run the cutter along the selected operation: force, deflection, predicted contour</source>
+        <translation>Lässt den Fräser die gewählte Operation abfahren: Kraft, Auslenkung, vorhergesagte Kontur</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Program</name>
+    <message>
+        <source>Correct NC program file…</source>
+        <translation>NC-Programmdatei korrigieren…</translation>
+    </message>
+    <message>
+        <source>Correct an NC program from a measured part, without any document</source>
+        <translation>Korrigiert ein NC-Programm nach einem gemessenen Teil, ohne ein Dokument</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Batch</name>
+    <message>
+        <source>Batch…</source>
+        <translation>Stapel…</translation>
+    </message>
+    <message>
+        <source>Run many corrections from one file, in the background</source>
+        <translation>Führt viele Korrekturen aus einer Datei im Hintergrund aus</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_History</name>
+    <message>
+        <source>History of parts…</source>
+        <translation>Verlauf der Teile…</translation>
+    </message>
+    <message>
+        <source>Show what the journal of a series holds: parts, corrections, trends</source>
+        <translation>Zeigt, was das Journal einer Serie enthält: Teile, Korrekturen, Trends</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Help</name>
+    <message>
+        <source>Millcorr help</source>
+        <translation>Hilfe zu Millcorr</translation>
+    </message>
+    <message>
+        <source>The documentation, page by page</source>
+        <translation>Die Dokumentation, Seite für Seite</translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <source>Millcorr</source>
+        <translation>Millcorr</translation>
+    </message>
+    <message>
+        <source>Correct milling toolpaths from measured parts</source>
+        <translation>Fräsbahnen nach gemessenen Teilen korrigieren</translation>
+    </message>
+    <message>
+        <source>Macros</source>
+        <translation>Makros</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Macro</name>
+    <message>
+        <source>Correct document</source>
+        <translation>Dokument korrigieren</translation>
+    </message>
+    <message>
+        <source>Ask for a document and a measured file; write the corrected document, its program and the report beside it</source>
+        <translation>Fragt nach einem Dokument und einer Messdatei; schreibt das korrigierte Dokument, sein Programm und den Bericht daneben</translation>
+    </message>
+    <message>
+        <source>Correct selected operation</source>
+        <translation>Gewählte Operation korrigieren</translation>
+    </message>
+    <message>
+        <source>Ask for a measured file and correct the selected operation, or the job's only Profile, with it</source>
+        <translation>Fragt nach einer Messdatei und korrigiert damit die gewählte Operation oder das einzige Profil des Auftrags</translation>
+    </message>
+    <message>
+        <source>Measuring program for LinuxCNC</source>
+        <translation>Messprogramm für LinuxCNC</translation>
+    </message>
+    <message>
+        <source>Ask for a file and write a measuring program of the selected operation, or of the job's only Profile</source>
+        <translation>Fragt nach einer Datei und schreibt ein Messprogramm der gewählten Operation oder des einzigen Profils im Auftrag</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,2062 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="uk">
+<context>
+    <name>App::Property</name>
+    <message>
+        <source>Base</source>
+        <translation>Основа</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Вимірювання</translation>
+    </message>
+    <message>
+        <source>Further parts</source>
+        <translation>Інші деталі</translation>
+    </message>
+    <message>
+        <source>Nominal</source>
+        <translation>Номінал</translation>
+    </message>
+    <message>
+        <source>Tool diameter</source>
+        <translation>Діаметр інструмента</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Сторона</translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation>Вирівнювання</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Прийняти</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Фільтр</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Метод</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Налагодження</translation>
+    </message>
+    <message>
+        <source>Iterate</source>
+        <translation>Повторювати</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Глибина</translation>
+    </message>
+    <message>
+        <source>Next depth</source>
+        <translation>Наступна глибина</translation>
+    </message>
+    <message>
+        <source>Depth along</source>
+        <translation>Глибина вздовж</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Передавальна функція</translation>
+    </message>
+    <message>
+        <source>Allowance</source>
+        <translation>Припуск</translation>
+    </message>
+    <message>
+        <source>Leave stock</source>
+        <translation>Залишити припуск</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Коефіцієнт</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Межа</translation>
+    </message>
+    <message>
+        <source>Dead band</source>
+        <translation>Зона нечутливості</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Допуск</translation>
+    </message>
+    <message>
+        <source>Output moves</source>
+        <translation>Вихідні рухи</translation>
+    </message>
+    <message>
+        <source>Cutter compensation</source>
+        <translation>Корекція на радіус</translation>
+    </message>
+    <message>
+        <source>Deviation mean</source>
+        <translation>Відхилення середнє</translation>
+    </message>
+    <message>
+        <source>Deviation min</source>
+        <translation>Відхилення найменше</translation>
+    </message>
+    <message>
+        <source>Deviation max</source>
+        <translation>Відхилення найбільше</translation>
+    </message>
+    <message>
+        <source>Deviation height</source>
+        <translation>Відхилення розмах</translation>
+    </message>
+    <message>
+        <source>Deviation std</source>
+        <translation>Відхилення станд.</translation>
+    </message>
+    <message>
+        <source>Random std</source>
+        <translation>Випадкове станд.</translation>
+    </message>
+    <message>
+        <source>Largest correction</source>
+        <translation>Найбільша корекція</translation>
+    </message>
+    <message>
+        <source>Path error</source>
+        <translation>Похибка траєкторії</translation>
+    </message>
+    <message>
+        <source>Points used</source>
+        <translation>Використані точки</translation>
+    </message>
+    <message>
+        <source>Points rejected</source>
+        <translation>Відкинуті точки</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Попередження</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Джерело</translation>
+    </message>
+    <message>
+        <source>Digest</source>
+        <translation>Контрольна сума</translation>
+    </message>
+    <message>
+        <source>Corrected</source>
+        <translation>Скориговано</translation>
+    </message>
+    <message>
+        <source>Cut path</source>
+        <translation>Фрезерована траєкторія</translation>
+    </message>
+    <message>
+        <source>The operation whose path is corrected</source>
+        <translation>Операція, траєкторія якої коригується</translation>
+    </message>
+    <message>
+        <source>The measured part; without one the path is made exact and nothing is corrected</source>
+        <translation>Виміряна деталь; без неї траєкторія стає точною, але нічого не коригується</translation>
+    </message>
+    <message>
+        <source>Measurements of further parts cut with the same path; deviations are averaged</source>
+        <translation>Вимірювання інших деталей з тією самою траєкторією; відхилення усереднюються</translation>
+    </message>
+    <message>
+        <source>Nominal profile; without one the operation's own geometry, or else its path</source>
+        <translation>Номінальний контур; без нього геометрія операції, інакше її траєкторія</translation>
+    </message>
+    <message>
+        <source>Diameter of the tool; 0 takes it from the tool controller</source>
+        <translation>Діаметр інструмента; 0 бере його з контролера інструмента</translation>
+    </message>
+    <message>
+        <source>Side of the contour on which the tool runs, along its direction</source>
+        <translation>Сторона контуру, з якої йде інструмент за його напрямом</translation>
+    </message>
+    <message>
+        <source>Best fit of the measured points before comparing: none, shift, rigid, or some of x, y, turn joined by +</source>
+        <translation>Вирівнювання виміряних точок перед порівнянням: none, shift, rigid або деякі з x, y, turn, з'єднані знаком +</translation>
+    </message>
+    <message>
+        <source>Findings about the measurement that are accepted by name</source>
+        <translation>Зауваження щодо вимірювання, прийняті поіменно</translation>
+    </message>
+    <message>
+        <source>What separates form from scatter: none, mean:5, mean:1,2,3,2,1, gauss:MM or auto</source>
+        <translation>Що відділяє форму від розсіювання: none, mean:5, mean:1,2,3,2,1, gauss:MM або auto</translation>
+    </message>
+    <message>
+        <source>How the path answers a deviation</source>
+        <translation>Як траєкторія відповідає на відхилення</translation>
+    </message>
+    <message>
+        <source>TOML file with tool, material, machine and stock, kept in the document</source>
+        <translation>Файл TOML з інструментом, матеріалом, верстатом і заготовкою, зберігається в документі</translation>
+    </message>
+    <message>
+        <source>Correct again in the model until the error to expect is at most this; 0: only once</source>
+        <translation>Коригувати в моделі далі, доки очікувана похибка не перевищує цього; 0: лише раз</translation>
+    </message>
+    <message>
+        <source>Depth in mm along the normal that the measured part was cut at; one, or one a part</source>
+        <translation>Глибина в мм вздовж нормалі, з якою оброблено виміряну деталь; одна або по одній на деталь</translation>
+    </message>
+    <message>
+        <source>Depth that the corrected path will cut; 0: that of the measured part</source>
+        <translation>Глибина, яку зніматиме скоригована траєкторія; 0: як у виміряної деталі</translation>
+    </message>
+    <message>
+        <source>How deviations are taken: along the normal, or along one axis</source>
+        <translation>Як беруться відхилення: вздовж нормалі чи вздовж однієї осі</translation>
+    </message>
+    <message>
+        <source>Smooth along the contour, one value, or one a point</source>
+        <translation>Згладжена вздовж контуру, одне значення або по одному на точку</translation>
+    </message>
+    <message>
+        <source>Stock in mm that the path of the measured part left on the nominal</source>
+        <translation>Припуск у мм, який траєкторія виміряної деталі залишила на номіналі</translation>
+    </message>
+    <message>
+        <source>Stock that the path leaves on the part: a first cut, before anything is measured</source>
+        <translation>Припуск, який траєкторія залишає на деталі: перший прохід до вимірювання</translation>
+    </message>
+    <message>
+        <source>Share of the deviation taken back</source>
+        <translation>Частка відхилення, яка знімається</translation>
+    </message>
+    <message>
+        <source>Largest correction; a larger one is refused</source>
+        <translation>Найбільша корекція; більша відхиляється</translation>
+    </message>
+    <message>
+        <source>Deviations up to this are left alone</source>
+        <translation>Відхилення до цієї величини не чіпаються</translation>
+    </message>
+    <message>
+        <source>Largest distance of the path from the exact one</source>
+        <translation>Найбільша відстань траєкторії від точної</translation>
+    </message>
+    <message>
+        <source>Moves of the corrected path: as the operation's, only lines, or arcs</source>
+        <translation>Рухи скоригованої траєкторії: як в операції, лише відрізки, або дуги</translation>
+    </message>
+    <message>
+        <source>What a path under G41 or G42 is: the contour itself, or the centre path</source>
+        <translation>Чим є траєкторія під G41 або G42: самим контуром чи траєкторією центра</translation>
+    </message>
+    <message>
+        <source>Mean deviation</source>
+        <translation>Середнє відхилення</translation>
+    </message>
+    <message>
+        <source>Least deviation</source>
+        <translation>Найменше відхилення</translation>
+    </message>
+    <message>
+        <source>Greatest deviation</source>
+        <translation>Найбільше відхилення</translation>
+    </message>
+    <message>
+        <source>Greatest less least</source>
+        <translation>Найбільше мінус найменше</translation>
+    </message>
+    <message>
+        <source>Standard deviation</source>
+        <translation>Стандартне відхилення</translation>
+    </message>
+    <message>
+        <source>Standard deviation of what the filter takes for scatter</source>
+        <translation>Стандартне відхилення того, що фільтр вважає розсіюванням</translation>
+    </message>
+    <message>
+        <source>Largest distance of the path from the exact offset of the compensated profile</source>
+        <translation>Найбільша відстань траєкторії від точної еквідистанти скоригованого профілю</translation>
+    </message>
+    <message>
+        <source>Points left out</source>
+        <translation>Вилучені точки</translation>
+    </message>
+    <message>
+        <source>What to know</source>
+        <translation>Що варто знати</translation>
+    </message>
+    <message>
+        <source>Measured file of this correction</source>
+        <translation>Файл вимірювань цієї корекції</translation>
+    </message>
+    <message>
+        <source>SHA-256 of that file</source>
+        <translation>SHA-256 цього файлу</translation>
+    </message>
+    <message>
+        <source>When the correction was made</source>
+        <translation>Коли зроблено корекцію</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the measurement, and of the operation's path when it came</source>
+        <translation>SHA-256 вимірювання та траєкторії операції на той час</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Файл</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Точки</translation>
+    </message>
+    <message>
+        <source>Ball radius</source>
+        <translation>Радіус кульки</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Одиниця</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Формат</translation>
+    </message>
+    <message>
+        <source>Mapping</source>
+        <translation>Відповідність</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Щуп</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Деталь</translation>
+    </message>
+    <message>
+        <source>Work offset</source>
+        <translation>Нуль деталі</translation>
+    </message>
+    <message>
+        <source>Work offset given</source>
+        <translation>Нуль деталі задано</translation>
+    </message>
+    <message>
+        <source>Work rotation</source>
+        <translation>Поворот</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Кількість</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Рівні</translation>
+    </message>
+    <message>
+        <source>Has z</source>
+        <translation>Має Z</translation>
+    </message>
+    <message>
+        <source>The measured file, kept in the document</source>
+        <translation>Файл вимірювань, зберігається в документі</translation>
+    </message>
+    <message>
+        <source>What the coordinates are: points on the surface or centres of the probe's ball</source>
+        <translation>Чим є координати: точками на поверхні чи центрами кульки щупа</translation>
+    </message>
+    <message>
+        <source>Radius of the probe's ball where the points are centres; 0: as the file says</source>
+        <translation>Радіус кульки щупа, якщо точки є центрами; 0: як каже файл</translation>
+    </message>
+    <message>
+        <source>Unit of length in the file</source>
+        <translation>Одиниця довжини у файлі</translation>
+    </message>
+    <message>
+        <source>Format of the file; empty: by its content</source>
+        <translation>Формат файлу; порожньо: за вмістом</translation>
+    </message>
+    <message>
+        <source>TOML file that says what the columns of a text file are, kept in the document</source>
+        <translation>Файл TOML, що пояснює стовпці текстового файлу, зберігається в документі</translation>
+    </message>
+    <message>
+        <source>TOML file with the calibration of the probe, kept in the document</source>
+        <translation>Файл TOML з калібруванням щупа, зберігається в документі</translation>
+    </message>
+    <message>
+        <source>Which of several measured parts in the file, from 1; 0: it holds one</source>
+        <translation>Яка з кількох деталей у файлі, від 1; 0: там одна</translation>
+    </message>
+    <message>
+        <source>Origin of the work frame in the frame of the file, mm</source>
+        <translation>Початок системи деталі в системі файлу, мм</translation>
+    </message>
+    <message>
+        <source>The work offset holds; otherwise what the file says</source>
+        <translation>Діє нуль деталі; інакше те, що каже файл</translation>
+    </message>
+    <message>
+        <source>Turn of the work frame in the frame of the file, anticlockwise</source>
+        <translation>Поворот системи деталі в системі файлу, проти годинникової стрілки</translation>
+    </message>
+    <message>
+        <source>Name of the file</source>
+        <translation>Назва файлу</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the file</source>
+        <translation>SHA-256 файлу</translation>
+    </message>
+    <message>
+        <source>Number of points</source>
+        <translation>Кількість точок</translation>
+    </message>
+    <message>
+        <source>Number of Z levels</source>
+        <translation>Кількість рівнів Z</translation>
+    </message>
+    <message>
+        <source>The file has a Z coordinate</source>
+        <translation>Файл має координату Z</translation>
+    </message>
+    <message>
+        <source>Correction</source>
+        <translation>Корекція</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Показано</translation>
+    </message>
+    <message>
+        <source>Magnification</source>
+        <translation>Збільшення</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Розмах</translation>
+    </message>
+    <message>
+        <source>Degree</source>
+        <translation>Степінь</translation>
+    </message>
+    <message>
+        <source>Poles</source>
+        <translation>Полюси</translation>
+    </message>
+    <message>
+        <source>Contour length</source>
+        <translation>Довжина контуру</translation>
+    </message>
+    <message>
+        <source>The dressup whose compensated profile this is</source>
+        <translation>Скоригована траєкторія, профілем якої це є</translation>
+    </message>
+    <message>
+        <source>The profile to cut so that the part comes out right, the nominal one, the operation's path along it, the points as measured, those on the surface, or the deviations as lines along the normal</source>
+        <translation>Профіль, який треба різати, щоб деталь вийшла правильною, номінальний, траєкторія операції вздовж нього, точки як виміряно, точки на поверхні або відхилення як лінії вздовж нормалі</translation>
+    </message>
+    <message>
+        <source>So many times longer than they are the deviations are drawn</source>
+        <translation>У стільки разів довшими рисуються відхилення</translation>
+    </message>
+    <message>
+        <source>Z of the profile</source>
+        <translation>Z профілю</translation>
+    </message>
+    <message>
+        <source>Highest degree</source>
+        <translation>Найвищий степінь</translation>
+    </message>
+    <message>
+        <source>Number of poles</source>
+        <translation>Кількість полюсів</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Довжина</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>Пакет</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>Ще раз</translation>
+    </message>
+    <message>
+        <source>Journal</source>
+        <translation>Журнал</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Звіт</translation>
+    </message>
+    <message>
+        <source>Jobs to run</source>
+        <translation>Завдання до виконання</translation>
+    </message>
+    <message>
+        <source>Also run what an earlier run has done</source>
+        <translation>Також те, що вже виконано раніше</translation>
+    </message>
+    <message>
+        <source>Journal of a series</source>
+        <translation>Журнал серії</translation>
+    </message>
+    <message>
+        <source>Directory for the report and the table of all parts</source>
+        <translation>Каталог для звіту і таблиці всіх деталей</translation>
+    </message>
+    <message>
+        <source>Dialect</source>
+        <translation>Діалект</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Вихід</translation>
+    </message>
+    <message>
+        <source>Points count</source>
+        <translation>Кількість точок</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Крок</translation>
+    </message>
+    <message>
+        <source>Curvature</source>
+        <translation>Кривина</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Дотик</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Safe z</source>
+        <translation>Безпечна Z</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Зазор</translation>
+    </message>
+    <message>
+        <source>Overtravel</source>
+        <translation>Перебіг</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Припуск</translation>
+    </message>
+    <message>
+        <source>Free width</source>
+        <translation>Вільна ширина</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Подача</translation>
+    </message>
+    <message>
+        <source>Positioning feed</source>
+        <translation>Подача позиціювання</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Інструмент</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Протокол</translation>
+    </message>
+    <message>
+        <source>Control that runs it</source>
+        <translation>ЧПК, на якому виконується</translation>
+    </message>
+    <message>
+        <source>Measuring program to write</source>
+        <translation>Вимірювальна програма для запису</translation>
+    </message>
+    <message>
+        <source>Radius at which the probe triggers, as calibrated</source>
+        <translation>Радіус спрацювання щупа за калібруванням</translation>
+    </message>
+    <message>
+        <source>Number of points; 0: by their distance</source>
+        <translation>Кількість точок; 0: за їх кроком</translation>
+    </message>
+    <message>
+        <source>Distance of points along the contour</source>
+        <translation>Відстань між точками вздовж контуру</translation>
+    </message>
+    <message>
+        <source>Denser where the contour bends</source>
+        <translation>Густіше там, де контур згинається</translation>
+    </message>
+    <message>
+        <source>Along an axis where the slope allows it, always along an axis, or along the normal</source>
+        <translation>Вздовж осі, де дозволяє нахил, завжди вздовж осі або вздовж нормалі</translation>
+    </message>
+    <message>
+        <source>Height to measure at</source>
+        <translation>Висота вимірювання</translation>
+    </message>
+    <message>
+        <source>Height at which the probe passes over everything</source>
+        <translation>Висота, на якій щуп проходить над усім</translation>
+    </message>
+    <message>
+        <source>Distance from which a touch begins</source>
+        <translation>Відстань, з якої починається дотик</translation>
+    </message>
+    <message>
+        <source>How far behind the surface a touch gives up</source>
+        <translation>Як далеко за поверхнею дотик припиняється</translation>
+    </message>
+    <message>
+        <source>Stock that is still on the contour</source>
+        <translation>Припуск, який ще лишився на контурі</translation>
+    </message>
+    <message>
+        <source>How far beside the contour it is free; 0: everywhere</source>
+        <translation>Наскільки вільно біля контуру; 0: усюди</translation>
+    </message>
+    <message>
+        <source>Contour to measure, where it is not the operation's own</source>
+        <translation>Контур для вимірювання, якщо він не з операції</translation>
+    </message>
+    <message>
+        <source>Feed of the touch, mm/min</source>
+        <translation>Подача дотику, мм/хв</translation>
+    </message>
+    <message>
+        <source>Feed of moves at measuring height, mm/min</source>
+        <translation>Подача рухів на висоті вимірювання, мм/хв</translation>
+    </message>
+    <message>
+        <source>Number of the probe in the magazine; 0: it is in use</source>
+        <translation>Номер щупа в магазині; 0: він уже встановлений</translation>
+    </message>
+    <message>
+        <source>Name of the file the control writes; empty: as usual</source>
+        <translation>Назва файлу, який пише ЧПК; порожньо: звичайна</translation>
+    </message>
+    <message>
+        <source>Show picture</source>
+        <translation>Показати зображення</translation>
+    </message>
+    <message>
+        <source>Tolerance band</source>
+        <translation>Смуга допуску</translation>
+    </message>
+    <message>
+        <source>Whiskers</source>
+        <translation>Лінії відхилень</translation>
+    </message>
+    <message>
+        <source>Band</source>
+        <translation>Смуга</translation>
+    </message>
+    <message>
+        <source>Profiles</source>
+        <translation>Профілі</translation>
+    </message>
+    <message>
+        <source>Paths</source>
+        <translation>Траєкторії</translation>
+    </message>
+    <message>
+        <source>Rejected points</source>
+        <translation>Відкинуті точки</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Легенда</translation>
+    </message>
+    <message>
+        <source>Show the deviations in the 3-D view</source>
+        <translation>Показати відхилення у тривимірному вигляді</translation>
+    </message>
+    <message>
+        <source>So many times longer than they are deviations and differences are drawn</source>
+        <translation>У стільки разів довшими рисуються відхилення та різниці</translation>
+    </message>
+    <message>
+        <source>Deviations up to this, either way, are in tolerance and green</source>
+        <translation>Відхилення до цієї величини в обидва боки в допуску і зелені</translation>
+    </message>
+    <message>
+        <source>Show each deviation as a line</source>
+        <translation>Показати кожне відхилення лінією</translation>
+    </message>
+    <message>
+        <source>Show the tolerance band</source>
+        <translation>Показати смугу допуску</translation>
+    </message>
+    <message>
+        <source>Show nominal and compensated profile</source>
+        <translation>Показати номінальний і скоригований профілі</translation>
+    </message>
+    <message>
+        <source>Show the path before and after</source>
+        <translation>Показати траєкторію до і після</translation>
+    </message>
+    <message>
+        <source>Mark points that are left out</source>
+        <translation>Позначити вилучені точки</translation>
+    </message>
+    <message>
+        <source>Show what the colours mean</source>
+        <translation>Показати, що означають кольори</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Програма</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Виміряно</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Частка</translation>
+    </message>
+    <message>
+        <source>NC program that cut the measured part</source>
+        <translation>Програма ЧПК, якою оброблено виміряну деталь</translation>
+    </message>
+    <message>
+        <source>Diameter of the cutter</source>
+        <translation>Діаметр фрези</translation>
+    </message>
+    <message>
+        <source>Contour the part should have: a drawing, or the first program; empty: the program's</source>
+        <translation>Контур, який має бути: креслення або перша програма; порожньо: з програми</translation>
+    </message>
+    <message>
+        <source>Measured points, one file a part; deviations of several parts are averaged</source>
+        <translation>Виміряні точки, один файл на деталь; відхилення кількох деталей усереднюються</translation>
+    </message>
+    <message>
+        <source>Moves of the corrected program: as the program's, only lines, arcs, or NURBS</source>
+        <translation>Рухи скоригованої програми: як у програмі, лише відрізки, дуги або NURBS</translation>
+    </message>
+    <message>
+        <source>Corrected program to write</source>
+        <translation>Скоригована програма для запису</translation>
+    </message>
+    <message>
+        <source>Directory for the report; empty: none</source>
+        <translation>Каталог для звіту; порожньо: без звіту</translation>
+    </message>
+    <message>
+        <source>Record the part in the journal of its series</source>
+        <translation>Записати деталь у журнал її серії</translation>
+    </message>
+    <message>
+        <source>NC program that finishes the part</source>
+        <translation>Програма ЧПК, що завершує деталь</translation>
+    </message>
+    <message>
+        <source>Whole allowance over the finished contour</source>
+        <translation>Увесь припуск над готовим контуром</translation>
+    </message>
+    <message>
+        <source>Share of the allowance that the first cut takes</source>
+        <translation>Частка припуску, яку знімає перший прохід</translation>
+    </message>
+    <message>
+        <source>Program of the first cut</source>
+        <translation>Програма першого проходу</translation>
+    </message>
+    <message>
+        <source>Tool, material, machine and stock</source>
+        <translation>Інструмент, матеріал, верстат і заготовка</translation>
+    </message>
+    <message>
+        <source>So many times larger errors are drawn</source>
+        <translation>У стільки разів більшими рисуються похибки</translation>
+    </message>
+    <message>
+        <source>Directory for the report with all signals</source>
+        <translation>Каталог для звіту з усіма сигналами</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr</name>
+    <message>
+        <source>auto</source>
+        <translation>автоматично</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>ліворуч</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>праворуч</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>дзеркально</translation>
+    </message>
+    <message>
+        <source>transfer</source>
+        <translation>передача</translation>
+    </message>
+    <message>
+        <source>combined</source>
+        <translation>комбінований</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>прогноз</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>нормаль</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>згладжена</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>одна</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>точки</translation>
+    </message>
+    <message>
+        <source>keep</source>
+        <translation>зберегти</translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation>відрізки</translation>
+    </message>
+    <message>
+        <source>arcs</source>
+        <translation>дуги</translation>
+    </message>
+    <message>
+        <source>contour</source>
+        <translation>контур</translation>
+    </message>
+    <message>
+        <source>wear</source>
+        <translation>знос</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>контактні точки</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>центри</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <translation>вісь</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>мм</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>дюйм</translation>
+    </message>
+    <message>
+        <source>Reading points</source>
+        <translation>Читання точок</translation>
+    </message>
+    <message>
+        <source>Best fit</source>
+        <translation>Вирівнювання</translation>
+    </message>
+    <message>
+        <source>Looking for doubts</source>
+        <translation>Пошук сумнівів</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>Відхилення</translation>
+    </message>
+    <message>
+        <source>Separating form from scatter</source>
+        <translation>Відділення форми від розсіювання</translation>
+    </message>
+    <message>
+        <source>Laying and proving the path</source>
+        <translation>Побудова і перевірка траєкторії</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Рисування</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>Завдання</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Стан</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Час</translation>
+    </message>
+    <message>
+        <source>Told</source>
+        <translation>Повідомлення</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Серія</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Деталь</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Виміряно</translation>
+    </message>
+    <message>
+        <source>Mean, µm</source>
+        <translation>Середнє, мкм</translation>
+    </message>
+    <message>
+        <source>Std. deviation, µm</source>
+        <translation>Станд. відхилення, мкм</translation>
+    </message>
+    <message>
+        <source>Height, µm</source>
+        <translation>Розмах, мкм</translation>
+    </message>
+    <message>
+        <source>Correction, µm</source>
+        <translation>Корекція, мкм</translation>
+    </message>
+    <message>
+        <source>Decision</source>
+        <translation>Рішення</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Запустити</translation>
+    </message>
+    <message>
+        <source>Write report</source>
+        <translation>Записати звіт</translation>
+    </message>
+    <message>
+        <source>Batches (*.toml);;All files (*)</source>
+        <translation>Пакети (*.toml);;Усі файли (*)</translation>
+    </message>
+    <message>
+        <source>Journals (*.journal);;All files (*)</source>
+        <translation>Журнали (*.journal);;Усі файли (*)</translation>
+    </message>
+    <message>
+        <source>done before</source>
+        <translation>виконано раніше</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>виконано</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>Пакет</translation>
+    </message>
+    <message>
+        <source>failed ({})</source>
+        <translation>не вдалося ({})</translation>
+    </message>
+    <message>
+        <source>History of parts</source>
+        <translation>Історія деталей</translation>
+    </message>
+    <message>
+        <source>Journal</source>
+        <translation>Журнал</translation>
+    </message>
+    <message>
+        <source>Show as plot</source>
+        <translation>Показати графіком</translation>
+    </message>
+    <message>
+        <source>{} of {} jobs</source>
+        <translation>{} з {} завдань</translation>
+    </message>
+    <message>
+        <source>Stopped; run it again to go on</source>
+        <translation>Зупинено; запустіть ще раз, щоб продовжити</translation>
+    </message>
+    <message>
+        <source>waits</source>
+        <translation>чекає</translation>
+    </message>
+    <message>
+        <source>Needs:</source>
+        <translation>Потрібно:</translation>
+    </message>
+    <message>
+        <source>the operation's own contour</source>
+        <translation>власний контур операції</translation>
+    </message>
+    <message>
+        <source>Compensated toolpath</source>
+        <translation>Скоригована траєкторія</translation>
+    </message>
+    <message>
+        <source>Measured part</source>
+        <translation>Виміряна деталь</translation>
+    </message>
+    <message>
+        <source>&amp;Import file…</source>
+        <translation>&amp;Імпортувати файл…</translation>
+    </message>
+    <message>
+        <source>Point at a whisker to see its point; click to keep it.</source>
+        <translation>Наведіть на лінію, щоб побачити її точку; клацніть, щоб залишити.</translation>
+    </message>
+    <message>
+        <source>Correction</source>
+        <translation>Корекція</translation>
+    </message>
+    <message>
+        <source>More settings</source>
+        <translation>Додаткові налаштування</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Передавальна функція</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Зображення</translation>
+    </message>
+    <message>
+        <source>none: only make the path exact</source>
+        <translation>немає: лише уточнити траєкторію</translation>
+    </message>
+    <message>
+        <source>It is right as it is</source>
+        <translation>Так правильно</translation>
+    </message>
+    <message>
+        <source>not a number</source>
+        <translation>не число</translation>
+    </message>
+    <message>
+        <source>points on the surface (contact)</source>
+        <translation>точки на поверхні (контакт)</translation>
+    </message>
+    <message>
+        <source>centres of the probe's ball</source>
+        <translation>центри кульки щупа</translation>
+    </message>
+    <message>
+        <source>ball centres that the control shifted along an axis</source>
+        <translation>центри кульки, які ЧПК змістило вздовж осі</translation>
+    </message>
+    <message>
+        <source>mirror: take back what was measured</source>
+        <translation>дзеркально: зняти те, що виміряно</translation>
+    </message>
+    <message>
+        <source>transfer: by how the machine gives way</source>
+        <translation>передача: за тим, як піддається верстат</translation>
+    </message>
+    <message>
+        <source>as the operation's</source>
+        <translation>як в операції</translation>
+    </message>
+    <message>
+        <source>none; several separated by ;</source>
+        <translation>немає; кілька через ;</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>немає</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Огляд…</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>виміряно</translation>
+    </message>
+    <message>
+        <source>expected</source>
+        <translation>очікується</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Середнє</translation>
+    </message>
+    <message>
+        <source>Mean deviation; positive where material is left</source>
+        <translation>Середнє відхилення; додатне там, де лишився матеріал</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>Найменше</translation>
+    </message>
+    <message>
+        <source>Deepest undercut</source>
+        <translation>Найглибший підріз</translation>
+    </message>
+    <message>
+        <source>Greatest</source>
+        <translation>Найбільше</translation>
+    </message>
+    <message>
+        <source>Most material left</source>
+        <translation>Найбільше залишеного матеріалу</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Розмах</translation>
+    </message>
+    <message>
+        <source>Greatest less least</source>
+        <translation>Найбільше мінус найменше</translation>
+    </message>
+    <message>
+        <source>Std. dev.</source>
+        <translation>Станд. відх.</translation>
+    </message>
+    <message>
+        <source>Spread of deviations about their mean</source>
+        <translation>Розкид відхилень навколо середнього</translation>
+    </message>
+    <message>
+        <source>Scatter</source>
+        <translation>Розсіювання</translation>
+    </message>
+    <message>
+        <source>Standard deviation of what does not repeat and is therefore not corrected</source>
+        <translation>Стандартне відхилення того, що не повторюється і тому не коригується</translation>
+    </message>
+    <message>
+        <source>Largest correction</source>
+        <translation>Найбільша корекція</translation>
+    </message>
+    <message>
+        <source>Farthest that the profile to cut lies from the nominal</source>
+        <translation>Як далеко профіль для різання відходить від номіналу</translation>
+    </message>
+    <message>
+        <source>Path error before</source>
+        <translation>Похибка траєкторії до</translation>
+    </message>
+    <message>
+        <source>How far the operation's own path is off the exact one</source>
+        <translation>Наскільки траєкторія операції відходить від точної</translation>
+    </message>
+    <message>
+        <source>Path error after</source>
+        <translation>Похибка траєкторії після</translation>
+    </message>
+    <message>
+        <source>How far the corrected path is off the exact one, read back from the finished path</source>
+        <translation>Наскільки скоригована траєкторія відходить від точної, прочитано з готової траєкторії</translation>
+    </message>
+    <message>
+        <source>Points used</source>
+        <translation>Використані точки</translation>
+    </message>
+    <message>
+        <source>Points used, of those in the file</source>
+        <translation>Використані точки з тих, що у файлі</translation>
+    </message>
+    <message>
+        <source>Points left out</source>
+        <translation>Вилучені точки</translation>
+    </message>
+    <message>
+        <source>Each is marked in the picture, with its reason</source>
+        <translation>Кожну позначено на зображенні, з причиною</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Вибрати</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>не використано</translation>
+    </message>
+    <message>
+        <source>no file yet</source>
+        <translation>ще немає файлу</translation>
+    </message>
+    <message>
+        <source>Meaning of column {}</source>
+        <translation>Значення стовпця {}</translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation>Запис</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Довідка</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Закрити</translation>
+    </message>
+    <message>
+        <source>More in the documentation</source>
+        <translation>Докладніше в документації</translation>
+    </message>
+    <message>
+        <source>Millcorr help</source>
+        <translation>Довідка Millcorr</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Назад</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Зміст</translation>
+    </message>
+    <message>
+        <source>Import measurement</source>
+        <translation>Імпорт вимірювання</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Файл</translation>
+    </message>
+    <message>
+        <source>file of a CMM, a probe log, or a table of points</source>
+        <translation>файл КВМ, журнал щупа або таблиця точок</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Огляд…</translation>
+    </message>
+    <message>
+        <source>&amp;More</source>
+        <translation>&amp;Більше</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Імпортувати</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Скасувати</translation>
+    </message>
+    <message>
+        <source>Origin of the work frame in the file's, mm</source>
+        <translation>Початок системи деталі в системі файлу, мм</translation>
+    </message>
+    <message>
+        <source>Measured points</source>
+        <translation>Виміряні точки</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Усі файли (*)</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Читання</translation>
+    </message>
+    <message>
+        <source>by its content</source>
+        <translation>за вмістом</translation>
+    </message>
+    <message>
+        <source>Points: {}, heights: {}. {} mm. Format: {}, unit in the file: {}</source>
+        <translation>Точки: {}, рівні: {}. {} мм. Формат: {}, одиниця у файлі: {}</translation>
+    </message>
+    <message>
+        <source>Not imported, see the report view</source>
+        <translation>Не імпортовано, див. вікно звіту</translation>
+    </message>
+    <message>
+        <source>nominal profile</source>
+        <translation>номінальний профіль</translation>
+    </message>
+    <message>
+        <source>profile to cut</source>
+        <translation>профіль для різання</translation>
+    </message>
+    <message>
+        <source>tolerance band</source>
+        <translation>смуга допуску</translation>
+    </message>
+    <message>
+        <source>path before</source>
+        <translation>траєкторія до</translation>
+    </message>
+    <message>
+        <source>corrected path</source>
+        <translation>скоригована траєкторія</translation>
+    </message>
+    <message>
+        <source>points left out</source>
+        <translation>вилучені точки</translation>
+    </message>
+    <message>
+        <source>Deviations {}:1</source>
+        <translation>Відхилення {}:1</translation>
+    </message>
+    <message>
+        <source>material left</source>
+        <translation>залишок матеріалу</translation>
+    </message>
+    <message>
+        <source>(the largest of every {})</source>
+        <translation>(найбільші з кожних {})</translation>
+    </message>
+    <message>
+        <source>undercut</source>
+        <translation>підріз</translation>
+    </message>
+    <message>
+        <source>in tolerance</source>
+        <translation>у допуску</translation>
+    </message>
+    <message>
+        <source>Run in LinuxCNC's own interpreter. Moves between touches are unprotected.</source>
+        <translation>Виконано у власному інтерпретаторі LinuxCNC. Рухи між дотиками не захищені.</translation>
+    </message>
+    <message>
+        <source>Run in LinuxCNC's own interpreter. Moves between touches stop at contact. Prefer it.</source>
+        <translation>Виконано у власному інтерпретаторі LinuxCNC. Рухи між дотиками зупиняються при контакті. Кращий варіант.</translation>
+    </message>
+    <message>
+        <source>Run in an interpreter written after GRBL's documentation. Moves between touches are unprotected.</source>
+        <translation>Виконано в інтерпретаторі, написаному за документацією GRBL. Рухи між дотиками не захищені.</translation>
+    </message>
+    <message>
+        <source>Run in an interpreter written after Renishaw's description of its cycles; result variables compared with public tables.</source>
+        <translation>Виконано в інтерпретаторі за описом циклів Renishaw; змінні результатів звірено з відкритими таблицями.</translation>
+    </message>
+    <message>
+        <source>Run in an interpreter written after public descriptions. No manual with the names of the arguments was at hand: compare with yours.</source>
+        <translation>Виконано в інтерпретаторі за відкритими описами. Посібника з назвами аргументів не було: звірте зі своїм.</translation>
+    </message>
+    <message>
+        <source>Run in an interpreter written after the description of TCH PROBE cycle 3.</source>
+        <translation>Виконано в інтерпретаторі за описом циклу 3 TCH PROBE.</translation>
+    </message>
+    <message>
+        <source>Run in an interpreter written after the programming manual of MEAS.</source>
+        <translation>Виконано в інтерпретаторі за посібником з програмування MEAS.</translation>
+    </message>
+    <message>
+        <source>Write program</source>
+        <translation>Записати програму</translation>
+    </message>
+    <message>
+        <source>Measuring program</source>
+        <translation>Вимірювальна програма</translation>
+    </message>
+    <message>
+        <source>No program of millcorr has run on a real machine. Run the first one above the part, then with the feed override low and a hand on feed hold.</source>
+        <translation>Жодна програма millcorr не виконувалась на справжньому верстаті. Першу виконайте над деталлю, потім з малою подачею і рукою на зупинці подачі.</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Система ЧПК</translation>
+    </message>
+    <message>
+        <source>Room</source>
+        <translation>Простір</translation>
+    </message>
+    <message>
+        <source>Probe and points on {}</source>
+        <translation>Щуп і точки на {}</translation>
+    </message>
+    <message>
+        <source>Stopped: change a setting to compute again</source>
+        <translation>Зупинено: змініть налаштування, щоб обчислити знову</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Зупинити</translation>
+    </message>
+    <message>
+        <source>Computing</source>
+        <translation>Обчислення</translation>
+    </message>
+    <message>
+        <source>Internal error, see the report view</source>
+        <translation>Внутрішня помилка, див. вікно звіту</translation>
+    </message>
+    <message>
+        <source>Close the open task first</source>
+        <translation>Спершу закрийте відкрите завдання</translation>
+    </message>
+    <message>
+        <source>expected next</source>
+        <translation>очікується далі</translation>
+    </message>
+    <message>
+        <source>determined part</source>
+        <translation>детермінована частина</translation>
+    </message>
+    <message>
+        <source>range of the points</source>
+        <translation>діапазон точок</translation>
+    </message>
+    <message>
+        <source>mean and standard deviation</source>
+        <translation>середнє і стандартне відхилення</translation>
+    </message>
+    <message>
+        <source>arc length s, mm</source>
+        <translation>довжина дуги s, мм</translation>
+    </message>
+    <message>
+        <source>normal law of the scatter</source>
+        <translation>нормальний закон розсіювання</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>деталь</translation>
+    </message>
+    <message>
+        <source>uncertainty, k = {:g}</source>
+        <translation>невизначеність, k = {:g}</translation>
+    </message>
+    <message>
+        <source>deviation, {}</source>
+        <translation>відхилення, {}</translation>
+    </message>
+    <message>
+        <source>s {:.2f} mm: measured {:+.1f} µm, expected next {:+.1f} µm</source>
+        <translation>s {:.2f} мм: виміряно {:+.1f} мкм, очікується далі {:+.1f} мкм</translation>
+    </message>
+    <message>
+        <source>Millcorr plots</source>
+        <translation>Графіки Millcorr</translation>
+    </message>
+    <message>
+        <source>Linked to the 3-D view</source>
+        <translation>Зв'язано з тривимірним виглядом</translation>
+    </message>
+    <message>
+        <source>What is pointed at in the plot shows in the 3-D view and the other way round; the view follows the zoom of the plot, the plot that of the view</source>
+        <translation>На що вказано на графіку, видно у тривимірному вигляді, і навпаки; вигляд іде за масштабом графіка, графік за масштабом вигляду</translation>
+    </message>
+    <message>
+        <source>Along the contour</source>
+        <translation>Вздовж контуру</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Розподіл</translation>
+    </message>
+    <message>
+        <source>Select a compensated toolpath</source>
+        <translation>Виберіть скориговану траєкторію</translation>
+    </message>
+    <message>
+        <source>{}: nothing was measured</source>
+        <translation>{}: нічого не виміряно</translation>
+    </message>
+    <message>
+        <source>NC programs (*.nc *.ngc *.tap *.gcode *.cnc *.mpf *.h *.txt);;All files (*)</source>
+        <translation>Програми ЧПК (*.nc *.ngc *.tap *.gcode *.cnc *.mpf *.h *.txt);;Усі файли (*)</translation>
+    </message>
+    <message>
+        <source>Contours (*.step *.stp *.iges *.igs *.brep *.dxf *.json *.nc *.ngc *.tap *.gcode *.cnc *.mpf);;All files (*)</source>
+        <translation>Контури (*.step *.stp *.iges *.igs *.brep *.dxf *.json *.nc *.ngc *.tap *.gcode *.cnc *.mpf);;Усі файли (*)</translation>
+    </message>
+    <message>
+        <source>nurbs</source>
+        <translation>NURBS</translation>
+    </message>
+    <message>
+        <source>Correct NC program file</source>
+        <translation>Коригувати файл програми ЧПК</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Програма</translation>
+    </message>
+    <message>
+        <source>How the file is read</source>
+        <translation>Як читається файл</translation>
+    </message>
+    <message>
+        <source>Deviations, mm</source>
+        <translation>Відхилення, мм</translation>
+    </message>
+    <message>
+        <source>What is written</source>
+        <translation>Що записується</translation>
+    </message>
+    <message>
+        <source>Split allowance</source>
+        <translation>Поділити припуск</translation>
+    </message>
+    <message>
+        <source>The first cut leaves a part of the allowance. Measure it, then correct the program that finishes the part with the method “transfer”: the part itself has shown how far the machine yields.</source>
+        <translation>Перший прохід залишає частину припуску. Виміряйте її, потім скоригуйте програму, що завершує деталь, методом «передача»: деталь сама показала, наскільки піддається верстат.</translation>
+    </message>
+    <message>
+        <source>The program of the first cut is written</source>
+        <translation>Програму першого проходу записано</translation>
+    </message>
+    <message>
+        <source>Set {} to {}</source>
+        <translation>Встановити {}: {}</translation>
+    </message>
+    <message>
+        <source>Go to {}</source>
+        <translation>Перейти до {}</translation>
+    </message>
+    <message>
+        <source>an operation selected in the tree</source>
+        <translation>операція, вибрана в дереві</translation>
+    </message>
+    <message>
+        <source>a compensated toolpath: make one first</source>
+        <translation>скоригована траєкторія: спершу створіть її</translation>
+    </message>
+    <message>
+        <source>an open document</source>
+        <translation>відкритий документ</translation>
+    </message>
+    <message>
+        <source>a job with an operation, such as a Profile</source>
+        <translation>завдання з операцією, наприклад Profile</translation>
+    </message>
+    <message>
+        <source>an operation that stands in a job, without a dressup over it: select the dressup</source>
+        <translation>операція в завданні без накладення над нею: виберіть накладення</translation>
+    </message>
+    <message>
+        <source>a compensated toolpath selected in the tree</source>
+        <translation>скоригована траєкторія, вибрана в дереві</translation>
+    </message>
+    <message>
+        <source>a compensated toolpath with a measured part</source>
+        <translation>скоригована траєкторія з виміряною деталлю</translation>
+    </message>
+    <message>
+        <source>a Profile operation with a path, selected in the tree</source>
+        <translation>операція Profile з траєкторією, вибрана в дереві</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Моделювання</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>час, с</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>сила</translation>
+    </message>
+    <message>
+        <source>engaged arc</source>
+        <translation>кут контакту</translation>
+    </message>
+    <message>
+        <source>feed</source>
+        <translation>подача</translation>
+    </message>
+    <message>
+        <source>deflection</source>
+        <translation>прогин</translation>
+    </message>
+    <message>
+        <source>Setups (*.toml);;All files (*)</source>
+        <translation>Налагодження (*.toml);;Усі файли (*)</translation>
+    </message>
+    <message>
+        <source>Name the setup: tool, material, machine and stock, as a TOML file.</source>
+        <translation>Вкажіть налагодження: інструмент, матеріал, верстат і заготовку, як файл TOML.</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Відтворити</translation>
+    </message>
+    <message>
+        <source>So many times faster than the machine</source>
+        <translation>У стільки разів швидше за верстат</translation>
+    </message>
+    <message>
+        <source>Largest predicted error {:.1f} µm</source>
+        <translation>Найбільша прогнозована похибка {:.1f} мкм</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Пауза</translation>
+    </message>
+    <message>
+        <source>{:.2f} s, line {}: </source>
+        <translation>{:.2f} с, рядок {}: </translation>
+    </message>
+    <message>
+        <source>, corrected {:.1f} µm</source>
+        <translation>, скориговано {:.1f} мкм</translation>
+    </message>
+    <message>
+        <source>&lt;span style='color:#888'&gt;—&lt;/span&gt; commanded path, &lt;span style='color:#c00'&gt;—&lt;/span&gt; machined contour, &lt;span style='color:#2e9a1c'&gt;—&lt;/span&gt; corrected contour, errors {:g}:1</source>
+        <translation>&lt;span style='color:#888'&gt;—&lt;/span&gt; задана траєкторія, &lt;span style='color:#c00'&gt;—&lt;/span&gt; оброблений контур, &lt;span style='color:#2e9a1c'&gt;—&lt;/span&gt; скоригований контур, похибки {:g}:1</translation>
+    </message>
+    <message>
+        <source>Constant offset</source>
+        <translation>Сталий зсув</translation>
+    </message>
+    <message>
+        <source>What stays whatever the depth, such as a wrong tool radius; known from two depths only</source>
+        <translation>Що лишається за будь-якої глибини, наприклад хибний радіус інструмента; відомо лише з двох глибин</translation>
+    </message>
+    <message>
+        <source>MS, mean</source>
+        <translation>MS, середнє</translation>
+    </message>
+    <message>
+        <source>Share of the depth removed that the machine yields</source>
+        <translation>Частка знятої глибини, на яку піддається верстат</translation>
+    </message>
+    <message>
+        <source>MS, least</source>
+        <translation>MS, найменше</translation>
+    </message>
+    <message>
+        <source>Where the machine is stiffest</source>
+        <translation>Де верстат найжорсткіший</translation>
+    </message>
+    <message>
+        <source>MS, greatest</source>
+        <translation>MS, найбільше</translation>
+    </message>
+    <message>
+        <source>Where the machine yields most</source>
+        <translation>Де верстат піддається найбільше</translation>
+    </message>
+    <message>
+        <source>Uncertainty of MS</source>
+        <translation>Невизначеність MS</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty at a point</source>
+        <translation>Стандартна невизначеність у точці</translation>
+    </message>
+    <message>
+        <source>Next depth</source>
+        <translation>Наступна глибина</translation>
+    </message>
+    <message>
+        <source>Depth that the corrected path will find</source>
+        <translation>Глибина, яку зустріне скоригована траєкторія</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the correction</source>
+        <translation>Невизначеність корекції</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of where the path is put</source>
+        <translation>Стандартна невизначеність положення траєкторії</translation>
+    </message>
+    <message>
+        <source>The machine yields in proportion to what it cuts. From the depth H of the measured part and its error δ follows the transfer function &lt;b&gt;MS = δ / (H − δ)&lt;/b&gt;; the next path commands &lt;b&gt;H · (1 + MS)&lt;/b&gt;, and removes H. That also holds at another depth, where a mirrored error does not.</source>
+        <translation>Верстат піддається пропорційно до того, що знімає. З глибини H виміряної деталі та її похибки δ випливає передавальна функція &lt;b&gt;MS = δ / (H − δ)&lt;/b&gt;; наступна траєкторія задає &lt;b&gt;H · (1 + MS)&lt;/b&gt; і знімає H. Це діє й за іншої глибини, де дзеркальна похибка не діє.</translation>
+    </message>
+    <message>
+        <source>Depths</source>
+        <translation>Глибини</translation>
+    </message>
+    <message>
+        <source>Machining system</source>
+        <translation>Технологічна система</translation>
+    </message>
+    <message>
+        <source>The first cut leaves a part of the allowance on the finished contour. Measure the part then, import the measurement, and correct with the transfer function: the second cut comes out right.</source>
+        <translation>Перший прохід залишає частину припуску на готовому контурі. Потім виміряйте деталь, імпортуйте вимірювання і скоригуйте за передавальною функцією: другий прохід буде правильним.</translation>
+    </message>
+    <message>
+        <source>A program file instead…</source>
+        <translation>Натомість файл програми…</translation>
+    </message>
+    <message>
+        <source>The first cut takes {:g} mm and leaves {:g} mm. Its path is within {:.2f} µm of the exact parallel.</source>
+        <translation>Перший прохід знімає {:g} мм і залишає {:g} мм. Його траєкторія в межах {:.2f} мкм від точної еквідистанти.</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Загальне</translation>
+    </message>
+    <message>
+        <source>New corrections</source>
+        <translation>Нові корекції</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Фільтр</translation>
+    </message>
+    <message>
+        <source>What separates form from scatter: none, mean:5, mean:1,2,3,2,1, gauss:MM or auto</source>
+        <translation>Що відділяє форму від розсіювання: none, mean:5, mean:1,2,3,2,1, gauss:MM або auto</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Коефіцієнт</translation>
+    </message>
+    <message>
+        <source>Share of the deviation taken back</source>
+        <translation>Частка відхилення, яка знімається</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Межа</translation>
+    </message>
+    <message>
+        <source>Largest correction; a larger one is refused</source>
+        <translation>Найбільша корекція; більша відхиляється</translation>
+    </message>
+    <message>
+        <source>Dead band</source>
+        <translation>Зона нечутливості</translation>
+    </message>
+    <message>
+        <source>Deviations up to this are left alone</source>
+        <translation>Відхилення до цієї величини не чіпаються</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Допуск</translation>
+    </message>
+    <message>
+        <source>Largest distance of the path from the exact one</source>
+        <translation>Найбільша відстань траєкторії від точної</translation>
+    </message>
+    <message>
+        <source>New measurements</source>
+        <translation>Нові вимірювання</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Точки</translation>
+    </message>
+    <message>
+        <source>What the coordinates of a measured file are</source>
+        <translation>Чим є координати файлу вимірювань</translation>
+    </message>
+    <message>
+        <source>as the file says</source>
+        <translation>як каже файл</translation>
+    </message>
+    <message>
+        <source>Ball radius</source>
+        <translation>Радіус кульки</translation>
+    </message>
+    <message>
+        <source>Radius of the probe's ball; 0: as the file says</source>
+        <translation>Радіус кульки щупа; 0: як каже файл</translation>
+    </message>
+    <message>
+        <source>Measuring programs</source>
+        <translation>Вимірювальні програми</translation>
+    </message>
+    <message>
+        <source>Control that runs measuring programs</source>
+        <translation>ЧПК, на якому виконуються вимірювальні програми</translation>
+    </message>
+    <message>
+        <source>Touch feed</source>
+        <translation>Подача дотику</translation>
+    </message>
+    <message>
+        <source>Feed of the touch</source>
+        <translation>Подача дотику</translation>
+    </message>
+    <message>
+        <source>Positioning feed</source>
+        <translation>Подача позиціювання</translation>
+    </message>
+    <message>
+        <source>Feed of moves at measuring height</source>
+        <translation>Подача рухів на висоті вимірювання</translation>
+    </message>
+    <message>
+        <source>Pictures and plots</source>
+        <translation>Зображення та графіки</translation>
+    </message>
+    <message>
+        <source>Show the deviations in the 3-D view as soon as a correction is made</source>
+        <translation>Показує відхилення у тривимірному вигляді, щойно зроблено корекцію</translation>
+    </message>
+    <message>
+        <source>Show the deviations of a new correction</source>
+        <translation>Показувати відхилення нової корекції</translation>
+    </message>
+    <message>
+        <source>Magnification</source>
+        <translation>Збільшення</translation>
+    </message>
+    <message>
+        <source>So many times longer than they are deviations are drawn</source>
+        <translation>У стільки разів довшими рисуються відхилення</translation>
+    </message>
+    <message>
+        <source>Tolerance band</source>
+        <translation>Смуга допуску</translation>
+    </message>
+    <message>
+        <source>Deviations up to this, either way, are in tolerance and green</source>
+        <translation>Відхилення до цієї величини в обидва боки в допуску і зелені</translation>
+    </message>
+    <message>
+        <source>Colours of plots</source>
+        <translation>Кольори графіків</translation>
+    </message>
+    <message>
+        <source>Light or dark plots</source>
+        <translation>Світлі або темні графіки</translation>
+    </message>
+    <message>
+        <source>as the window</source>
+        <translation>як вікно</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>світлі</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>темні</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Report</name>
+    <message>
+        <source>Directory for the report</source>
+        <translation>Каталог для звіту</translation>
+    </message>
+    <message>
+        <source>Export report…</source>
+        <translation>Експортувати звіт…</translation>
+    </message>
+    <message>
+        <source>Write the report of the selected compensated toolpath to a directory</source>
+        <translation>Записує звіт вибраної скоригованої траєкторії в каталог</translation>
+    </message>
+    <message>
+        <source>Export report</source>
+        <translation>Експорт звіту</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Profile</name>
+    <message>
+        <source>Compensated profile</source>
+        <translation>Скоригований профіль</translation>
+    </message>
+    <message>
+        <source>Make the profile to cut, as a NURBS for any operation</source>
+        <translation>Створює профіль для різання, як NURBS для будь-якої операції</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Measurement</name>
+    <message>
+        <source>Import measurement…</source>
+        <translation>Імпортувати вимірювання…</translation>
+    </message>
+    <message>
+        <source>Read the measured points of a part and keep the file in the document</source>
+        <translation>Читає виміряні точки деталі й зберігає файл у документі</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Dressup</name>
+    <message>
+        <source>Compensated toolpath…</source>
+        <translation>Скоригована траєкторія…</translation>
+    </message>
+    <message>
+        <source>Correct the path of the selected operation from a measured part</source>
+        <translation>Коригує траєкторію вибраної операції за виміряною деталлю</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Picture</name>
+    <message>
+        <source>Show deviations</source>
+        <translation>Показати відхилення</translation>
+    </message>
+    <message>
+        <source>Show or hide deviations, profiles and paths of the selected compensated toolpath</source>
+        <translation>Показує або ховає відхилення, профілі й траєкторії вибраної скоригованої траєкторії</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Transfer</name>
+    <message>
+        <source>Transfer function…</source>
+        <translation>Передавальна функція…</translation>
+    </message>
+    <message>
+        <source>Correct by how far the machine yields, from the depth that was cut</source>
+        <translation>Коригує за тим, наскільки піддається верстат, з глибини різання</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Split</name>
+    <message>
+        <source>Split allowance…</source>
+        <translation>Поділити припуск…</translation>
+    </message>
+    <message>
+        <source>Cut an allowance in two: measure after the first cut, correct the second</source>
+        <translation>Ділить припуск на два проходи: виміряти після першого, скоригувати другий</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Probe</name>
+    <message>
+        <source>Measuring program…</source>
+        <translation>Вимірювальна програма…</translation>
+    </message>
+    <message>
+        <source>Write a program that measures the selected operation's contour on the machine</source>
+        <translation>Записує програму, що вимірює контур вибраної операції на верстаті</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Plots</name>
+    <message>
+        <source>Plots</source>
+        <translation>Графіки</translation>
+    </message>
+    <message>
+        <source>Deviations along the contour and their distribution, linked to the 3-D view</source>
+        <translation>Відхилення вздовж контуру та їх розподіл, зв'язані з тривимірним виглядом</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Simulate</name>
+    <message>
+        <source>Simulate…</source>
+        <translation>Моделювати…</translation>
+    </message>
+    <message>
+        <source>Run the cutter along the selected operation: force, deflection, predicted contour</source>
+        <translation>Веде фрезу вздовж вибраної операції: сила, прогин, прогнозований контур</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Program</name>
+    <message>
+        <source>Correct NC program file…</source>
+        <translation>Коригувати файл програми ЧПК…</translation>
+    </message>
+    <message>
+        <source>Correct an NC program from a measured part, without any document</source>
+        <translation>Коригує програму ЧПК за виміряною деталлю, без документа</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Batch</name>
+    <message>
+        <source>Batch…</source>
+        <translation>Пакет…</translation>
+    </message>
+    <message>
+        <source>Run many corrections from one file, in the background</source>
+        <translation>Виконує багато корекцій з одного файлу у фоні</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_History</name>
+    <message>
+        <source>History of parts…</source>
+        <translation>Історія деталей…</translation>
+    </message>
+    <message>
+        <source>Show what the journal of a series holds: parts, corrections, trends</source>
+        <translation>Показує вміст журналу серії: деталі, корекції, тренди</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Help</name>
+    <message>
+        <source>Millcorr help</source>
+        <translation>Довідка Millcorr</translation>
+    </message>
+    <message>
+        <source>The documentation, page by page</source>
+        <translation>Документація, сторінка за сторінкою</translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <source>Millcorr</source>
+        <translation>Millcorr</translation>
+    </message>
+    <message>
+        <source>Correct milling toolpaths from measured parts</source>
+        <translation>Корекція траєкторій фрезерування за виміряними деталями</translation>
+    </message>
+    <message>
+        <source>Macros</source>
+        <translation>Макроси</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Macro</name>
+    <message>
+        <source>Correct document</source>
+        <translation>Коригувати документ</translation>
+    </message>
+    <message>
+        <source>Ask for a document and a measured file; write the corrected document, its program and the report beside it</source>
+        <translation>Запитує документ і файл вимірювань; записує поруч скоригований документ, його програму і звіт</translation>
+    </message>
+    <message>
+        <source>Correct selected operation</source>
+        <translation>Коригувати вибрану операцію</translation>
+    </message>
+    <message>
+        <source>Ask for a measured file and correct the selected operation, or the job's only Profile, with it</source>
+        <translation>Запитує файл вимірювань і коригує ним вибрану операцію або єдиний Profile завдання</translation>
+    </message>
+    <message>
+        <source>Measuring program for LinuxCNC</source>
+        <translation>Вимірювальна програма для LinuxCNC</translation>
+    </message>
+    <message>
+        <source>Ask for a file and write a measuring program of the selected operation, or of the job's only Profile</source>
+        <translation>Запитує файл і записує вимірювальну програму вибраної операції або єдиного Profile завдання</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Findings on what is used together: filter and points, parts and parts, a part and its program."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from millcorr import distrust, gcode, pipeline
+from millcorr.deviation import deviations
+from millcorr.errors import DistrustError
+from millcorr.filtering import Filter
+from millcorr.measurement import Measurement
+from millcorr.probe import axis_residue, contact_known
+from tests.core.loop_programs import measured
+from tests.core.test_distrust import NOMINAL, PLAIN, PROGRAM, changed, wave
+
+
+def correct(first: Measurement, *further: Measurement, program: gcode.Program = PROGRAM) -> pipeline.Result:
+    settings = pipeline.Settings(filter="none")
+    return pipeline.correct(pipeline.Request(program, 5.0, first, NOMINAL, settings, further))
+
+
+def noisy(seed: int) -> Measurement:
+    rng = np.random.default_rng(seed)
+    found = measured(NOMINAL, lambda k, s: wave(k, s) + 0.001 * rng.standard_normal(len(s)))
+    return replace(found, source=f"part-{seed}.csv")
+
+
+def test_a_lump_that_a_filter_swings_about_is_dangerous() -> None:
+    d = deviations(changed(PLAIN), NOMINAL)
+    order = np.argsort(d.s)
+    determined = d.value.copy()
+    assert distrust.examine_determined(d, d.value, determined, None) == ()
+    determined[order[10:13]] -= 0.15
+    (finding,) = distrust.examine_determined(d, d.value, determined, np.ones(len(d)))
+    assert finding.name == "overshoot" and finding.dangerous
+
+
+def test_an_outlier_that_a_filter_leaves_alone_is_no_overshoot() -> None:
+    d = deviations(changed(PLAIN), NOMINAL)
+    machine, trust = d.value.copy(), np.ones(len(d))
+    machine[20], trust[20] = 0.3, 0.0
+    assert distrust.examine_determined(d, machine, d.value, trust) == ()
+
+
+def test_points_on_a_small_part_of_the_contour_are_dangerous() -> None:
+    d = deviations(changed(PLAIN[:12]), NOMINAL)
+    (finding,) = distrust.examine_coverage(d, NOMINAL, Filter.parse("auto"))
+    assert finding.name == "unmeasured" and finding.dangerous
+    half = deviations(changed(PLAIN[: len(PLAIN) // 2]), NOMINAL)
+    (finding,) = distrust.examine_coverage(half, NOMINAL, Filter.parse("auto"))
+    assert finding.name == "unmeasured" and not finding.dangerous
+    assert distrust.examine_coverage(deviations(changed(PLAIN), NOMINAL), NOMINAL, Filter.parse("auto")) == ()
+
+
+def test_a_part_of_the_earlier_program_is_refused() -> None:
+    program = gcode.parse(correct(noisy(1)).text, "second.nc")
+    with pytest.raises(DistrustError, match="--accept earlier-program"):
+        correct(noisy(2), program=program)
+    small = measured(NOMINAL, lambda k, s: 0.05 * wave(k, s) + 0.001 * np.sin(s))
+    assert correct(small, program=program).text
+
+
+def test_one_part_given_as_two_is_refused() -> None:
+    first = noisy(1)
+    less = replace(first, points=first.points[1:].copy(), lines=first.lines[1:].copy(), source="less.csv")
+    with pytest.raises(DistrustError, match=r"points of less.csv .*--accept same-part"):
+        correct(first, less)
+    assert correct(first, noisy(2)).text
+
+
+def test_a_nominal_among_several_parts_is_refused_by_its_name() -> None:
+    nominal = replace(measured(NOMINAL, lambda k, s: 0.0 * s), source="nominal.csv")
+    with pytest.raises(DistrustError, match=r"^nominal.csv: .*--accept identical-to-nominal"):
+        correct(noisy(1), nominal)
+
+
+def test_the_part_that_reaches_farthest_comes_first() -> None:
+    whole = noisy(1)
+    half = replace(changed(noisy(2).points[: len(PLAIN) // 2].copy()), source="half.csv")
+    with pytest.raises(DistrustError, match="--accept first-part"):
+        correct(half, whole)
+    assert correct(whole, half).text
+
+
+@pytest.mark.parametrize(("given", "name"), [(2.0, "axis-radius"), (3.0, None), (4.0, "axis-radius")])
+def test_the_radius_of_a_shift_along_the_axis_is_checked(given: float, name: str | None) -> None:
+    d = deviations(changed(PLAIN), NOMINAL)
+    n = d.normal
+    travel = np.where(np.abs(n[:, :1]) > np.abs(n[:, 1:]), [1.0, 0.0], [0.0, 1.0]) * -np.sign(n)
+    points = PLAIN[d.index].copy()
+    points[:, :2] += 3.0 * (n + travel)
+    m = replace(changed(points), axis_radii=(given, given))
+    found = axis_residue(m, contact_known(m, NOMINAL), NOMINAL)
+    assert (found and found[0]) == name
+
+
+def test_contact_points_said_to_be_shifted_are_found() -> None:
+    m = replace(changed(PLAIN.copy()), axis_radii=(1.0, 1.0))
+    found = axis_residue(m, contact_known(m, NOMINAL), NOMINAL)
+    assert found is not None and found[0] == "not-axis-compensated" and found[2]
+
+
+def test_a_finding_is_named_before_it_is_said_that_no_contour_is_near() -> None:
+    """3 mm off the contour that the program shows is no contour near; a ball's radius all along it is."""
+    centres = changed(measured(NOMINAL, lambda k, s: wave(k, s) + 3.0).points)
+    settings = pipeline.Settings(filter="none", side="right")
+    with pytest.raises(DistrustError, match="--accept ball-not-compensated"):
+        pipeline.correct(pipeline.Request(PROGRAM, 5.0, centres, None, settings))
+
+
+def test_what_a_reader_says_of_a_file_is_in_the_result() -> None:
+    result = correct(replace(noisy(1), notes=("no END: points may be missing",)))
+    assert "part-1.csv: no END: points may be missing" in result.advice
+
+
+def test_another_frame_is_named_before_the_side_is_asked_for() -> None:
+    mirrored = changed(PLAIN * [-1, 1, 1])
+    with pytest.raises(DistrustError, match="--accept mirrored"):
+        pipeline.correct(pipeline.Request(PROGRAM, 5.0, mirrored, None, pipeline.Settings(filter="none")))

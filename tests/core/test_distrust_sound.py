@@ -1,0 +1,293 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Findings over many simulated parts: none on sound ones, always the right one on spoilt ones."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from millcorr import distrust
+from millcorr.deviation import deviations
+from millcorr.filtering import Filter
+from millcorr.findings import NAMES, Finding
+from millcorr.measurement import Measurement
+from millcorr.nurbs import NurbsCurve
+from millcorr.profile import Contour, Profile
+from millcorr.simulated_machine import ErrorField, SimulatedMachine, reference_contour
+from tests.core.sweeps import seeds
+from tests.core.test_pipeline import nominal_of
+
+
+def polygon(*corners: tuple[float, float], closed: bool = True) -> Profile:
+    ends = (*corners[1:], corners[0]) if closed else corners[1:]
+    spans = tuple(NurbsCurve.line(a, b) for a, b in zip(corners, ends, strict=False))
+    return Profile.from_contours([Contour(spans, closed)])
+
+
+PROFILES = {
+    "spline": reference_contour(),
+    "small spline": reference_contour(0.3),
+    "rectangle": nominal_of("mitres")[1],
+    "one round corner": nominal_of("rounds")[1],
+    "edge": nominal_of("edge")[1],
+    "triangle": polygon((0.0, 0.0), (60.0, 5.0), (20.0, 40.0)),
+    "two contours": Profile.from_contours(
+        [
+            *reference_contour().contours,
+            Contour((NurbsCurve.arc((50.0, 42.0), (50.0, 42.0), (42.0, 42.0), -2 * np.pi),), True),
+        ]
+    ),
+}
+HEIGHTS = distrust.CutHeights(np.full(2, -5.0), 2.0)
+
+
+def kept(m: Measurement, rows: np.ndarray) -> Measurement:
+    normals = None if m.normals is None else m.normals[rows]
+    return replace(m, points=m.points[rows], normals=normals, lines=m.lines[rows])
+
+
+def printed(measurement: Measurement, decimals: int = 4) -> Measurement:
+    """The measurement as a file gives it."""
+    return replace(measurement, points=np.round(measurement.points, decimals))
+
+
+def sound(profile: Profile, seed: int, **how: object) -> Measurement:
+    """Part with determined errors up to some 20 um that no shift explains, and 0.5 to 5 um of noise."""
+    rng = np.random.default_rng([seed, 11])
+    waves = tuple((int(k), rng.uniform(0.0, 0.004), rng.uniform(0.0, 6.3)) for k in rng.integers(3, 8, 3))
+    errors = ErrorField(
+        constant=rng.choice([-1.0, 1.0]) * rng.uniform(0.005, 0.02),
+        harmonics=waves,
+        backlash=(rng.uniform(0.0, 0.003), rng.uniform(0.0, 0.003)),
+    )
+    noise = rng.uniform(0.0005, 0.005)
+    share = rng.uniform(0.0, 1.0)
+    machine = SimulatedMachine(errors=errors, process_noise=share * noise, measurement_noise=(1.0 - share) * noise)
+    count = int(np.exp(rng.uniform(np.log(30), np.log(2000))))
+    measured = printed(machine.follow(profile, seed=seed).measure(count, z=-3.0, seed=seed, **how))
+    # Nobody probes within a tenth of a millimetre of a sharp corner: the ball rolls off it.
+    joints = np.flatnonzero(np.abs(np.nan_to_num(profile.turn)) > 0.1)
+    clear = np.full(len(measured), True)
+    for k in joints:
+        corner, _ = profile.at(int(profile.contour[k]), profile.begin[k : k + 1] + profile.length[k])
+        clear &= np.hypot(*(measured.points[:, :2] - corner[0]).T) > measured.ball_radius + 0.1
+    return kept(measured, clear)
+
+
+def examined(measurement: Measurement, profile: Profile, filter: str = "robust:500") -> tuple[Finding, ...]:
+    """Everything that the pipeline asks, in its order; dangerous findings stop it."""
+    found = distrust.examine_file(measurement) + distrust.examine_points(measurement, profile, 5.0)
+    if any(f.dangerous for f in found):
+        return found
+    d = deviations(measurement, profile, cutter_radius=0.0)
+    step = distrust.resolution(measurement)
+    found += distrust.examine_deviations(d, d.value, profile, HEIGHTS, step)
+    chosen = Filter.parse(filter)
+    return found + distrust.examine_sampling(d, profile, chosen) + distrust.examine_coverage(d, profile, chosen)
+
+
+def names(found: tuple[Finding, ...]) -> set[str]:
+    assert {f.name for f in found} <= set(NAMES)
+    return {f.name for f in found}
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+@pytest.mark.parametrize("how", [{}, {"normals": True, "order": "shuffled"}, {"points": "centre", "ball_radius": 1.5}])
+@pytest.mark.parametrize("seed", seeds(25, quick=3))
+def test_a_sound_part_raises_nothing(profile: str, how: dict[str, object], seed: int) -> None:
+    assert examined(sound(PROFILES[profile], seed, **how), PROFILES[profile]) == ()
+
+
+@pytest.mark.parametrize("seed", seeds(10, quick=3))
+def test_enough_points_are_enough_for_every_filter(seed: int) -> None:
+    profile = PROFILES["spline"]
+    measurement = sound(profile, seed)
+    spacing = float(profile.total[0]) / len(measurement)
+    for text in ("none", "auto", "mean:5", f"gauss:{2.5 * spacing:g}", f"robust:{2.5 * spacing:g}"):
+        assert examined(measurement, profile, text) == (), text
+
+
+SPLINE = PROFILES["spline"]
+TURN = np.radians(0.08)
+
+
+def moved(m: Measurement, change) -> Measurement:
+    return replace(m, points=change(m.points.copy()))
+
+
+def with_z(m: Measurement, z: float, every: int = 1) -> Measurement:
+    points = m.points.copy()
+    points[::every, 2] = z
+    return replace(m, points=points)
+
+
+def outwards(m: Measurement, by: float, every: int = 1) -> Measurement:
+    """Points moved along the nominal's normal by so many mm."""
+    d = deviations(replace(m, ball_radius=0.0), SPLINE, reach=20.0)
+    points = m.points.copy()
+    points[d.index[::every], :2] += by * d.normal[::every]
+    return replace(m, points=points)
+
+
+def beside_its_nominal(m: Measurement, spread: float) -> Measurement:
+    d = deviations(m, SPLINE)
+    points = np.column_stack([d.foot, m.points[d.index, 2]])
+    normals = np.column_stack([d.normal, np.zeros(len(d))])
+    actual = points + spread * d.value[:, None] * normals
+    return replace(m, points=actual, nominal=points, normals=normals, stated=d.value * spread)
+
+
+def turned_a_little(points: np.ndarray) -> np.ndarray:
+    c, s = np.cos(TURN), np.sin(TURN)
+    out = points @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]])
+    return out + [0.02, -0.03, 0.0]
+
+
+SPOILT = {
+    # name: (what spoils a sound measurement of the spline, filter, dangerous)
+    "unit": (lambda m: moved(m, lambda p: p / 25.4), "robust:500", True),
+    "mirrored": (lambda m: moved(m, lambda p: p[:, [1, 0, 2]]), "robust:500", True),
+    "turned": (lambda m: moved(m, lambda p: -p), "robust:500", True),
+    "ball-not-compensated": (lambda m: outwards(m, 1.5), "robust:500", True),
+    "compensated-twice": (lambda m: replace(m, ball_radius=1.5), "robust:500", True),
+    "diameter-for-radius": (lambda m: replace(outwards(m, 1.5), ball_radius=3.0), "robust:500", True),
+    "radius-for-diameter": (lambda m: replace(outwards(m, 1.5), ball_radius=0.75), "robust:500", True),
+    "wrong-side": (lambda m: outwards(m, -10.0), "robust:500", True),
+    "constant-offset": (lambda m: outwards(m, -0.35), "robust:500", True),
+    "misalignment": (lambda m: moved(m, turned_a_little), "robust:500", True),
+    "scale": (lambda m: moved(m, lambda p: 52.0 + (p - 52.0) * [1.0025, 1.0025, 1.0]), "robust:500", True),
+    "identical-to-nominal": (lambda m: printed(beside_its_nominal(m, 0.0), 3), "robust:500", False),
+    "wrong-level": (lambda m: with_z(m, -40.0), "robust:500", True),
+    "below-the-cut": (lambda m: with_z(m, -6.0, 7), "robust:500", False),
+    "above-the-cut": (lambda m: with_z(m, 4.0, 7), "robust:500", False),
+    "outliers": (lambda m: outwards(m, 0.15, 17), "robust:500", False),
+    "too-few-points": (lambda m: m, "gauss:0.05", True),
+    "coarse-resolution": (lambda m: printed(m, 2), "robust:500", False),
+    "many-levels": (lambda m: moved(m, lambda p: p + np.outer(np.arange(len(p)), [0, 0, 0.06])), "robust:500", False),
+    "other-nominal": (
+        lambda m: replace(beside_its_nominal(m, 1.0), nominal=beside_its_nominal(m, 1.0).nominal + [0.3, 0.0, 0.0]),
+        "robust:500",
+        True,
+    ),
+    "stated-deviations": (
+        lambda m: replace(beside_its_nominal(m, 1.0), stated=-beside_its_nominal(m, 1.0).stated),
+        "robust:500",
+        True,
+    ),
+    "unmeasured": (lambda m: kept(m, m.points[:, 0] > 80.0), "gauss:30", True),
+    "many-rejected": (lambda m: outwards(m, 2.5, 2), "robust:500", True),
+}
+
+
+@pytest.mark.parametrize("name", SPOILT)
+@pytest.mark.parametrize("seed", seeds(20, quick=3))
+def test_a_spoilt_measurement_is_found(name: str, seed: int) -> None:
+    spoil, filter, dangerous = SPOILT[name]
+    found = examined(spoil(sound(SPLINE, seed)), SPLINE, filter)
+    assert name in names(found), [f.text for f in found]
+    finding = next(f for f in found if f.name == name)
+    assert finding.dangerous == dangerous, finding.text
+    assert any(c.isdigit() for c in finding.text), finding.text
+
+
+WALL = 0.3
+THIN = polygon((0.0, 0.0), (80.0, 0.0), (80.0, WALL), (0.0, WALL))
+
+
+def on_the_lower_side(seed: int, off: float, *, normals: bool) -> Measurement:
+    rng = np.random.default_rng(seed)
+    x = np.linspace(2.0, 78.0, 60)
+    points = np.column_stack([x, -np.where(x < 20, off, 0.02) + 0.002 * rng.standard_normal(60), np.full(60, -3.0)])
+    outward = np.tile([0.0, -1.0, 0.0], (60, 1))
+    return Measurement(points, outward if normals else None, 0.0, np.arange(1, 61), "wall.csv", "cd" * 32)
+
+
+def test_a_wall_measured_within_its_tolerance_raises_nothing() -> None:
+    for seed in range(10):
+        for normals in (True, False):
+            found = distrust.examine_points(on_the_lower_side(seed, 0.02, normals=normals), THIN, 5.0)
+            assert found == (), seed
+
+
+@pytest.mark.parametrize("normals", [True, False])
+def test_points_nearer_to_the_other_side_of_a_wall_are_found(normals: bool) -> None:
+    """An undercut of 0.18 mm of a wall of 0.3 mm lies 0.12 mm from the side opposite."""
+    for seed in range(10):
+        (finding,) = distrust.examine_points(on_the_lower_side(seed, -0.18, normals=normals), THIN, 5.0)
+        assert finding.name == "thin-wall" and finding.dangerous
+        assert "14 points on a wall of 0.300 mm" in finding.text and "wall.csv:" in finding.text
+        assert ("export normals" in finding.text) != normals
+
+
+def test_normals_into_the_material_are_found() -> None:
+    wall = on_the_lower_side(1, 0.02, normals=True)
+    assert wall.normals is not None
+    (finding,) = distrust.examine_points(replace(wall, normals=-wall.normals), THIN, 5.0)
+    assert finding.name == "normals-reversed" and finding.dangerous and "60 of 60" in finding.text
+    solid = sound(SPLINE, 3, normals=True)
+    assert solid.normals is not None
+    (finding,) = distrust.examine_points(replace(solid, normals=-solid.normals), SPLINE, 5.0)
+    assert finding.name == "normals-reversed" and not finding.dangerous
+
+
+@pytest.mark.parametrize("seed", seeds(5, quick=3))
+def test_points_shifted_along_the_axes_are_found(seed: int) -> None:
+    """A control that takes the ball off along the axis of travel leaves r (1/cos - 1) or r (1 - cos) on slopes."""
+    m = outwards(sound(SPLINE, seed), 3.0)
+    d = deviations(replace(m, ball_radius=3.0), SPLINE)
+    points = m.points[d.index].copy()
+    axis = np.where(np.abs(d.normal[:, :1]) > np.abs(d.normal[:, 1:]), [1.0, 0.0], [0.0, 1.0])
+    points[:, :2] -= 3.0 * axis * np.sign(d.normal)
+    found = examined(replace(m, points=points, lines=m.lines[d.index]), SPLINE)
+    assert names(found) == {"axis-compensated"}, [f.text for f in found]
+
+
+def test_every_name_is_tested() -> None:
+    elsewhere = {"overshoot", "earlier-program", "same-part", "first-part", "not-axis-compensated", "axis-radius"}
+    assert set(NAMES) == set(SPOILT) | elsewhere | {"thin-wall", "normals-reversed", "axis-compensated"}
+
+
+@pytest.mark.parametrize(("decimals", "unit"), [(1, "mm"), (3, "mm"), (4, "mm"), (3, "inch"), (5, "inch")])
+def test_the_resolution_of_a_file_is_seen(decimals: int, unit: str) -> None:
+    factor = 25.4 if unit == "inch" else 1.0
+    for seed in range(10):
+        m = sound(SPLINE, seed)
+        as_read = replace(m, points=np.round(m.points / factor, decimals) * factor, unit=unit)
+        assert distrust.resolution(as_read) == pytest.approx(factor * 10.0**-decimals)
+
+
+def test_computed_points_have_no_resolution() -> None:
+    m = SimulatedMachine.reference().follow(SPLINE, seed=1).measure(50, seed=1)
+    assert distrust.resolution(m) == 0.0
+
+
+@pytest.mark.parametrize("decimals", [3, 4])
+def test_rounding_is_no_measurement(decimals: int) -> None:
+    """Rounding two coordinates to q moves a point along its normal by at most q / sqrt(2)."""
+    for count in (30, 500):
+        m = SimulatedMachine().follow(SPLINE, seed=1).measure(count, z=-3.0, seed=1)
+        (finding,) = examined(printed(m, decimals), SPLINE)
+        assert finding.name == "identical-to-nominal"
+
+
+@pytest.mark.parametrize("seed", seeds(20, quick=5))
+def test_stated_deviations_of_a_rounded_file_agree(seed: int) -> None:
+    m = beside_its_nominal(sound(SPLINE, seed), 1.0)
+    assert m.nominal is not None and m.stated is not None
+    for decimals in (2, 3, 4):
+        stated = np.round(m.stated, decimals) if decimals > 2 else m.stated
+        rounded = replace(printed(m, decimals), nominal=np.round(m.nominal, decimals), stated=stated)
+        assert "stated-deviations" not in names(distrust.examine_file(rounded))
+
+
+@pytest.mark.parametrize(
+    ("filter", "words"), [("auto", "needs 6"), ("mean:7", "fewer than the 7"), ("gauss:3", "gauss:")]
+)
+def test_too_few_points_name_the_filter_and_the_remedy(filter: str, words: str) -> None:
+    measured = SimulatedMachine.reference().follow(SPLINE, seed=1).measure(5, seed=1)
+    d = deviations(measured, SPLINE)
+    (finding,) = distrust.examine_sampling(d, SPLINE, Filter.parse(filter))
+    assert finding.name == "too-few-points" and words in finding.text
+    assert finding.dangerous == (filter == "gauss:3")

@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`millcorr simulate`: signals, files and page; the figures of petrakov-2023 through the command line."""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import shapely
+
+from millcorr.__main__ import main
+from millcorr.nurbs import NurbsCurve
+from millcorr.prediction import simulate
+from millcorr.profile import Contour, Profile
+from millcorr.signals import COLUMNS, Signals
+from millcorr.simulation_view import stock_rings
+from millcorr.stock_region import StockRegion
+from tests.core.paper_2023 import PROGRAM, SETUP, as_cut, nominal, program, setup
+
+
+@pytest.fixture(scope="module")
+def directory(tmp_path_factory):
+    here = tmp_path_factory.mktemp("simulated")
+    (here / "part.nc").write_text(PROGRAM)
+    return here
+
+
+@pytest.fixture(scope="module")
+def report(directory):
+    arguments = ["--program", str(directory / "part.nc"), "--setup", str(SETUP), "--side", "left"]
+    assert main(["simulate", *arguments, "--report", str(directory / "report")]) == 0
+    return directory / "report"
+
+
+def rows(path):
+    with open(path, encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def test_figures_of_the_paper(report):
+    """45.57 and 79.05 degrees and a load ratio of 2.70 by the shape of the cut (paper: 45, 80, 2.67); 150 and 400 N."""
+    figures = json.loads((report / "simulation.json").read_text(encoding="utf-8"))
+    assert figures["rigid"]["arc_deg"]["median"] == pytest.approx(45.57, abs=0.005)
+    assert figures["rigid"]["arc_deg"]["max"] == pytest.approx(79.05, abs=0.005)
+    assert figures["rigid"]["load_ratio_max"] == pytest.approx(2.70, abs=0.005)
+    assert figures["force_n"]["median"] == pytest.approx(150.0, rel=0.01)
+    assert figures["force_n"]["max"] == pytest.approx(400.0, rel=0.03)
+    assert figures["predicted_error_mm"]["max"] == pytest.approx(0.3, abs=0.005)
+    assert figures["predicted_error_after_mm"] <= 0.09
+    # 50, pi/2 times 5 and 55 mm at 400 mm/min.
+    length = 105.0 + 2.5 * np.pi
+    assert figures["path_length_mm"] == pytest.approx(length, abs=1e-9)
+    assert figures["time_s"] == pytest.approx(length / (400 / 60), rel=1e-9)
+
+
+def test_signals_are_the_simulation(report):
+    table = rows(report / "signals.csv")
+    assert tuple(table[0]) == COLUMNS
+    signals = Signals.of(as_cut(), program())
+    assert len(table) == len(signals)
+    for name, values in (("fx_n", signals.force[:, 0]), ("dy_mm", signals.deflection[:, 1]), ("t_s", signals.t)):
+        assert [float(row[name]) for row in table] == pytest.approx(values.tolist(), rel=1e-8, abs=1e-9)
+    # Quasi-static: deflection is force over stiffness, and removal rate is area times teeth a second.
+    assert signals.deflection == pytest.approx(signals.force / 1200.0, abs=2e-7)
+    assert signals.mrr == pytest.approx(signals.area * 10.0 * 1500 / 60 * 6, rel=1e-9)
+    lines = PROGRAM.splitlines()
+    assert lines[int(table[0]["line"]) - 1] == "G1 X20"
+    assert lines[int(table[-1]["line"]) - 1] == "G1 Y60"
+
+
+def test_predicted_surface_is_written(report):
+    table = rows(report / "predicted.csv")
+    assert [float(row["deviation"]) for row in table] == pytest.approx(as_cut().deviation.value.tolist(), rel=1e-8)
+    left = np.array([float(row["deviation_corrected"] or "nan") for row in table])
+    assert np.nanmax(np.abs(left)) <= 0.09
+
+
+def test_page_needs_nothing_but_itself(report):
+    page = (report / "simulation.html").read_text(encoding="utf-8")
+    assert "default-src 'none'" in page
+    assert not re.search(r"(?:src|href)\s*=|@import|url\((?!#)|https?://(?!www\.w3\.org)", page)
+    data = json.loads(re.search(r"<script type=application/json id=data>(.*?)</script>", page, re.S)[1])
+    n = len(data["t"])
+    assert n == len(data["actual"]) == len(data["line"]) == len(data["force"]) > 400
+    assert all(len(v) == n for strip in data["strips"] for v in strip["values"])
+    assert data["clockwise"] is True and data["radius"] == 10.0
+    # Travelling along X with the wall on the right: the engaged arc lies between the wall and 45.57 degrees ahead.
+    k = 20
+    low, high = sorted((data["from"][k], data["to"][k]))
+    assert low == pytest.approx(-np.pi / 2, abs=2e-3)
+    assert np.degrees(high - low) == pytest.approx(44.85, abs=0.1)
+    for name in ("load.svg", "axes.svg", "contour.svg"):
+        assert (report / name).read_text(encoding="utf-8").startswith("<svg")
+
+
+def test_real_feed_is_shown():
+    its = setup()
+    its = replace(its, machine=replace(its.machine, acceleration_time_x_ms=150.0, acceleration_time_y_ms=150.0))
+    found = simulate(program(), its, nominal())
+    signals = Signals.of(found, program())
+    assert (np.diff(signals.t) >= 0).all() and signals.t[0] > 0
+    assert signals.feed[0] < 0.9 * signals.programmed[0]
+    middle = len(signals) // 4
+    assert signals.feed[middle] == pytest.approx(signals.programmed[middle], rel=1e-3)
+
+
+def test_stock_of_a_picture():
+    """Area of a disc of 20 with 2 on it: pi 22^2; of a hole with 2 in it: box less pi 18^2."""
+    box = (-30.0, -30.0, 30.0, 30.0)
+    for turn, wanted in ((2 * np.pi, np.pi * 22**2), (-2 * np.pi, 3600 - np.pi * 18**2)):
+        ring = Profile.from_contours([Contour((NurbsCurve.arc((20, 0), (20, 0), (0, 0), turn),), True)])
+        rings = stock_rings(StockRegion(ring, 2.0), box, 5.0)
+        areas = sorted((shapely.Polygon(r).area for r in rings), reverse=True)
+        assert areas[0] - sum(areas[1:]) == pytest.approx(wanted, rel=5e-3)
+
+
+@pytest.mark.parametrize(
+    "old, new, key",
+    [
+        ("kx_n_per_mm = 1200.0", "kx_n_per_mm = 0.0", "kx_n_per_mm"),
+        ("spindle_rpm = 1500.0", "spindle_rpm = 1500.0\noverhang_mm = 8.0", "overhang_mm"),
+        ("allowance_mm = 3.0", "", "[stock]"),
+        ("ktc_n_per_mm2 = 1180.0", "ktc_n_per_mm2 = 1.18", "ktc_n_per_mm2"),
+        ("flutes = 6", "teeth = 6", "teeth"),
+    ],
+)
+def test_bad_setup_ends_in_one_line(directory, capsys, old, new, key):
+    text = SETUP.read_text(encoding="utf-8")
+    assert old in text
+    bad = directory / "bad.toml"
+    bad.write_text(text.replace(old, new), encoding="utf-8")
+    arguments = ["--program", str(directory / "part.nc"), "--setup", str(bad), "--side", "left"]
+    assert main(["simulate", *arguments, "--report", str(directory / "none")]) == 3
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1 and key in said and "bad.toml" in said
+    assert not (directory / "none").exists()
+
+
+def test_correct_through_the_command_line(directory, capsys):
+    part, out = directory / "part.nc", directory / "out.nc"
+    common = ["correct", "--program", str(part), "--side", "left", "--output", str(out)]
+    d = as_cut().deviation
+    row = int(np.argmin(np.abs(d.foot[:, 0])))
+    x, y = d.foot[row] + d.value[row] * d.normal[row]
+    (directory / "touch.csv").write_text(f"x,y,z\n{x:.6f},{y:.6f},-5\n")
+    measured = ["--measured", str(directory / "touch.csv"), "--points", "contact"]
+    report = ["--report", str(directory / "combined")]
+    assert main([*common, "--method", "combined", "--setup", str(SETUP), *measured, *report]) == 0
+    said = capsys.readouterr().out
+    assert "MSx 0.0310" in said
+    summary = json.loads((directory / "combined" / "report.json").read_text(encoding="utf-8"))
+    assert summary["foreseen"]["combined"]["msx"] == pytest.approx(0.09012 / 2.90988, rel=1e-3)
+    assert summary["foreseen"]["predicted_after"][-1] <= 0.09
+    assert main([*common, "--method", "predicted", "--setup", str(SETUP)]) == 0
+    assert main([*common, "--method", "predicted", "--setup", str(SETUP), *measured]) == 2
+    assert main([*common, "--method", "predicted"]) == 2
+    assert main([*common, "--method", "mirror", *measured, "--setup", str(SETUP)]) == 2
+    assert "--setup belongs to" in capsys.readouterr().err

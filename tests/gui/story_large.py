@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A million points: the window lives on while they are read, corrected, stopped, drawn and accepted."""
+
+import os
+import sys
+import time
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+sys.path.insert(0, os.environ["MILLCORR_TESTS"])
+
+from window import VERSION, check, equal, found, path, play, select, shot, tidy, top, until, view, wait, write
+
+POINTS = int(os.environ.get("MILLCORR_POINTS", 1_000_000))
+FREEZE = 0.2 * max(1.0, os.getloadavg()[0] / (os.cpu_count() or 1))
+"""The window may not stand still longer than this, in s; what others run on the machine slows us down, too."""
+
+
+class Heart:
+    """Beats in the window's event loop, and notes the longest pause: the wall's, and what this process itself used.
+
+    The second is what counts on a machine that others use, too: a pause without work of ours is not ours.
+    """
+
+    def __init__(self):
+        self.timer = QtCore.QTimer()
+        self.timer.setInterval(5)
+        self.timer.timeout.connect(self.beat)
+        self.timer.start()
+        self.begin()
+
+    def begin(self):
+        self.wall, self.own = 0.0, 0.0
+        self.last = time.perf_counter(), time.process_time()
+
+    def beat(self):
+        now = time.perf_counter(), time.process_time()
+        wall, used = now[0] - self.last[0], now[1] - self.last[1]
+        self.wall, self.own = max(self.wall, wall), max(self.own, min(wall, used))
+        self.last = now
+
+    def end(self, name):
+        self.beat()
+        found["figures"][name] = [round(self.wall, 3), round(self.own, 3)]
+        check(self.own <= FREEZE, f"{name}: no life for {self.own:.3f} s ({self.wall:.3f} s with others)")
+
+
+def measured(document):
+    """A file of points on the operation's contour, with a slow error and a little noise."""
+    import numpy as np
+
+    from millcorr.app import correction, draft, dressup
+
+    values = draft.defaults(dressup.PROPERTIES) | {"Base": document.getObject("Profile")}
+    profile = correction.request_of(draft.Draft("", values))[0].nominal
+    rng = np.random.default_rng(7)
+    s = np.linspace(0.0, profile.total[0], POINTS, endpoint=False)
+    point, normal = profile.at(np.zeros(POINTS, dtype=int), s)
+    error = 0.006 + 0.004 * np.cos(4 * np.pi * s / profile.total[0]) + rng.normal(0.0, 0.001, POINTS)
+    rows = np.column_stack([point + error[:, None] * normal, np.full(POINTS, 6.0)])
+    file = path("million.csv")
+    with open(file, "w", encoding="utf-8") as stream:
+        stream.write("x,y,z\n")
+        np.savetxt(stream, rows, fmt="%.5f", delimiter=",")
+    return file
+
+
+def story():
+    from millcorr.gui import dressup_panel, import_dialog, panel
+
+    document = FreeCAD.openDocument(path("demo.FCStd"))
+    document.UndoMode = 1
+    tidy()
+    FreeCADGui.activateWorkbench("MillcorrWorkbench")
+    top()
+    file = measured(document)
+    before = [obj.Name for obj in document.Objects]
+    select(document.getObject("Profile"))
+    heart = Heart()
+
+    dialog = import_dialog.show(document, document.getObject("Profile"))
+    dialog.fields["Points"].show_value("contact")
+    wait(300)
+    heart.begin()
+    dialog.set_file(file)
+    until(lambda: not dialog.busy, "reading", 300)
+    heart.end("reading")
+    check(str(POINTS) in dialog.found.text(), f"found: {dialog.found.text()}")
+    heart.begin()
+    dialog.accept()
+    wait(50)
+    heart.end("importing")
+    equal(document.Objects[-1].Count, POINTS, "points in the document")
+    before.append(document.Objects[-1].Name)
+
+    heart.begin()
+    made = dressup_panel.new(document.getObject("Profile"))
+    panel.show(made)
+    until(lambda: made.bar.value() > 5, "progress", 60)
+    wait(2500)
+    check(made.busy and made.bar.isVisible() and "%" in made.bar.text(), f"progress: {made.bar.text()!r}")
+    shot("large-progress")
+    heart.begin()
+    made.stop.click()
+    wait(1000)
+    heart.end("stopping")
+    check(not made.busy and made.outcome is None and made.message.isVisible(), "stopped")
+    equal([obj.Name for obj in document.Objects], before, "objects after stopping")
+    heart.begin()
+    write(made.fields["Filter"].widget.lineEdit(), "gauss:20")
+    until(lambda: not made.busy, "correcting", 500)
+    heart.end("correcting")
+    equal(made.wrong, "", "correcting")
+    equal(made.values["Points used"][0].text(), f"{POINTS} / {POINTS}", "points used")
+    check(len(made.picture.drawn.overlay.rows) <= 100_000, "too many whiskers")
+    begun = time.perf_counter()
+    for _ in range(5):
+        view().redraw()
+        QtGui.QApplication.processEvents()
+    found["figures"]["one frame, by software"] = round((time.perf_counter() - begun) / 5, 3)
+    shot("large")
+    begun = time.perf_counter()
+    made.picture.text_at(view(), 700, 200)
+    found["figures"]["what is under the mouse"] = round(time.perf_counter() - begun, 3)
+    heart.begin()
+    check(made.accept(), "OK")
+    FreeCADGui.Control.closeDialog()
+    heart.end("accepting")
+    obj = document.getObject("DressupMillcorr")
+    equal([obj.PointsUsed, "Invalid" in obj.State], [POINTS, False], "dressup")
+    found["figures"]["version"] = VERSION
+
+
+play(story, 800)
