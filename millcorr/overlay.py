@@ -239,7 +239,7 @@ def whisker_text(result: Result, row: int) -> str:
     """
     d, measurement = result.deviation, result.request.measurement
     x, y = d.foot[row] + d.value[row] * d.normal[row]
-    where = f"X {x:.4f}  Y {y:.4f}" + (f"  Z {d.z[row]:.4f}" if _has_z(result) else "") + " mm"
+    where = f"X {x:z.4f}  Y {y:z.4f}" + (f"  Z {d.z[row]:z.4f}" if _has_z(result) else "") + " mm"
     value, determined = float(d.value[row]), float(result.filtered[row])
     kind = "material left" if value > 0 else "undercut" if value < 0 else "on the profile"
     lines = [
@@ -258,7 +258,7 @@ def rejected_text(result: Result, entry: int) -> str:
     point, measurement = result.deviation.rejected[entry], result.request.measurement
     assert measurement is not None
     x, y, z = measurement.points[point.index]
-    where = f"X {x:.4f}  Y {y:.4f}" + (f"  Z {z:.4f}" if measurement.has_z else "") + " mm as measured"
+    where = f"X {x:z.4f}  Y {y:z.4f}" + (f"  Z {z:z.4f}" if measurement.has_z else "") + " mm as measured"
     return f"left out: {point.reason}\n{where}\n{measurement.origin(point.index)}"
 
 
