@@ -110,9 +110,7 @@ def main():
                 np.column_stack([away, np.zeros(n)]), None, 0.0, np.arange(1, n + 1), "points", ""
             )
             best = least_squares(
-                lambda q, o=owner[~bad], p=away[~bad], r=rows: deviation(
-                    r, o, Transform((q[0], q[1]), q[2]).points(p)
-                ),
+                lambda q, o=owner[~bad], p=away[~bad], r=rows: deviation(r, o, Transform((q[0], q[1]), q[2]).points(p)),
                 [*OFF.shift, OFF.rotation],
                 x_scale=[1, 1, 0.02],
                 xtol=1e-15,

@@ -17,16 +17,16 @@ from pathlib import Path
 import numpy as np
 
 from millcorr import gcode
+from millcorr.deflection.height_error import WallModel
+from millcorr.deflection.real_path import real_path
+from millcorr.deflection.tilt import remedies
+from millcorr.deflection.tooth_map import GRID, cutting_area, tooth_map
 from millcorr.engagement import stock_of
-from millcorr.height_error import WallModel
+from millcorr.engagement.stock_region import StockRegion
 from millcorr.kinematics import AxisDynamics, Control
 from millcorr.nurbs import NurbsCurve
 from millcorr.profile import Contour, Profile
-from millcorr.real_path import real_path
 from millcorr.setup_file import load
-from millcorr.stock_region import StockRegion
-from millcorr.tilt import remedies
-from millcorr.tooth_map import GRID, cutting_area, tooth_map
 
 SETUP = load(Path(__file__).resolve().parents[1] / "resources" / "setups" / "dat-2025.toml")
 CONTROL = Control.alike(AxisDynamics(0.05, "linear", 40.0))

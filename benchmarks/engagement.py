@@ -17,11 +17,11 @@ import numpy as np
 import shapely
 
 from millcorr import gcode
-from millcorr.elastic_pass import elastic_pass
 from millcorr.engagement import engagement
+from millcorr.engagement.stock_region import StockRegion
+from millcorr.prediction.elastic_pass import elastic_pass
 from millcorr.setup_file import Machine, Material, Setup, Stock, Tool
 from millcorr.simulated_machine import reference_contour
-from millcorr.stock_region import StockRegion
 
 RADIUS, ROW, APART, STEP = 5.0, 200.0, 4.0, 0.25
 WANTED = np.arccos(1 - APART / RADIUS)

@@ -128,9 +128,7 @@ def shapely_polygon(profile, q):
     s = np.linspace(0, profile.total[0], 7001)[:-1]
     ring = profile.at(0, s)[0]
     segments = shapely.linestrings(np.stack([ring, np.roll(ring, -1, axis=0)], axis=1))
-    _, distance = shapely.STRtree(segments).query_nearest(
-        shapely.points(q), return_distance=True, all_matches=False
-    )
+    _, distance = shapely.STRtree(segments).query_nearest(shapely.points(q), return_distance=True, all_matches=False)
     return distance
 
 

@@ -38,9 +38,7 @@ def verbs() -> dict[str, argparse.ArgumentParser]:
 
 def parser() -> argparse.ArgumentParser:
     """Parser of the whole command line; the attribute `verb` of what it gives names the verb."""
-    out = _Parser(
-        prog="millcorr", description="Correct milling toolpaths from measured parts.", allow_abbrev=False
-    )
+    out = _Parser(prog="millcorr", description="Correct milling toolpaths from measured parts.", allow_abbrev=False)
     out.add_argument("--version", action="version", version=f"millcorr {__version__}")
     verbs = out.add_subparsers(required=True, metavar="VERB", dest="verb", parser_class=_Verb)
     for name, text in (("correct", "write a corrected program or document"), ("check", "deviations and report only")):

@@ -13,15 +13,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .carried import carried_correction
 from .deviation import REACH, Deviation
 from .errors import InputError, LimitError
 from .footpoint import FootPointSearch, Place
 from .measurement import Measurement
-from .path_following import follow
 from .profile import Contour, Profile
 from .reconstruction import CompensatedContour
 from .regeneration import BAND
+from .regeneration.carried import carried_correction
+from .regeneration.path_following import follow
 from .theoretical_contour import SAME_POINT, CutContour, cut_contours, cutting_runs, path_profile
 from .toolpath import Compensation, Kind, Toolpath
 

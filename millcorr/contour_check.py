@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .footpoint import FootPointSearch
-from .path_following import length_in_plane
 from .pipeline import Result
 from .profile import Profile
+from .regeneration.path_following import length_in_plane
 from .theoretical_contour import path_profile
 from .toolpath import Kind, Toolpath
 
@@ -208,9 +208,7 @@ def path_lines(stations: PathStations) -> Iterator[str]:
     numbers = np.column_stack(columns).tolist()
     places = zip(stations.line.tolist(), stations.contour.tolist(), numbers, strict=True)
     for line, contour, (px, py, s, x, y, nx, ny, slope) in places:
-        yield (
-            f"{line},{px:.12g},{py:.12g},{contour},{s:.12g},{x:.12g},{y:.12g},{nx:.12g},{ny:.12g},{slope:.9g}\n"
-        )
+        yield (f"{line},{px:.12g},{py:.12g},{contour},{s:.12g},{x:.12g},{y:.12g},{nx:.12g},{ny:.12g},{slope:.9g}\n")
 
 
 def point_lines(points: TouchedPoints) -> Iterator[str]:

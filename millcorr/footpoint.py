@@ -86,7 +86,6 @@ class FootPoints:
     place: Ints
     rival: Floats
 
-
     def replaced(self, rows: Ints, other: FootPoints, chosen: NDArray[np.bool_]) -> FootPoints:
         """Copy in which `rows` are the chosen rows of other foot points."""
         arrays = []
@@ -425,9 +424,7 @@ class FootPointSearch:
         known, sure = np.zeros(n, dtype=bool), np.zeros(n, dtype=bool)
         # The last cell stands for everything outside: known, and never sure.
         known[-1] = True
-        return _Grid(
-            low, cell, shape, known, sure, np.zeros(n, dtype=np.int64), np.zeros(n), np.zeros(n), np.zeros(n)
-        )
+        return _Grid(low, cell, shape, known, sure, np.zeros(n, dtype=np.int64), np.zeros(n), np.zeros(n), np.zeros(n))
 
     def _learn(self, grid: _Grid, cells: Ints) -> None:
         """Foot points of cell centres, and whether all points of the cell share their branch."""

@@ -13,7 +13,7 @@ from . import freecad_process, measuring_programs, pipeline
 from . import gcode as nc
 from .errors import UsageError
 from .probing import Placement, TouchProbe
-from .probing_heights import Cleared
+from .probing.heights import Cleared
 from .profile import Profile
 from .session import read_nominal, refuse_places, replaced_whole
 from .settings import Settings

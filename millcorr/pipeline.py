@@ -13,27 +13,27 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import __version__, alignment, distrust, gcode, provenance
-from .combined_control import AxisTransfer, Machine
 from .commanded import Commanded, beside_the_path, choose_side, commanded_offset, nominal_of
 from .compensation import Correction, dead_band
 from .deviation import Deviation, deviations, statistics
-from .emission import Emission, emit
 from .errors import DistrustError, InputError, LimitError, UsageError
 from .filtering import Filter, Separation
 from .footpoint import FootPointSearch
-from .foreseen import FirstCut, Foreseen, aim_of, combined_target, foresee, predicted_target, require_setup
 from .largest import largest_correction
 from .measurement import Measurement
 from .prediction import Aim, Simulation, simulate
+from .prediction.combined_control import AxisTransfer, Machine
+from .prediction.foreseen import FirstCut, Foreseen, aim_of, combined_target, foresee, predicted_target, require_setup
 from .probe import axis_residue, contact_known, numbered_as_read
 from .profile import Profile
 from .reconstruction import CompensatedContour
 from .regeneration import Regeneration
+from .regeneration.emission import Emission, emit
+from .regeneration.vanishing_arcs import without_vanishing_arcs
 from .settings import Settings as Settings
 from .setup_file import Setup
 from .targets import Elastic, Part, Target, correction_through, target_of
 from .toolpath import Compensation, Kind, Toolpath
-from .vanishing_arcs import without_vanishing_arcs
 from .verification import Verification
 
 Floats = NDArray[np.float64]
@@ -43,6 +43,7 @@ log = logging.getLogger(__name__)
 
 LEAST_UNDER = 0.05
 """A first cut leaves its allowance and what the machine yields, never less by more than this, in mm."""
+
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Request:
@@ -298,9 +299,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
             _require_side(settings, toolpath, usable)
         nominal = _own_contour(program, toolpath, settings, measurement, request.radius, path_radius, usable, warnings)
     reach = settings.limit if carried else 0.0
-    nominal, commanded = _turned_to_the_path(
-        nominal, toolpath, path_radius, usable, reach, request.nominal is not None
-    )
+    nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, request.nominal is not None)
     rows = np.zeros(len(kept), dtype=bool)
     rows[kept] = beside_the_path(toolpath, commanded.following)
     program.require_plain(rows)

@@ -133,9 +133,7 @@ def numbered_as_read(deviation: Deviation, measurement: Measurement) -> Deviatio
     rows = np.delete(np.arange(len(measurement) + len(gone)), gone)
     rejected = [Rejected(int(rows[r.index]), r.reason) for r in deviation.rejected]
     rejected += [Rejected(row, reason) for row, reason in measurement.left_out]
-    return replace(
-        deviation, index=rows[deviation.index], rejected=tuple(sorted(rejected, key=lambda r: r.index))
-    )
+    return replace(deviation, index=rows[deviation.index], rejected=tuple(sorted(rejected, key=lambda r: r.index)))
 
 
 def axis_signature(measurement: Measurement, nominal: Profile) -> tuple[str, str, bool] | None:

@@ -397,9 +397,7 @@ class Profile:
         return {
             "unit": "mm",
             "material": "left",
-            "contours": [
-                {"closed": c.closed, "curves": [n.as_dict() for n in c.curves]} for c in self.contours
-            ],
+            "contours": [{"closed": c.closed, "curves": [n.as_dict() for n in c.curves]} for c in self.contours],
         }
 
     @staticmethod
@@ -509,9 +507,7 @@ def _chebyshev_sum(coefficient: Floats, t: Floats) -> Floats:
     return coefficient[:, 0] + x2 / 2 * b1 - b2
 
 
-def _split_until_arc_length_is_exact(
-    power: Floats, owner: Ints, bounds: Floats
-) -> tuple[Floats, Ints, Floats, Floats]:
+def _split_until_arc_length_is_exact(power: Floats, owner: Ints, bounds: Floats) -> tuple[Floats, Ints, Floats, Floats]:
     """Halve spans until the tail of their arc length series is below 1e-11 mm."""
     order = np.arange(len(power), dtype=float)
     done: list[tuple[Floats, Ints, Floats, Floats, Floats]] = []

@@ -150,9 +150,7 @@ class CompensatedContour:
             ]
         )
         point = profile.evaluate(np.array(ends, dtype=np.int64), np.ones(len(ends)))[0]
-        self.joints = Joints(
-            np.array(before, dtype=np.int64), np.array(after, dtype=np.int64), np.array(turn), point
-        )
+        self.joints = Joints(np.array(before, dtype=np.int64), np.array(after, dtype=np.int64), np.array(turn), point)
 
     def position_on_piece(self, span: Ints, t: Floats) -> tuple[Ints, Floats]:
         """Piece and arc length from its start, for spans and local parameters of the profile."""

@@ -14,16 +14,17 @@ from typing import Any
 
 import numpy as np
 
-from . import distrust, freecad_process, pipeline, serial, setup_file
+from . import distrust, freecad_process, pipeline, setup_file
 from . import gcode as nc
-from . import history as histories
-from . import journal as journals
 from .deviation import statistics
 from .errors import InputError, UsageError
 from .measurement import Measurement
-from .process_control import Control
 from .profile import Profile
 from .readers import Reading, text
+from .series import history as histories
+from .series import journal as journals
+from .series import production as serial
+from .series.process_control import Control
 
 UNSAID = Reading()
 """Everything is as the measured file says."""
@@ -178,7 +179,7 @@ def history(journal: Path | None = None, *, csv: Path | None = None, report: Pat
     MillcorrError
         If the journal cannot be read, or a place cannot be written to.
     """
-    from . import report_history
+    from .report import history as report_history
 
     if journal is None:
         found = sorted(Path().glob("*.journal"))
@@ -372,7 +373,7 @@ def simulate_program(
     MillcorrError
         If program or setup cannot be used.
     """
-    from . import report_simulation
+    from .report import simulation as report_simulation
 
     first = None if nominal is None else Path(nominal.partition("#")[0])
     refuse_places({}, report, {"program": program, "nominal": first, "setup": setup})

@@ -61,9 +61,7 @@ class Tool:
     spindle_rpm: float = _key(high=1e6)
     helix_deg: float = _key(0.0, 75.0, default=0.0, open_=False)
     overhang_mm: float | None = _key(high=2000.0, default=None)
-    youngs_modulus_gpa: float = _key(
-        10.0, 2000.0, default=600.0, hint="GPa: 600 for carbide, 210 for high-speed steel"
-    )
+    youngs_modulus_gpa: float = _key(10.0, 2000.0, default=600.0, hint="GPa: 600 for carbide, 210 for high-speed steel")
     effective_diameter_factor: float = _key(0.1, 1.0, default=EFFECTIVE_DIAMETER, open_=False)
     stiffness_n_per_mm: float | None = _key(
         1.0, 1e7, default=None, hint="N/mm: an end mill has 500 to 100000 (1 N/um = 1000 N/mm)"

@@ -75,9 +75,7 @@ def reference_contour(scale: float = 1.0) -> Profile:
     """
     poles = np.array(REFERENCE_POLES) * scale
     n = len(poles)
-    curve = NurbsCurve(
-        3, poles, np.ones(n), np.arange(n + 1.0), np.ones(n + 1, dtype=np.int64), periodic=True
-    )
+    curve = NurbsCurve(3, poles, np.ones(n), np.arange(n + 1.0), np.ones(n + 1, dtype=np.int64), periodic=True)
     return Profile.from_contours([Contour((curve,), True)])
 
 
@@ -720,9 +718,7 @@ def _offset_by_control(toolpath: Toolpath, rows: Ints, offset: float) -> list[Nu
         if turn * offset > 0:
             if not _meet(first, second):
                 x, y = vertices[n]
-                raise InputError(
-                    f"simulated machine: the control finds no way into the corner at X{x:.3f} Y{y:.3f}"
-                )
+                raise InputError(f"simulated machine: the control finds no way into the corner at X{x:.3f} Y{y:.3f}")
         else:
             joints[n] = NurbsCurve.arc(first.end, second.start, vertices[n], turn)
     curves: list[NurbsCurve] = []

@@ -46,9 +46,7 @@ def text(profile: Profile, name: str, *, date: datetime | None = None) -> str:
     millimetre = add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))")
     radian = add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))")
     steradian = add("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())")
-    accuracy = add(
-        f"UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-07),{millimetre},'distance_accuracy_value','')"
-    )
+    accuracy = add(f"UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-07),{millimetre},'distance_accuracy_value','')")
     space = add(
         "(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((" + accuracy + "))"
         f"GLOBAL_UNIT_ASSIGNED_CONTEXT(({millimetre},{radian},{steradian}))REPRESENTATION_CONTEXT('',''))"
@@ -62,9 +60,7 @@ def text(profile: Profile, name: str, *, date: datetime | None = None) -> str:
     origin = add("CARTESIAN_POINT('',(0.,0.,0.))")
     up, along = add("DIRECTION('',(0.,0.,1.))"), add("DIRECTION('',(1.,0.,0.))")
     frame = add(f"AXIS2_PLACEMENT_3D('',{origin},{up},{along})")
-    representation = add(
-        f"GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION({label},({frame},{curve_set}),{space})"
-    )
+    representation = add(f"GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION({label},({frame},{curve_set}),{space})")
     add(f"SHAPE_DEFINITION_REPRESENTATION({shape},{representation})")
     stamp = (date or datetime.now()).replace(microsecond=0).isoformat()
     header = [
@@ -106,7 +102,5 @@ def _real(value: float) -> str:
 
 def _string(value: str) -> str:
     """A string in Part 21's quotes; what is not plain ASCII in its hexadecimal form."""
-    out = "".join(
-        c if " " <= c <= "~" else f"\\X4\\{ord(c):08X}\\X0\\" for c in value.replace("\\", "\\\\")
-    )
+    out = "".join(c if " " <= c <= "~" else f"\\X4\\{ord(c):08X}\\X0\\" for c in value.replace("\\", "\\\\"))
     return "'" + out.replace("'", "''") + "'"

@@ -17,15 +17,7 @@ from .filtering import Filter, Separation, separate
 from .parts import averaged
 from .profile import Profile
 from .settings import Settings
-from .transfer_function import (
-    TransferFunction,
-    along_axis,
-    examine,
-    from_line,
-    identify,
-    line_over_depth,
-    one_value,
-)
+from .transfer_function import TransferFunction, along_axis, examine, from_line, identify, line_over_depth, one_value
 from .uncertainty import of_one_part, of_several_parts
 
 Floats = NDArray[np.float64]
@@ -245,9 +237,7 @@ def _next_depth(parts: list[Part], depths: tuple[float, ...], settings: Settings
     return allowance + filtered if allowance > 0 else depths[0]
 
 
-def _at_one_depth(
-    parts: list[Part], depth: float, nominal: Profile, settings: Settings, warnings: list[str]
-) -> _Found:
+def _at_one_depth(parts: list[Part], depth: float, nominal: Profile, settings: Settings, warnings: list[str]) -> _Found:
     """Parts of one depth: their mean, filtered; the transfer function where the settings want one."""
     first = parts[0]
     deviation, machine, part_std, several = first.deviation, first.machine, math.nan, None
@@ -346,16 +336,12 @@ def _filtered(
             known = np.isfinite(values[rows])
             if not known.any():
                 continue
-            part = separate(
-                s[known], values[rows[known]], length=stretch.length, closed=stretch.closed, filter=filter_
-            )
+            part = separate(s[known], values[rows[known]], length=stretch.length, closed=stretch.closed, filter=filter_)
             determined[rows[known]] = part.determined
             if not known.all():
                 order = np.argsort(s[known], kind="stable")
                 period = stretch.length if stretch.closed else None
-                determined[rows[~known]] = np.interp(
-                    s[~known], s[known][order], part.determined[order], period=period
-                )
+                determined[rows[~known]] = np.interp(s[~known], s[known][order], part.determined[order], period=period)
             blocks.append((rows[known], part))
             warnings += [w for w in part.warnings if w not in warnings]
     determined = np.where(np.isfinite(determined), determined, np.nanmean(determined))
@@ -372,9 +358,7 @@ def correction_through(work: Target, nominal: Profile, settings: Settings, warni
     deviation = work.deviation
     levels = np.unique(deviation.level)
     if len(levels) == 1:
-        correction, notes = correction_from(
-            nominal, deviation.stretch, deviation.s, work.wanted, limit=settings.limit
-        )
+        correction, notes = correction_from(nominal, deviation.stretch, deviation.s, work.wanted, limit=settings.limit)
         warnings += notes
         return correction
     # Each level by itself, then their mean along the contour: points of different heights are never mixed.

@@ -153,9 +153,7 @@ class Toolpath:
             p0, p3 = self.start[rows][:, None, :2], self.end[rows][:, None, :2]
             p1, p2 = self.control[rows][:, None, :2], self.control[rows][:, None, 2:]
             u = t[None, :, None]
-            points[rows, :, :2] = (
-                p0 * (1 - u) ** 3 + 3 * p1 * u * (1 - u) ** 2 + 3 * p2 * u**2 * (1 - u) + p3 * u**3
-            )
+            points[rows, :, :2] = p0 * (1 - u) ** 3 + 3 * p1 * u * (1 - u) ** 2 + 3 * p2 * u**2 * (1 - u) + p3 * u**3
         return points
 
     def length(self) -> Floats:

@@ -116,9 +116,7 @@ class Transform:
         x, y = self._turned(*probe.offset)
         directions = None if probe.directions is None else probe.directions + self.rotation
         # By now the control's radii are the measurement's.
-        return dataclasses.replace(
-            probe, offset=(float(x), float(y)), directions=directions, control_radii=None
-        )
+        return dataclasses.replace(probe, offset=(float(x), float(y)), directions=directions, control_radii=None)
 
     def inverse(self) -> Transform:
         """The motion that takes this one back."""
@@ -129,6 +127,4 @@ class Transform:
     def then(self, other: Transform) -> Transform:
         """The motion that another one follows."""
         x, y = other._turned(*self.shift)
-        return Transform(
-            (float(x) + other.shift[0], float(y) + other.shift[1]), self.rotation + other.rotation
-        )
+        return Transform((float(x) + other.shift[0], float(y) + other.shift[1]), self.rotation + other.rotation)

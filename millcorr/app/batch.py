@@ -134,9 +134,7 @@ def export_report(obj: Any, directory: str | Path) -> None:
 def _refuse_inputs(source: Path | None, measured: Sequence[Any], output: Any, gcode: Any, report: Any) -> None:
     """UsageError where something to write would replace what is read."""
     inputs = {f"measured file {n}": Path(file) for n, file in enumerate(measured, 1)}
-    written = {
-        what: None if place is None else Path(place) for what, place in (("output", output), ("gcode", gcode))
-    }
+    written = {what: None if place is None else Path(place) for what, place in (("output", output), ("gcode", gcode))}
     session.refuse_places(written, None if report is None else Path(report), {"document": source, **inputs})
 
 

@@ -21,7 +21,7 @@ from millcorr.measuring_programs import MeasuringProgram
 from millcorr.measuring_task import POINTS
 from millcorr.measuring_task import save as written
 from millcorr.probing import Placement, TouchProbe
-from millcorr.probing_heights import Cleared
+from millcorr.probing.heights import Cleared
 from millcorr.profile import Profile
 
 from . import base_geometry, compat, convert, motion

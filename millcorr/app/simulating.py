@@ -16,9 +16,9 @@ from typing import Any
 from millcorr import pipeline, setup_file
 from millcorr.errors import RefusedError
 from millcorr.prediction import simulate
+from millcorr.prediction.signals import Signals
+from millcorr.scene.simulation import Played
 from millcorr.settings import Settings
-from millcorr.signals import Signals
-from millcorr.simulation_arrays import Played
 
 from . import base_geometry, compat, measuring
 
@@ -88,8 +88,8 @@ def write(operation: Any, setup: str | Path, directory: str | Path) -> str:
 
 
 def written(request: pipeline.Request, directory: str | Path) -> str:
-    """Write the report of a simulation; see `millcorr.report_simulation.write`. Needs nothing of FreeCAD."""
+    """Write the report of a simulation; see `millcorr.report.simulation.write`. Needs nothing of FreeCAD."""
     # Imported when it is wanted: the plots take their time to load.
-    from millcorr import report_simulation
+    from millcorr.report import simulation as report_simulation
 
     return report_simulation.write(request, Path(directory))

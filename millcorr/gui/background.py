@@ -19,11 +19,11 @@ _text = QT_TRANSLATE_NOOP
 STAGES: tuple[tuple[tuple[str, ...], str, float], ...] = (
     (("readers",), _text("Millcorr", "Reading points"), 0.05),
     (("alignment",), _text("Millcorr", "Best fit"), 0.20),
-    (("distrust", "distrust_file", "distrust_deviations", "probe"), _text("Millcorr", "Looking for doubts"), 0.25),
+    (("distrust", "probe"), _text("Millcorr", "Looking for doubts"), 0.25),
     (("deviation", "commanded"), _text("Millcorr", "Deviations"), 0.15),
     (("targets", "compensation"), _text("Millcorr", "Separating form from scatter"), 0.45),
-    (("emission",), _text("Millcorr", "Laying and proving the path"), 0.75),
-    (("overlay",), _text("Millcorr", "Drawing"), 0.92),
+    (("regeneration.emission",), _text("Millcorr", "Laying and proving the path"), 0.75),
+    (("scene",), _text("Millcorr", "Drawing"), 0.92),
 )
 """Modules of the core, what the user reads while one is at work, and the share of the whole that is then done."""
 
@@ -38,7 +38,7 @@ def stage_of(modules: Sequence[str]) -> tuple[str, float] | None:
     """Stage of work from the names of the modules at work, outermost first; None where none is known."""
     for name in modules:
         parts = name.split(".")
-        found = _STAGE.get(".".join(parts[:2]))
+        found = _STAGE.get(".".join(parts[:3])) or _STAGE.get(".".join(parts[:2]))
         if found is not None:
             return found
     return None

@@ -8,9 +8,10 @@ from math import isfinite
 from pathlib import Path
 from typing import Any
 
-from millcorr import history, jobs, journal, session
+from millcorr import jobs, session
 from millcorr.app.properties import QT_TRANSLATE_NOOP, Property
 from millcorr.errors import MillcorrError
+from millcorr.series import history, journal
 
 from . import file_task, recorder
 from .batch_run import BatchRun, Ended
@@ -230,9 +231,7 @@ class HistoryTask(file_task.FileTask):
         path, directory = file_task.absolute([self.fields["Journal"].value, self.fields["Report"].value or "history"])
         line = call("session.history", Expression(f"Path({path!r})"), report=Expression(f"Path({directory!r})"))
         lines = ["from pathlib import Path", "from millcorr import session", f"print({line})"]
-        return file_task.Job(
-            lines, session, "history", lambda: session.history(Path(path), report=Path(directory))
-        )
+        return file_task.Job(lines, session, "history", lambda: session.history(Path(path), report=Path(directory)))
 
     def show_written(self, text: str) -> None:
         """Where the report is; the table itself is shown already."""

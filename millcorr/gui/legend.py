@@ -8,8 +8,8 @@ from typing import Any
 
 from pivy import coin
 
-from millcorr import overlay
-from millcorr.overlay import Look, Overlay
+from millcorr.scene import correction as overlay
+from millcorr.scene.correction import Look, Overlay
 
 from .qt import QtCore, QtGui
 from .text import QT_TRANSLATE_NOOP, translate

@@ -7,7 +7,7 @@ from typing import Any
 
 from pivy import coin
 
-from millcorr.overlay import Lines
+from millcorr.scene.correction import Lines
 
 from .picture import view_of
 

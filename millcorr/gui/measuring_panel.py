@@ -11,7 +11,7 @@ from millcorr.app import candidates, draft, measuring
 from millcorr.app.properties import QT_TRANSLATE_NOOP, Property
 from millcorr.errors import UsageError
 from millcorr.probing import TOUCHES
-from millcorr.probing_overlay import overlay_of
+from millcorr.scene.probing import overlay_of
 
 from . import file_task, preferences
 from .line_set import LineSet
@@ -85,9 +85,7 @@ _MORE = (
     Property(
         "Float", "PositioningFeed", "", _text("App::Property", "Feed of moves at measuring height, mm/min"), 1000.0
     ),
-    Property(
-        "Integer", "Tool", "", _text("App::Property", "Number of the probe in the magazine; 0: it is in use"), 0
-    ),
+    Property("Integer", "Tool", "", _text("App::Property", "Number of the probe in the magazine; 0: it is in use"), 0),
     Property("String", "Log", "", _text("App::Property", "Name of the file the control writes; empty: as usual"), ""),
 )
 

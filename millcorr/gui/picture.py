@@ -9,9 +9,9 @@ from typing import Any
 import FreeCADGui
 from pivy import coin
 
-from millcorr import overlay
-from millcorr.overlay import Look, Overlay
 from millcorr.pipeline import Result
+from millcorr.scene import correction as overlay
+from millcorr.scene.correction import Look, Overlay
 
 from .legend import Legend
 

@@ -10,7 +10,7 @@ from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg, NavigationToolb
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from millcorr.plot_arrays import Along, Distribution, Series
+from millcorr.scene.plots import Along, Distribution, Series
 
 from .text import translate
 
@@ -23,7 +23,7 @@ class Canvas(FigureCanvasQTAgg):
     Parameters
     ----------
     colours : mapping of str to str
-        By role, as `millcorr.report_plots.COLOURS` has them.
+        By role, as `millcorr.report.plots.COLOURS` has them.
     """
 
     def __init__(self, colours: dict[str, str]) -> None:
@@ -78,9 +78,7 @@ class Canvas(FigureCanvasQTAgg):
             axes.fill_between(course.x, course.low, course.high, color=c["ink"], alpha=0.16, linewidth=0, label=told)
             told = ""
         x = plot.x[plot.rows]
-        axes.scatter(
-            x, plot.raw[plot.rows], s=size, color=c["raw"], label=translate("Millcorr", "measured"), zorder=2
-        )
+        axes.scatter(x, plot.raw[plot.rows], s=size, color=c["raw"], label=translate("Millcorr", "measured"), zorder=2)
         expected = translate("Millcorr", "expected next")
         axes.scatter(x, plot.predicted[plot.rows], s=size, color=c["predicted"], label=expected, zorder=2)
         told = translate("Millcorr", "determined part")

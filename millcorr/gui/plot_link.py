@@ -7,7 +7,7 @@ from typing import Any
 
 from pivy import coin
 
-from millcorr import plot_arrays
+from millcorr.scene import plots as plot_arrays
 
 from .picture import view_of
 from .qt import QtCore

@@ -12,9 +12,11 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
-from millcorr import plot_arrays, report_history, report_plots
 from millcorr.app import candidates, correction
 from millcorr.errors import MillcorrError
+from millcorr.report import history as report_history
+from millcorr.report import plots as report_plots
+from millcorr.scene import plots as plot_arrays
 
 from . import preferences
 from .line_set import LineSet
@@ -64,7 +66,7 @@ class Page(QtWidgets.QWidget):
         self.canvas: Any = None
         self.drawing: Any = None
         if has_matplotlib():
-            from . import plot_canvas
+            from . import plot_canvas  # noqa: F401
 
             self.canvas = plot_canvas.Canvas(colours())
             layout.addWidget(plot_canvas.toolbar(self.canvas, self))

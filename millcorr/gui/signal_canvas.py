@@ -9,7 +9,7 @@ from typing import Any
 from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 from matplotlib.figure import Figure
 
-from millcorr.simulation_arrays import Trace
+from millcorr.scene.simulation import Trace
 
 from .qt import QtCore
 from .text import translate
@@ -21,7 +21,7 @@ class SignalCanvas(FigureCanvasQTAgg):
     Parameters
     ----------
     colours : mapping of str to str
-        By role, as `millcorr.report_plots.COLOURS` has them.
+        By role, as `millcorr.report.plots.COLOURS` has them.
     sought : callable
         Gets the time in s that is clicked or dragged to.
     """

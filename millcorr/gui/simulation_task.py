@@ -6,11 +6,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from millcorr import simulation_arrays, simulation_view
 from millcorr.app import draft, simulating
 from millcorr.app.properties import QT_TRANSLATE_NOOP, Property
 from millcorr.errors import UsageError
-from millcorr.simulation_arrays import Played
+from millcorr.report import simulation_view
+from millcorr.scene import simulation as simulation_arrays
+from millcorr.scene.simulation import Played
 
 from . import file_task, plots
 from .cutter import Cutter

@@ -11,8 +11,8 @@ from dataclasses import replace
 
 from millcorr.errors import UsageError
 from millcorr.probing import Placement, TouchProbe, plan
-from millcorr.probing_heights import Cleared, room_of
-from millcorr.probing_room import outside_cleared
+from millcorr.probing.heights import Cleared, room_of
+from millcorr.probing.room import outside_cleared
 from millcorr.profile import Profile
 from millcorr.toolpath import Toolpath
 

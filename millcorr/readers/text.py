@@ -247,9 +247,7 @@ def _read_whole(text: str, layout: Layout) -> tuple[list[Floats], Ints] | None:
     head = text[begin : text.find("\n", begin)] if text.find("\n", begin) >= 0 else text[begin:]
     if layout.separator is not None and len(split(head, layout.separator)) == layout.width + 1:
         text, begin = re.sub(r"[,;\t][ \t]*$", "", text[begin:], flags=re.MULTILINE), 0
-    return decimal_tables(
-        text, layout.separator, layout.width, _tables(layout), begin=begin, first=layout.first + 1
-    )
+    return decimal_tables(text, layout.separator, layout.width, _tables(layout), begin=begin, first=layout.first + 1)
 
 
 def _read_lines(text: str, layout: Layout, name: str) -> tuple[Floats, Ints]:

@@ -19,9 +19,7 @@ def test_batch_of_document_and_program_from_freecad(part_files, measured_file, t
         f"[[job]]\nname = 'wrong'\ndocument = {str(part_files[0])!r}\noperation = 'None'\noutput = 'no.FCStd'\n"
     )
     done = jobs.run(path, out=io.StringIO())
-    assert [(o.name, o.status) for o in done] == [("document", 0), ("program", 0), ("wrong", 2)], [
-        o.text for o in done
-    ]
+    assert [(o.name, o.status) for o in done] == [("document", 0), ("program", 0), ("wrong", 2)], [o.text for o in done]
     assert "no operation called None" in done[2].text
     doc = FreeCAD.openDocument(str(tmp_path / "out.FCStd"))
     assert doc.getObject("DressupMillcorr") is not None

@@ -20,10 +20,10 @@ from pathlib import Path
 
 import numpy as np
 
-from millcorr import journal
 from millcorr.errors import RefusedError
-from millcorr.places import Places
 from millcorr.profile import Stretch
+from millcorr.series import journal
+from millcorr.series.places import Places
 
 FIRST = b"(first program)\n"
 PLACES = Places((Stretch(0, 0.0, 4.0, True),), (8,))

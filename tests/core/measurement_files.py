@@ -412,9 +412,7 @@ def qdas(
 # --- point clouds -----------------------------------------------------------------------------------------
 
 
-def ply(
-    part: Part, *, kind: str = "binary", number: str = "double", normals: bool = True, mesh: bool = False
-) -> bytes:
+def ply(part: Part, *, kind: str = "binary", number: str = "double", normals: bool = True, mesh: bool = False) -> bytes:
     """PLY file by hand: ASCII, little endian or big endian."""
     order = {"ascii": "", "binary": "<", "big": ">"}[kind]
     name = {"ascii": "ascii", "binary": "binary_little_endian", "big": "binary_big_endian"}[kind]

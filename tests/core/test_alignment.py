@@ -77,9 +77,7 @@ class Sample:
     def measurement(self, pose: Transform, normals=False):
         """As the machine has them when `pose` would put them right."""
         back = pose.inverse()
-        return measured(
-            back.points(self.points), back.directions(self.normals) if normals else None, self.ball_radius
-        )
+        return measured(back.points(self.points), back.directions(self.normals) if normals else None, self.ball_radius)
 
 
 def sample(elements, n, seed=0, noise=2 * MICRON, outliers=0.02, ball_radius=0.0, offset=0.0, margin=0.5, form=None):

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from millcorr.cantilever import Cantilever, deflection, second_moment, slope
+from millcorr.deflection.cantilever import Cantilever, deflection, second_moment, slope
 from millcorr.errors import UsageError
 from millcorr.setup_file import Machine, Material, Setup, Stock, Tool
 

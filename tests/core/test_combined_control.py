@@ -11,11 +11,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from millcorr import gcode, pipeline, split
-from millcorr.combined_control import identify, identify_machine
-from millcorr.contact_steps import Contacts
 from millcorr.engagement import engagement, stock_of
+from millcorr.engagement.contact_steps import Contacts
 from millcorr.errors import InputError, RefusedError, UsageError
 from millcorr.prediction import simulate
+from millcorr.prediction.combined_control import identify, identify_machine
 from millcorr.settings import Settings
 from tests.core.paper_2023 import LEFT, RADIUS, as_cut, cut_again, nominal, program, setup, softer, touched
 

@@ -334,9 +334,7 @@ def test_unmeasured_contour_is_not_corrected():
     profile = Profile.from_contours(
         [
             Contour(tuple(e.curve() for e in a.elements), True),
-            Contour(
-                tuple(NurbsCurve.line(e.p0 + [100, 0], e.p1 + [100, 0]) for e in b.elements), True
-            ),
+            Contour(tuple(NurbsCurve.line(e.p0 + [100, 0], e.p1 + [100, 0]) for e in b.elements), True),
         ]
     )
     correction, warnings = sides(profile, {0: 0.01, 1: 0.01, 2: 0.01, 3: 0.01})
@@ -377,9 +375,7 @@ def test_the_end_of_a_stretch_as_long_as_its_contour_is_not_its_start():
     a = np.arcsin(1 / 3)
     right = r * np.array([np.cos(a), -np.sin(a)])
     left = right * [-1, 1]
-    profile = profile_of(
-        [Element(tip, right), Element(right, left, np.zeros(2), np.pi + 2 * a), Element(left, tip)]
-    )
+    profile = profile_of([Element(tip, right), Element(right, left, np.zeros(2), np.pi + 2 * a), Element(left, tip)])
     (stretch,) = profile.stretches()
     assert not stretch.closed
     total = float(profile.total[0])

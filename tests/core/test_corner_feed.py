@@ -11,10 +11,10 @@ import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from millcorr.corner_feed import slow_corners
 from millcorr.errors import FormatError, LimitError, UsageError
 from millcorr.gcode import parse
 from millcorr.kinematics import AxisDynamics, ContourControl, Control, corner_errors, halts_of
+from millcorr.prediction.corner_feed import slow_corners
 from tests.core.sweeps import examples
 
 SQUARE = """%

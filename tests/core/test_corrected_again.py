@@ -9,11 +9,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from millcorr import gcode, pipeline
-from millcorr.carried import carried_correction
 from millcorr.compensation import Correction
 from millcorr.errors import LimitError, RefusedError
 from millcorr.reconstruction import CompensatedContour
 from millcorr.regeneration import BAND
+from millcorr.regeneration.carried import carried_correction
 from tests.core import loop_programs as programs
 from tests.core.sweeps import examples
 

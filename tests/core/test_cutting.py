@@ -14,14 +14,14 @@ from hypothesis import strategies as st
 from millcorr import gcode
 from millcorr.cutting import average_force, cutting, force_at, force_over_turn, surface_location_error
 from millcorr.deviation import Deviation
-from millcorr.elastic_pass import cutting_stiffness, elastic_pass, predicted_deviation
 from millcorr.engagement import engagement, stock_of
+from millcorr.engagement.stock_region import StockRegion
 from millcorr.errors import RefusedError, UsageError
 from millcorr.nurbs import NurbsCurve
+from millcorr.prediction.elastic_pass import cutting_stiffness, elastic_pass, predicted_deviation
 from millcorr.profile import Contour, Profile
 from millcorr.setup_file import Machine, Material, Setup, Stock, Tool, load
 from millcorr.simulated_machine import SimulatedMachine, reference_contour
-from millcorr.stock_region import StockRegion
 
 SETUPS = Path(__file__).resolve().parents[2] / "resources" / "setups"
 ALTINTAS = Material("", 767.01, 168.8, 27.7, 26.6)
@@ -103,8 +103,9 @@ def test_straight_edges_without_edge_force_leave_no_error(entry, exit_):
     # Only the radial edge force stands across the wall there: 10 N/mm over 3 mm away from it.
     error = surface_location_error(height, entry, exit_, 3.0, 0.05, 1000.0, tool, edge)
     assert error == pytest.approx(np.full(7, 0.03), rel=1e-12)
-    assert (surface_location_error(height, entry, exit_, 3.0, 0.05, 1000.0, Tool(10.0, 4, 3000.0, 30.0), CHIP_ONLY)
-            != 0.0).any()
+    assert (
+        surface_location_error(height, entry, exit_, 3.0, 0.05, 1000.0, Tool(10.0, 4, 3000.0, 30.0), CHIP_ONLY) != 0.0
+    ).any()
 
 
 def test_a_slot_has_no_one_wall():

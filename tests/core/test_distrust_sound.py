@@ -10,8 +10,8 @@ import pytest
 
 from millcorr import distrust
 from millcorr.deviation import deviations
+from millcorr.distrust.findings import NAMES, Finding
 from millcorr.filtering import Filter
-from millcorr.findings import NAMES, Finding
 from millcorr.measurement import Measurement
 from millcorr.nurbs import NurbsCurve
 from millcorr.profile import Contour, Profile

@@ -8,14 +8,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from millcorr import gcode, piece_tree
-from millcorr.engagement import engagement, load_ratio, stock_of
+from millcorr import gcode
+from millcorr.engagement import engagement, load_ratio, piece_tree, stock_of
+from millcorr.engagement.path_pieces import pieces_of_toolpath
+from millcorr.engagement.stock_region import StockRegion, Swept
 from millcorr.errors import InputError, UsageError
 from millcorr.nurbs import NurbsCurve
-from millcorr.path_pieces import pieces_of_toolpath
 from millcorr.profile import Contour, Profile
 from millcorr.setup_file import Machine, Material, Setup, Stock, Tool
-from millcorr.stock_region import StockRegion, Swept
 from tests.core.sweeps import examples
 
 EXACT = 1e-9
@@ -71,8 +71,10 @@ def moves(toolpath):
 @pytest.mark.parametrize("previous", ["contour", "program"])
 def test_straight(previous):
     toolpath = path("G0 X-30 Y0\nG1 X30")
-    stock = StockRegion(half_plane(-4.0)) if previous == "contour" else StockRegion(
-        half_plane(0.0), 0.0, (before("G0 X-60 Y1\nG1 X60"),)
+    stock = (
+        StockRegion(half_plane(-4.0))
+        if previous == "contour"
+        else StockRegion(half_plane(0.0), 0.0, (before("G0 X-60 Y1\nG1 X60"),))
     )
     e = engagement(toolpath, setup(), stock)
     assert np.abs(e.phi - np.arccos(0.8)).max() < EXACT

@@ -10,8 +10,8 @@ from scipy.signal import lfilter
 
 from millcorr.errors import InputError, UsageError
 from millcorr.filtering import Filter, separate
-from millcorr.gaussian_regression import ALPHA, local_line, local_line_on_grid
-from millcorr.spatial_correlation import moran_test, neighbour_links
+from millcorr.filtering.gaussian_regression import ALPHA, local_line, local_line_on_grid
+from millcorr.filtering.spatial_correlation import moran_test, neighbour_links
 from tests.core.sweeps import examples, slow
 
 KINDS = ["none", "mean:5", "mean:1,2,3,2,1", "gauss:9", "robust:9", "auto"]

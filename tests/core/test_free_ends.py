@@ -10,9 +10,9 @@ import pytest
 
 from millcorr import gcode, pipeline
 from millcorr.compensation import Correction, Course
-from millcorr.free_ends import keep_coordinate
 from millcorr.reconstruction import CompensatedContour
 from millcorr.regeneration import regenerate
+from millcorr.regeneration.free_ends import keep_coordinate
 from tests.core import loop_programs as programs
 
 LEADS = """G21 G90

@@ -13,18 +13,18 @@ from hypothesis import strategies as st
 from scipy.integrate import quad
 
 from millcorr import gcode
-from millcorr.cantilever import Cantilever
 from millcorr.cutting import force_at, surface_location_error
+from millcorr.deflection.cantilever import Cantilever
+from millcorr.deflection.height_deviation import predicted_deviation
+from millcorr.deflection.height_error import WallModel
+from millcorr.deflection.real_path import real_path
 from millcorr.engagement import stock_of
+from millcorr.engagement.stock_region import StockRegion
 from millcorr.errors import InputError, UsageError
-from millcorr.height_deviation import predicted_deviation
-from millcorr.height_error import WallModel
 from millcorr.kinematics import AxisDynamics, Control
 from millcorr.nurbs import NurbsCurve
 from millcorr.profile import Contour, Profile
-from millcorr.real_path import real_path
 from millcorr.setup_file import Machine, Material, Setup, Stock, load
-from millcorr.stock_region import StockRegion
 
 PAPER = load(Path(__file__).resolve().parents[2] / "resources" / "setups" / "dat-2025.toml")
 HEIGHTS = np.array([0.5, 1.0, 1.5, 2.0])

@@ -14,11 +14,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from millcorr import history, report_history
 from millcorr.errors import UsageError
-from millcorr.journal import Chain, Entry
-from millcorr.places import Places
 from millcorr.profile import Stretch
+from millcorr.report import history as report_history
+from millcorr.series import history
+from millcorr.series.journal import Chain, Entry
+from millcorr.series.places import Places
 
 PLACES = Places((Stretch(0, 0.0, 30.0, True),), (60,))
 

@@ -17,11 +17,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from millcorr import journal
+import millcorr
 from millcorr.errors import FormatError, InputError, MillcorrError, RefusedError, UsageError
-from millcorr.journal import Chain, Entry
-from millcorr.places import Places
 from millcorr.profile import Stretch
+from millcorr.series import journal
+from millcorr.series.journal import Chain, Entry
+from millcorr.series.places import Places
 from tests.core import journal_crash
 
 PLACES = Places((Stretch(0, 0.0, 30.0, True), Stretch(1, 2.5, 4.0, False)), (60, 8))
@@ -267,7 +268,7 @@ def test_places_where_no_journal_can_be(tmp_path: Path) -> None:
 WRITE_AS_ANOTHER_USER = """
 import os, sys
 from pathlib import Path
-from millcorr import journal
+from millcorr.series import journal
 from millcorr.errors import MillcorrError
 if os.geteuid() == 0:
     os.setgid(65534)
@@ -302,7 +303,7 @@ def test_a_directory_that_may_not_be_written_to(series: Path, tmp_path_factory: 
                 ],
                 capture_output=True,
                 text=True,
-                cwd=Path(journal.__file__).parents[1],
+                cwd=Path(millcorr.__file__).parents[1],
                 env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"},
             )
         finally:

@@ -82,9 +82,7 @@ def test_a_periodic_curve_closes_on_itself(seed, degree, extra, rational):
     np.testing.assert_allclose(first, last, atol=1e-10)
     flat = curve.flat_knots
     period = curve.knots[-1] - curve.knots[0]
-    assert len(flat) == len(np.repeat(curve.knots, curve.multiplicities)) + 2 * (
-        degree + 1 - curve.multiplicities[0]
-    )
+    assert len(flat) == len(np.repeat(curve.knots, curve.multiplicities)) + 2 * (degree + 1 - curve.multiplicities[0])
     # The knots before the start repeat the ones before the end.
     low = flat[flat < curve.knots[0]]
     np.testing.assert_allclose(low, flat[(flat < curve.knots[-1])][-len(low) :] - period if len(low) else low)

@@ -6,9 +6,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from millcorr import gcode, overlay, pipeline
+from millcorr import gcode, pipeline
 from millcorr.errors import UsageError
 from millcorr.measurement import Measurement
+from millcorr.scene import correction as overlay
 
 DISC, CUTTER = 40.0, 5.0
 SINGLE = 4e-6

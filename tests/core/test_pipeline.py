@@ -164,9 +164,7 @@ def test_residual_after_one_correction(filter_: str, bound: float, parts: int) -
     """On 20 seeds, without measurement noise: auto leaves at most 1.1 sigma_r, a mean of 5 1.10, raw data 1.41."""
     nominal = reference_contour()
     sigma = 0.0015
-    machine = SimulatedMachine(
-        errors=SimulatedMachine.reference().errors, process_noise=sigma, measurement_noise=0.0
-    )
+    machine = SimulatedMachine(errors=SimulatedMachine.reference().errors, process_noise=sigma, measurement_noise=0.0)
     ratio = []
     for seed in range(parts):
         first = machine.follow(nominal, seed=2 * seed)
@@ -195,9 +193,7 @@ def test_the_programs_own_error_is_removed_and_kept_apart() -> None:
     program = spline_program(nominal, 5.0, 150)
     part = SimulatedMachine(errors=SimulatedMachine.reference().errors).cut(program.toolpath, 5.0, nominal, seed=1)
     measurement = part.measure(200, noise=0.0, seed=1)
-    result = pipeline.correct(
-        pipeline.Request(program, 5.0, measurement, nominal, pipeline.Settings(filter="auto"))
-    )
+    result = pipeline.correct(pipeline.Request(program, 5.0, measurement, nominal, pipeline.Settings(filter="auto")))
     assert np.ptp(result.commanded) > 0.01
     again = gcode.parse(result.text)
     s = np.arange(333) * nominal.total[0] / 333
@@ -217,9 +213,7 @@ def test_correcting_again_adds_up() -> None:
     first, nominal = corrected("mitres", lambda k, s: np.full(len(s), 0.02))
     program = gcode.parse(first.text, "second.nc")
     measurement = programs.measured(nominal, lambda k, s: np.full(len(s), 0.003), digest="cd" * 32)
-    second = pipeline.correct(
-        pipeline.Request(program, 5.0, measurement, nominal, pipeline.Settings(filter="none"))
-    )
+    second = pipeline.correct(pipeline.Request(program, 5.0, measurement, nominal, pipeline.Settings(filter="none")))
     assert second.correction.largest == pytest.approx(0.023, abs=1e-6)
     assert b"Y54.977" in second.text
     half = pipeline.correct(
@@ -277,9 +271,7 @@ def test_levels_are_kept_apart() -> None:
     both = Measurement(
         np.concatenate([high.points, low.points]), None, 0.0, np.arange(len(high) + len(low)), "two.csv", "ef" * 32
     )
-    result = pipeline.correct(
-        pipeline.Request(program, 5.0, both, None, pipeline.Settings(filter="mean:5"))
-    )
+    result = pipeline.correct(pipeline.Request(program, 5.0, both, None, pipeline.Settings(filter="mean:5")))
     assert set(result.deviation.level.tolist()) == {0, 1}
     assert result.correction.largest == pytest.approx(0.02, abs=1e-6)
     assert any("2 levels" in w and "20.0 um" in w for w in result.warnings)
@@ -407,6 +399,7 @@ def test_other_contours_and_roughing_passes_stay_where_they_are() -> None:
     before, after = program.toolpath, gcode.parse(result.text).toolpath
     # The roughing pass ends where it ended; the link to the finishing pass takes up the difference.
     assert after.end[7].tolist() == before.end[7].tolist()
+
     def plunges(path):
         return int(((path.kind == 1) & (np.abs(path.end - path.start)[:, :2].max(axis=1) == 0)).sum())
 

@@ -8,11 +8,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from millcorr import gcode, pipeline, plot_arrays
+from millcorr import gcode, pipeline
 from millcorr.measurement import Measurement
 from millcorr.probing import Placement, TouchProbe, plan
-from millcorr.probing_overlay import BALL, OVER, TOUCH, WAY, joined
-from millcorr.probing_overlay import overlay_of as probing_lines
+from millcorr.scene import plots as plot_arrays
+from millcorr.scene.probing import BALL, OVER, TOUCH, WAY, joined
+from millcorr.scene.probing import overlay_of as probing_lines
 from millcorr.settings import Settings
 
 RADIUS = 40.0

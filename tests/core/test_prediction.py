@@ -9,16 +9,16 @@ import numpy as np
 import pytest
 
 from millcorr import gcode, pipeline
-from millcorr.cutter_reach import profile_of_path, reachable
 from millcorr.cutting import average_force
-from millcorr.elastic_pass import elastic_pass
 from millcorr.engagement import stock_of
 from millcorr.errors import FormatError, RefusedError, UsageError
 from millcorr.kinematics import AxisDynamics, Control, motion
 from millcorr.nurbs import NurbsCurve
 from millcorr.prediction import simulate
+from millcorr.prediction.cutter_reach import profile_of_path, reachable
+from millcorr.prediction.elastic_pass import elastic_pass
+from millcorr.prediction.real_feed import EVEN, RealFeed, control_of, times
 from millcorr.profile import Contour, Profile
-from millcorr.real_feed import EVEN, RealFeed, control_of, times
 from millcorr.settings import Settings
 from millcorr.setup_file import from_dict
 from millcorr.simulated_machine import SimulatedMachine

@@ -149,9 +149,7 @@ def test_any_direction_of_travel_on_any_slope_from_either_side(slope, radius, an
 
 
 @settings(max_examples=examples(150), deadline=None, derandomize=True)
-@given(
-    slope=st.floats(-np.pi, np.pi), radius=st.floats(0.25, 10.0), excess=st.floats(-0.3, 0.3), normals=st.booleans()
-)
+@given(slope=st.floats(-np.pi, np.pi), radius=st.floats(0.25, 10.0), excess=st.floats(-0.3, 0.3), normals=st.booleans())
 def test_the_rule_on_any_slope(slope, radius, excess, normals):
     profile, normal = edge(slope)
     off = abs(np.arctan2(abs(normal[1]), abs(normal[0])) - np.pi / 4)

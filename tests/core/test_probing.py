@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from millcorr.errors import RefusedError, UsageError
 from millcorr.footpoint import FootPointSearch
 from millcorr.probing import Placement, ProbingPlan, TouchProbe, places, plan, touch_directions
-from millcorr.probing_links import clear, into_fillets
+from millcorr.probing.links import clear, into_fillets
 from millcorr.profile import Contour, Profile
 from tests.core.contours import (
     Element,

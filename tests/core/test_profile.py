@@ -49,9 +49,7 @@ def random_spline(seed, count=9, size=40.0):
     angle = 2 * np.pi * (np.arange(count) + rng.uniform(-0.3, 0.3, count)) / count
     radius = size * rng.uniform(0.6, 1.3, count)
     poles = radius[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
-    curve = NurbsCurve(
-        3, poles, np.ones(count), np.arange(count + 1.0), np.ones(count + 1, dtype=int), periodic=True
-    )
+    curve = NurbsCurve(3, poles, np.ones(count), np.arange(count + 1.0), np.ones(count + 1, dtype=int), periodic=True)
     return Profile.from_contours([Contour((curve,), True)]), curve
 
 
@@ -234,9 +232,7 @@ def test_contours_that_are_none():
     with pytest.raises(InputError):
         polygon([(1, 1), (1, 1)], closed=False)
     with pytest.raises(InputError, match="gap"):
-        Profile.from_contours(
-            [Contour((NurbsCurve.line((0, 0), (1, 0)), NurbsCurve.line((1.1, 0), (2, 0))), False)]
-        )
+        Profile.from_contours([Contour((NurbsCurve.line((0, 0), (1, 0)), NurbsCurve.line((1.1, 0), (2, 0))), False)])
     with pytest.raises(InputError, match="cusp|stands still"):
         poles = np.array([[0.0, 0], [10, 10], [0, 10], [10, 0]])
         Profile.from_contours(

@@ -607,9 +607,7 @@ def test_correction_through_measured_points_to_a_profile():
     found = check_fit(CompensatedContour(profile, correction))
     for k in (0, 1):
         p, n = profile.at(k, s[k])
-        np.testing.assert_allclose(
-            FootPointSearch(found).find(p + value[k][:, None] * n).distance, 0.0, atol=FIT
-        )
+        np.testing.assert_allclose(FootPointSearch(found).find(p + value[k][:, None] * n).distance, 0.0, atol=FIT)
 
 
 def test_speed_of_facets_and_fine_courses():

@@ -97,9 +97,7 @@ def go(profile: Profile, elements: list[Element], climb: bool) -> None:
     check(done, contour, sum(e.length for e in elements))
 
 
-@pytest.mark.parametrize(
-    ("climb", "mitre"), [(False, False), (False, True), (True, False), (True, True)]
-)
+@pytest.mark.parametrize(("climb", "mitre"), [(False, False), (False, True), (True, False), (True, True)])
 def test_two_corners(mitre, climb):
     """Run backwards, the joint from piece 1 to piece 0 is taken for the other joint between the same two."""
     part = Part(rectangle(60.0, 40.0).vertices, (0.0, 8.0, 0.0, 8.0))

@@ -11,15 +11,15 @@ from html.parser import HTMLParser
 import numpy as np
 import pytest
 
-from millcorr import gcode, pipeline, report, svg
-from millcorr import report_page as pages
-from millcorr import report_plots as plots
-from millcorr import report_view as views
+from millcorr import gcode, pipeline, report
 from millcorr.errors import UsageError
 from millcorr.largest import largest_correction
 from millcorr.measurement import Measurement
 from millcorr.nurbs import NurbsCurve
 from millcorr.profile import Contour, Profile
+from millcorr.report import page as pages
+from millcorr.report import plots, svg
+from millcorr.report import view as views
 
 RADIUS = 5.0
 DAY = datetime.date(2024, 2, 29)
@@ -180,7 +180,7 @@ def test_a_failure_leaves_no_half_report(disc, tmp_path, monkeypatch, there):
     def fail(*args, **kwargs):
         raise OSError("disk full")
 
-    monkeypatch.setattr(report, "page", fail)
+    monkeypatch.setattr(report.files, "page", fail)
     with pytest.raises(OSError, match="disk full"):
         report.write(disc, place)
     if there:

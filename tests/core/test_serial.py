@@ -11,9 +11,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from millcorr import gcode, history, journal, pipeline, provenance, serial
+from millcorr import gcode, pipeline, provenance
 from millcorr.errors import InputError, LimitError, RefusedError, UsageError
-from millcorr.process_control import Control
+from millcorr.series import history, journal
+from millcorr.series import production as serial
+from millcorr.series.process_control import Control
 from millcorr.session import replaced_whole
 from tests.core import loop_programs as programs
 

@@ -13,12 +13,12 @@ import pytest
 import shapely
 
 from millcorr.__main__ import main
+from millcorr.engagement.stock_region import StockRegion
 from millcorr.nurbs import NurbsCurve
 from millcorr.prediction import simulate
+from millcorr.prediction.signals import COLUMNS, Signals
 from millcorr.profile import Contour, Profile
-from millcorr.signals import COLUMNS, Signals
-from millcorr.simulation_view import stock_rings
-from millcorr.stock_region import StockRegion
+from millcorr.report.simulation_view import stock_rings
 from tests.core.paper_2023 import PROGRAM, SETUP, as_cut, nominal, program, setup
 
 

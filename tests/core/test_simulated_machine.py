@@ -206,9 +206,7 @@ def test_g41_in_a_pocket_with_a_fillet_and_an_arc():
     fillet = np.where(x < 5, 5 - np.sqrt(25 - (5 - np.minimum(x, 5)) ** 2), 0)
     np.testing.assert_allclose(part.deviation(0, corner + x), fillet, atol=1e-11)
     np.testing.assert_allclose(part.deviation(0, corner - x), fillet, atol=1e-11)
-    disc_path = moves(
-        (0, 0), (20, 0), (-20, 0, 0, 0, np.pi), (20, 0, 0, 0, np.pi), (0, 0), compensation=[1, 1, 1, 0]
-    )
+    disc_path = moves((0, 0), (20, 0), (-20, 0, 0, 0, np.pi), (20, 0, 0, 0, np.pi), (0, 0), compensation=[1, 1, 1, 0])
     hole = IDEAL.cut(disc_path, RADIUS, disc().reversed())
     np.testing.assert_allclose(hole.deviation(0, np.linspace(1, 120, 9)), 0, atol=1e-11)
     small = moves((0, 0), (4, 0), (-4, 0, 0, 0, np.pi), (4, 0, 0, 0, np.pi), compensation=[1, 1, 1])
@@ -233,9 +231,7 @@ def test_error_fields():
         surface(ErrorField(harmonics=((3, 0.002, 0.5),))), 0.002 * np.cos(3 * theta + 0.5), atol=1e-12
     )
     # The part displaced by 5 um along +x.
-    np.testing.assert_allclose(
-        surface(ErrorField(directional=((1, 0.005, 0.0),))), 0.005 * np.cos(theta), atol=1e-12
-    )
+    np.testing.assert_allclose(surface(ErrorField(directional=((1, 0.005, 0.0),))), 0.005 * np.cos(theta), atol=1e-12)
     backlash = surface(ErrorField(backlash=(0.004, 0.0)))
     clear = np.abs(np.cos(theta)) > 1e-6
     np.testing.assert_allclose(backlash[clear], 0.002 * np.sign(np.cos(theta))[clear])

@@ -295,8 +295,10 @@ def test_loop_closes_within_the_rounding_of_a_program():
     """A closing gap below the smallest step that counts, wherever it lies on the grid."""
     part = rectangle(60.0, 40.0, 6.0)
     for shift in np.linspace(0.0, 2e-4, 17):
-        elements = [Element(e.p0 + shift, e.p1 + shift, None if e.centre is None else e.centre + shift, e.sweep)
-                    for e in started_at(part.path(R, False), 0, 0.5)]
+        elements = [
+            Element(e.p0 + shift, e.p1 + shift, None if e.centre is None else e.centre + shift, e.sweep)
+            for e in started_at(part.path(R, False), 0, 0.5)
+        ]
         p = path_for(elements)
         last = p.rows[-1]["end"]
         p.rows[-1]["end"] = (last[0], last[1] + 1e-4, last[2])

@@ -11,16 +11,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from millcorr import gcode
+from millcorr.deflection.height_error import WallModel
+from millcorr.deflection.real_path import real_path
+from millcorr.deflection.tilt import mean_shift, remedies
+from millcorr.deflection.tilt_axes import TiltAxes, tilted
 from millcorr.engagement import stock_of
 from millcorr.errors import FormatError, InputError, LimitError, RefusedError
-from millcorr.height_error import WallModel
 from millcorr.kinematics import AxisDynamics, Control
 from millcorr.nurbs import NurbsCurve
 from millcorr.profile import Contour, Profile
-from millcorr.real_path import real_path
 from millcorr.setup_file import load
-from millcorr.tilt import mean_shift, remedies
-from millcorr.tilt_axes import TiltAxes, tilted
 
 PAPER = load(Path(__file__).resolve().parents[2] / "resources" / "setups" / "dat-2025.toml")
 HEIGHTS = np.array([0.5, 1.0, 1.5, 2.0])

@@ -8,14 +8,14 @@ import pytest
 from scipy.integrate import trapezoid
 
 from millcorr import gcode
+from millcorr.deflection.real_path import real_path
+from millcorr.deflection.tooth_map import cutting_area, tooth_map
+from millcorr.engagement.path_pieces import pieces_of_toolpath
+from millcorr.engagement.stock_region import StockRegion, Swept
 from millcorr.errors import InputError, UsageError
 from millcorr.nurbs import NurbsCurve
-from millcorr.path_pieces import pieces_of_toolpath
 from millcorr.profile import Contour, Profile
-from millcorr.real_path import real_path
 from millcorr.setup_file import Tool
-from millcorr.stock_region import StockRegion, Swept
-from millcorr.tooth_map import cutting_area, tooth_map
 
 TOOL = Tool(10.0, 2, 2000.0, 30.0)
 CHIP = 5.0 / TOOL.tooth_frequency

@@ -353,7 +353,11 @@ def test_two_depths_tell_the_offset_from_what_gives_way(taken: str) -> None:
         for k, h in enumerate((0.15, 0.3))
     ]
     settings = pipeline.Settings(
-        method="transfer", depth=(0.15, 0.3), next_depth=0.6, tolerance=0.0002, output_moves="nurbs",
+        method="transfer",
+        depth=(0.15, 0.3),
+        next_depth=0.6,
+        tolerance=0.0002,
+        output_moves="nurbs",
         transfer_function=taken,
     )
     result = pipeline.correct(pipeline.Request(PROGRAM, 5.0, parts[0], NOMINAL, settings, (parts[1],)))

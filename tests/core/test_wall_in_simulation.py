@@ -13,14 +13,14 @@ import pytest
 
 from millcorr import gcode
 from millcorr.__main__ import main
+from millcorr.deflection.height_error import WallModel
+from millcorr.deflection.real_path import real_path
+from millcorr.deflection.tilt import remedies
 from millcorr.engagement import stock_of
-from millcorr.height_error import WallModel
 from millcorr.kinematics import AxisDynamics, Control
 from millcorr.nurbs import NurbsCurve
 from millcorr.profile import Contour, Profile
-from millcorr.real_path import real_path
 from millcorr.setup_file import load
-from millcorr.tilt import remedies
 
 SETUP = Path(__file__).resolve().parents[2] / "resources" / "setups" / "dat-2025.toml"
 CORNER = "G90 G17 G21 F300\nG0 X-25 Y0 Z5\nG1 Z0\nG1 X0\nG1 Y25\nG0 Z5\n"

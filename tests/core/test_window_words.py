@@ -21,8 +21,10 @@ from millcorr.settings import Settings
 
 def disc(scale=1.0, offset=0.0, ball=0.0, count=90):
     angle = np.linspace(0, 2 * np.pi, count, endpoint=False)
-    points = scale * (40.0 + offset + 0.004 * np.cos(2 * angle))[:, None] * np.column_stack(
-        [np.cos(angle), np.sin(angle), 0 * angle]
+    points = (
+        scale
+        * (40.0 + offset + 0.004 * np.cos(2 * angle))[:, None]
+        * np.column_stack([np.cos(angle), np.sin(angle), 0 * angle])
     )
     return Measurement(points, None, ball, np.arange(1, count + 1), "disc.csv", "0", has_z=False)
 

@@ -140,7 +140,7 @@ def settled(panel):
 
 def pictures(name, wanted):
     """Whether the view shows blue, green and red whiskers."""
-    from millcorr import overlay
+    from millcorr.scene import correction as overlay
 
     counted = colours(name)
     _, shades = overlay.scale(0.01, 0.03)

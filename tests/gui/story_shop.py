@@ -293,9 +293,9 @@ def plots(document, obj):
 
 def drawing(dock):
     """The report's own drawing, as it is shown where matplotlib is missing."""
-    from millcorr import report_plots
     from millcorr.gui import plots as module
     from millcorr.gui.plot_drawing import Drawing
+    from millcorr.report import plots as report_plots
 
     result = dock.result
     plot = report_plots.along_contour(result.nominal, result.deviation, result.filtered, result.predicted)

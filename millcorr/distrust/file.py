@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a measured file shows by itself, without a program or a nominal from elsewhere."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr.measurement import Measurement
+
+from .findings import Finding
+
+Floats = NDArray[np.float64]
+
+STATED = 6e-4
+"""Deviations that the file states agree with its own points within this, in mm: half a unit of 0.001 and a bit."""
+
+COARSE = 5e-3
+"""Coordinates printed in steps above this, in mm, hide deviations that are worth correcting."""
+
+NOTHING = 1e-6
+"""Deviations up to this, in mm, are none."""
+
+ROUNDING = 0.75
+"""Rounding two coordinates moves a point along any direction by at most 0.71 of the step; and a bit."""
+
+FEW_AT_A_LEVEL = 4
+"""With fewer points at a height than this there is nothing to filter along it."""
+
+
+def examine_file(measurement: Measurement) -> tuple[Finding, ...]:
+    """Signs that a measured file is not what it is taken for, from the file alone.
+
+    Parameters
+    ----------
+    measurement : Measurement
+        As read, before any alignment.
+
+    Returns
+    -------
+    tuple of Finding
+    """
+    step = resolution(measurement)
+    found = (
+        _identical(measurement, step),
+        _stated(measurement, step),
+        _coarse(step),
+        _levels(measurement),
+    )
+    return tuple(finding for finding in found if finding is not None)
+
+
+def resolution(measurement: Measurement) -> float:
+    """Step in mm in which the file gives x and y: the last decimal that any point uses, in the file's unit.
+
+    0 where there is none to a millionth of the unit (computed points), or with fewer than three points.
+    """
+    if len(measurement) < 3:
+        return 0.0
+    unit = 25.4 if measurement.unit == "inch" else 1.0
+    numbers = measurement.points[:, :2] / unit
+    for decimals in range(6):
+        scaled = numbers * 10.0**decimals
+        # Reading and converting leave an error of a few parts in 1e16 of numbers below 1e4.
+        if np.abs(scaled - np.round(scaled)).max() < 1e-5:
+            return float(unit * 10.0**-decimals)
+    return 0.0
+
+
+def identical_to_nominal(value: Floats, step: float) -> Finding | None:
+    """Finding where no deviation, in mm, is larger than what rounding to the file's step makes of none at all."""
+    if len(value) < 3:
+        return None
+    largest = float(np.abs(value).max())
+    if largest > max(NOTHING, ROUNDING * step):
+        return None
+    if largest <= NOTHING:
+        seen = "every deviation is 0"
+    else:
+        seen = f"no deviation is larger than {largest * 1000:.2f} um, what rounding to {step:g} mm alone makes"
+    text = (
+        f"{seen}: the nominal was probably exported in place of the measured points; export the actual points, to "
+        "0.0001 mm"
+    )
+    return Finding("identical-to-nominal", text, False)
+
+
+def _identical(measurement: Measurement, step: float) -> Finding | None:
+    """Whether the measured points are the file's own nominal points."""
+    if measurement.nominal is None:
+        return None
+    value = measurement.from_nominal()
+    if value is None:
+        if measurement.ball_radius:
+            return None
+        value = np.hypot(*(measurement.points - measurement.nominal)[:, :2].T)
+    value = value[np.isfinite(value)]
+    # Points and nominals are both rounded.
+    return identical_to_nominal(value, step)
+
+
+def _stated(measurement: Measurement, step: float) -> Finding | None:
+    """Whether the deviations that the file states are those of its own points."""
+    recomputed = measurement.from_nominal()
+    if recomputed is None or measurement.stated is None:
+        return None
+    stated = measurement.stated
+    gap = np.nan_to_num(np.abs(recomputed - stated))
+    # Both ends of the distance are rounded, in three coordinates each.
+    allowed = STATED + np.sqrt(3.0) * step
+    worst = int(np.argmax(gap)) if len(gap) else 0
+    if not len(gap) or gap[worst] <= allowed:
+        return None
+    known = int((np.isfinite(recomputed) & np.isfinite(stated)).sum())
+    turned = np.nan_to_num(np.abs(recomputed + stated)).max() <= allowed
+    remedy = "its sign is the other way round, positive into the material" if turned else "check what its columns mean"
+    text = (
+        f"{measurement.origin(worst)} states a deviation of {stated[worst]:+.4f} mm, its points give "
+        f"{recomputed[worst]:+.4f} mm ({int((gap > allowed).sum())} of {known} disagree): {remedy}; leave the column "
+        "of deviations out, or correct it"
+    )
+    return Finding("stated-deviations", text, True)
+
+
+def _coarse(step: float) -> Finding | None:
+    if step <= COARSE:
+        return None
+    # A rounded number is uniformly distributed over a step: standard deviation step / sqrt(12).
+    text = (
+        f"the coordinates are given in steps of {step:g} mm, which alone scatters deviations by "
+        f"{step / np.sqrt(12) * 1000:.1f} um (standard deviation): export to 0.0001 mm"
+    )
+    return Finding("coarse-resolution", text, False)
+
+
+def _levels(measurement: Measurement) -> Finding | None:
+    if not measurement.has_z or len(measurement) < 2 * FEW_AT_A_LEVEL:
+        return None
+    count = int(measurement.levels().max()) + 1
+    if count == 1 or len(measurement) >= FEW_AT_A_LEVEL * count:
+        return None
+    z = measurement.points[:, 2]
+    text = (
+        f"{len(measurement)} points lie on {count} heights (Z{z.min():.3f} to Z{z.max():.3f}), fewer than "
+        f"{FEW_AT_A_LEVEL} at each: filters work along each height by itself; measure at few heights, or leave the "
+        "column z out"
+    )
+    return Finding("many-levels", text, False)

@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What shows from where the measured points lie: unit, side, frame, ball, thin walls."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr.deviation import REACH
+from millcorr.footpoint import FootPoints, FootPointSearch, Place
+from millcorr.measurement import Measurement
+from millcorr.probe import axis_signature
+from millcorr.profile import Profile
+
+from . import elastic
+from .findings import Finding
+
+Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+INCH = 25.4
+CONSTANT_OFFSET = 0.2
+"""A median deviation beyond this, in mm, with little scatter is no machining error."""
+
+SMALL_SCATTER = 0.15
+"""Scatter of an offset, as a share of it, up to which it counts as constant."""
+
+LARGE = 0.05
+"""Deviations typically beyond this, in mm, make it worth looking whether another frame fits far better."""
+
+FAR_BETTER = 0.2
+"""Another frame fits far better where the deviations are at most this share of what they were."""
+
+OTHER_NOMINAL = 0.05
+"""The file's own nominal points lie at most this far, in mm, from the profile if both mean the same part."""
+
+THIN_WALL = 2.0
+"""Walls below this, in mm, can be taken for their other side: points are believed up to 1 mm off."""
+
+CERTAIN = 0.25
+"""Without normals a side is certain up to deviations of this share of the wall: the other is three times as far."""
+
+SOME = 0.02
+"""A larger share of points on the wrong side of a wall is no slip at single points."""
+
+LARGER = 1.5
+"""Points spread at most this much wider than the profile that they were measured on."""
+
+SAMPLE = 2000
+"""So many points, evenly chosen, are enough to recognise a wrong unit or frame."""
+
+
+def examine_points(
+    measurement: Measurement, profile: Profile, cutter_radius: float, depth: float = 0.0
+) -> tuple[Finding, ...]:
+    """Signs of a wrong unit, frame, side or probe radius, from where the points lie.
+
+    Parameters
+    ----------
+    measurement : Measurement
+    profile : Profile
+        Nominal.
+    cutter_radius : float
+        mm; tells a wrong side.
+    depth : float
+        Depth in mm along the normal that the part was cut at, where elastic deviations are expected; 0 elsewhere.
+
+    Returns
+    -------
+    tuple of Finding
+    """
+    search = FootPointSearch(profile)
+    step = max(1, len(measurement) // SAMPLE)
+    points = measurement.points[::step, :2]
+    if not len(points):
+        return ()
+    own = _other_nominal(measurement, search, step)
+    ball = measurement.ball_radius
+    feet = search.find(points)
+    value = feet.distance - ball
+    offset, scatter = _middle(value)
+    size = np.abs(value)
+    near, typical = float((size <= REACH).mean()), float(np.median(size))
+    if near < 0.9 or scatter > LARGE:
+        wrong_frame = _wrong_frame(points, search, ball, near, typical)
+        if wrong_frame is not None:
+            return (wrong_frame, *own)
+    if abs(offset) >= CONSTANT_OFFSET and scatter <= SMALL_SCATTER * abs(offset):
+        constant = _constant_offset(offset, scatter, ball, cutter_radius, depth)
+        if constant.dangerous:
+            return (constant, *own)
+        own = (constant, *own)
+    shifted = axis_signature(measurement, profile)
+    if shifted is not None:
+        return (Finding(*shifted), *own)
+    return (*_sides(measurement, search, feet, value, step), *own)
+
+
+def _other_nominal(measurement: Measurement, search: FootPointSearch, step: int) -> tuple[Finding, ...]:
+    """The file's own nominal points compared with the profile."""
+    if measurement.nominal is None:
+        return ()
+    nominal = measurement.nominal[::step, :2]
+    nominal = nominal[np.isfinite(nominal).all(axis=1)]
+    away = float(np.median(np.abs(search.find(nominal).distance))) if len(nominal) else 0.0
+    if away <= OTHER_NOMINAL:
+        return ()
+    text = (
+        f"the file's own nominal points lie {away:.3f} mm off the profile: check --nominal, the operation and "
+        "the work frame"
+    )
+    return (Finding("other-nominal", text, True),)
+
+
+def _sides(
+    measurement: Measurement, search: FootPointSearch, feet: FootPoints, value: Floats, step: int
+) -> tuple[Finding, ...]:
+    """Normals that point into the material, and points that may belong to the other side of a thin wall."""
+    points = measurement.points[::step, :2]
+    belongs = (np.abs(value) <= REACH) & (feet.place == Place.SMOOTH)
+    if not belongs.any():
+        return ()
+    wall = _wall(search, feet, belongs)
+    thin = wall < THIN_WALL
+    if measurement.normals is None:
+        doubtful = thin & (np.abs(value) >= CERTAIN * wall)
+        said, remedy = "so far off that the other side may be meant, and the file has no normals", "export normals"
+    else:
+        normals = measurement.normals[::step, :2]
+        facing = (normals * feet.normal).sum(axis=1)
+        against = belongs & (facing < -0.5 * np.maximum(np.hypot(*normals.T), 1e-12)) & (np.hypot(*normals.T) > 0.1)
+        if against.sum() > 0.5 * belongs.sum():
+            text = (
+                f"the normals of {int(against.sum())} of {int(belongs.sum())} points point into the material: export "
+                "normals out of the material, not directions of approach"
+            )
+            return (Finding("normals-reversed", text, bool(thin.any())),)
+        doubtful = thin & against
+        said, remedy = "nearer to the side that their normals do not mean", "check the normals and the work frame"
+    if not doubtful.any():
+        return ()
+    worst = int(np.argmin(np.where(doubtful, wall, np.inf)))
+    x, y = points[worst]
+    count = int(doubtful.sum())
+    text = (
+        f"{count} {'point' if count == 1 else 'points'} on a wall of {wall[worst]:.3f} mm (X{x:.3f} Y{y:.3f}, "
+        f"{measurement.origin(worst * step)}) {'lies' if count == 1 else 'lie'} {said}: {remedy}"
+    )
+    return (Finding("thin-wall", text, bool(count >= 3 and count > SOME * len(value))),)
+
+
+def _wall(search: FootPointSearch, feet: FootPoints, rows: Bools) -> Floats:
+    """Thickness of the material behind foot points, mm; infinite from THIN_WALL on and where no side faces away.
+
+    Seen from half of THIN_WALL below the surface the opposite side is at the thickness less that half.
+    """
+    wall = np.full(len(feet.distance), np.inf)
+    at = np.flatnonzero(rows)
+    depth = 0.5 * THIN_WALL
+    other = search.find(feet.foot[at] - depth * feet.normal[at])
+    away = (other.normal * feet.normal[at]).sum(axis=1) < -0.7
+    thickness = depth - other.distance
+    found = away & (thickness < THIN_WALL) & (thickness > 0.0)
+    wall[at[found]] = thickness[found]
+    return wall
+
+
+def _middle(value: Floats) -> tuple[float, float]:
+    """Median, and scatter as the standard deviation of a normal distribution with the same quartiles."""
+    low, middle, high = np.percentile(value, [25.0, 50.0, 75.0])
+    return float(middle), float((high - low) / 1.349)
+
+
+def _wrong_frame(points: Floats, search: FootPointSearch, ball: float, near: float, typical: float) -> Finding | None:
+    """A unit, mirroring or turn in which clearly more points lie on the profile, or all of them far nearer.
+
+    A part whose zero is at its corner has half of its points on the profile in either unit; one that is nearly
+    its own mirror image has all of them nearly on it.
+    """
+    x, y = points.T
+    mirror, turn = "mirror the work frame of the measurement", "turn the work frame of the measurement back"
+    attempts = (
+        ("unit", f"times {INCH}", points * INCH, "the file is in inches: --units inch"),
+        ("unit", f"divided by {INCH}", points / INCH, "the file is in millimetres or was converted twice: --units mm"),
+        ("mirrored", "with x reversed", np.column_stack([-x, y]), mirror),
+        ("mirrored", "with y reversed", np.column_stack([x, -y]), mirror),
+        ("mirrored", "with x and y exchanged", np.column_stack([y, x]), "exchange the columns x and y"),
+        ("mirrored", "with x and y exchanged and reversed", np.column_stack([-y, -x]), mirror),
+        ("turned", "turned by 180 degrees", -points, turn),
+        ("turned", "turned by 90 degrees", np.column_stack([-y, x]), turn),
+        ("turned", "turned by -90 degrees", np.column_stack([y, -x]), turn),
+    )
+    best: tuple[float, Finding] | None = None
+    # A part with its zero at a corner lies on the profile as a speck, too: in its unit it is as large as the profile.
+    size, wanted = _extent(points), _extent(np.reshape(search.profile.bounding_box(), (2, 2)))
+    for name, how, changed, remedy in attempts:
+        times = _extent(changed) / size if size > 0 else 1.0
+        if (times > 2.0 and _extent(changed) > LARGER * wanted) or (times < 0.5 and size < LARGER * wanted):
+            continue
+        # The probe radius is in millimetres already.
+        value = np.abs(search.find(np.ascontiguousarray(changed)).distance - ball)
+        share, middle = float((value <= REACH).mean()), float(np.median(value))
+        if share > max(0.5, 1.2 * near):
+            text = f"{100 * near:.0f} % of the points lie on the profile, but {how} {100 * share:.0f} %: {remedy}"
+        elif share >= near and typical > LARGE and middle < FAR_BETTER * typical:
+            text = f"the points lie typically {typical:.3f} mm off the profile, but {how} {middle:.3f} mm: {remedy}"
+        else:
+            continue
+        if best is None or middle < best[0]:
+            best = middle, Finding(name, text, True)
+    return None if best is None else best[1]
+
+
+def _extent(points: Floats) -> float:
+    """Diagonal in mm of the box round points."""
+    return float(np.hypot(*np.ptp(points, axis=0))) if len(points) else 0.0
+
+
+def _constant_offset(offset: float, scatter: float, ball: float, cutter_radius: float, depth: float) -> Finding:
+    seen = f"the points lie {offset:+.3f} mm off the profile all along, with only {scatter:.3f} mm of scatter"
+    near = SMALL_SCATTER
+    if ball > 0 and abs(offset + ball) < near * ball:
+        return Finding("compensated-twice", f"{seen}: they are contact points already: --points contact", True)
+    if ball > 0 and abs(offset + ball / 2) < near * ball / 2:
+        text = f"{seen}: --probe-radius seems to be the diameter: --probe-radius {ball / 2:g}"
+        return Finding("diameter-for-radius", text, True)
+    if ball > 0 and abs(offset - ball) < near * ball:
+        text = f"{seen}: --probe-radius seems to be half of what it should be: --probe-radius {2 * ball:g}"
+        return Finding("radius-for-diameter", text, True)
+    if abs(abs(offset) - 2 * cutter_radius) < near * cutter_radius:
+        text = f"{seen}, the cutter's diameter: the profile was taken on the wrong side of the path: --side"
+        return Finding("wrong-side", text, True)
+    if elastic.expected(offset, offset, depth) and (ball > 0 or not elastic.like_a_ball(offset)):
+        text = f"{seen}: what a transfer function of {elastic.transfer(offset, depth):.3f} leaves of {depth:g} mm"
+        return Finding("constant-offset", f"{text}; check --tool-diameter if that seems much", False)
+    if ball == 0 and CONSTANT_OFFSET < offset < 10:
+        text = (
+            f"{seen}: they look like centres of a ball of about that radius: --points centre with the radius from the "
+            "probe's calibration; or the tool differs from --tool-diameter"
+        )
+        return Finding("ball-not-compensated", text, True)
+    return Finding("constant-offset", f"{seen}: check --tool-diameter, --probe-radius and the work frame", True)

@@ -1,0 +1,371 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The closed elastic loop: the force bends tool and machine, which changes the engagement, which changes the force.
+
+petrakov-2023, section 5.1: two stiffnesses, mean forces, no dynamics. The deflections of all steps together are the
+fixed point of ``delta = F(delta) / k``. Later passes cut what the deflected earlier ones have left.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr.cutting import Cutting, cutting
+from millcorr.deviation import Deviation, deviations
+from millcorr.engagement import STEP, CutterPath, Engagement, GivenWay, arcs_of, engaged
+from millcorr.engagement.path_pieces import Pieces, arcs_through
+from millcorr.engagement.stock_region import StockRegion
+from millcorr.errors import RefusedError, UsageError
+from millcorr.footpoint import FootPointSearch, Place
+from millcorr.measurement import Measurement
+from millcorr.nurbs import NurbsCurve
+from millcorr.profile import Contour, Profile
+from millcorr.setup_file import Setup
+from millcorr.toolpath import Toolpath
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Bools = NDArray[np.bool_]
+
+TOLERANCE = 1e-7
+"""The loop is closed when force over stiffness and deflection agree within this, in mm."""
+
+ROUNDS = 80
+
+_STILL = 1e-10
+"""A step whose deflection changed by less than this, in mm, tells nothing of its slope."""
+
+_STEEPEST = 100.0
+
+_AT_END = 1e-9
+"""An arc that ends nearer than this to 0 or pi, in rad, ends at the wall it makes."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class ElasticPass:
+    """A program cut by a machine that gives way, one row a step.
+
+    Parameters
+    ----------
+    path : CutterPath
+    cutting : Cutting
+        Engagement and forces of the closed loop.
+    deflection : (n, 2) float64
+        Of the cutter's centre from where it is commanded, along X and Y, mm.
+    residual : float
+        Largest difference of force over stiffness and deflection, mm.
+    contraction : float
+        Ratio of the residuals of one round to the next, the larger of the last two: below 1.
+    bound : float
+        Cutting stiffness over machine stiffness, bound of the contraction by the chip alone.
+    """
+
+    path: CutterPath
+    cutting: Cutting
+    deflection: Floats
+    residual: float
+    contraction: float
+    bound: float
+
+    @property
+    def engagement(self) -> Engagement:
+        """Engagement of the closed loop."""
+        return self.cutting.engagement
+
+    @property
+    def centre(self) -> Floats:
+        """Where the cutter's centre really is, mm; (n, 2)."""
+        out: Floats = self.path.steps.centre + self.deflection
+        return out
+
+    @property
+    def normal_deflection(self) -> Floats:
+        """Deflection along the normal of the wall in mm, positive where it leaves material; (n,), NaN without wall."""
+        out: Floats = (self.deflection * self.cutting.wall).sum(axis=1)
+        return out
+
+    @property
+    def accuracy(self) -> float:
+        """Error of the deflections in mm: all that further rounds would still add, as long as they contract so."""
+        return self.residual / (1.0 - self.contraction)
+
+
+def elastic_pass(toolpath: Toolpath, setup: Setup, stock: StockRegion, *, step: float = STEP) -> ElasticPass:
+    """Cut a program with the elastic loop closed at every step.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+        Path of the cutter's centre.
+    setup : Setup
+    stock : StockRegion
+    step : float
+        Largest distance between steps in mm.
+
+    Returns
+    -------
+    ElasticPass
+
+    Raises
+    ------
+    UsageError
+        If the setup has no stiffness, or a move that cuts has no feed.
+    InputError
+        As `millcorr.engagement.engagement`.
+    RefusedError
+        If the cut is stiffer than the machine, so that the loop need not settle, or it does not settle.
+    """
+    kx, ky = setup.machine.stiffness()
+    stiffness = np.array([kx, ky])
+    path = CutterPath.of(toolpath, setup, step)
+    rigid = engaged(path, setup, arcs_of(path, setup, stock))
+    bound = cutting_stiffness(rigid, setup) / min(kx, ky)
+    if bound >= 1.0:
+        raise RefusedError(
+            f"elastic loop: the cut is {bound:.2f} times as stiff as the machine ({min(kx, ky):g} N/mm): it need not "
+            "settle; check [machine] kx_n_per_mm and ky_n_per_mm, feed, axial depth and [material]"
+        )
+    forces = cutting(rigid, setup)
+    deflection = forces.force / stiffness
+    links = _Links.of(path)
+    before, ratios = np.inf, []
+    share = np.ones(len(deflection))
+    last: tuple[Floats, Floats] | None = None
+    for _ in range(ROUNDS):
+        arcs = arcs_of(path, setup, stock, links.given_way(path, deflection))
+        forces = cutting(engaged(path, setup, arcs), setup, arcs.layer)
+        bent = forces.force / stiffness
+        change = bent - deflection
+        residual = float(np.abs(change).max(initial=0.0))
+        ratios.append(residual / before if before > 0 else 0.0)
+        before = residual
+        if residual <= TOLERANCE and max(ratios[-2:]) < 1.0:
+            return ElasticPass(path, forces, deflection, residual, max(ratios[-2:]), bound)
+        if last is not None:
+            share = _share(deflection - last[0], bent - last[1], share)
+        last = deflection, bent
+        deflection = deflection + share[:, None] * change
+    worst = int(np.argmax(np.abs(change).max(axis=1)))
+    x, y, _ = path.position[worst]
+    raise RefusedError(
+        f"elastic loop: it does not settle near X{x:.3f} Y{y:.3f}, where force and deflection still differ by "
+        f"{residual * 1000:.3g} um; check [machine] stiffness, feed and [material]"
+    )
+
+
+def _share(moved: Floats, answered: Floats, share: Floats) -> Floats:
+    """Share of the difference to go next, step by step, by the secant: ``1 / (1 - slope)``.
+
+    The slope of force over stiffness is small and mostly negative for chips, but unbounded for edge forces at grazing
+    contact, which grow with the root of the depth.
+    """
+    size = (moved**2).sum(axis=1)
+    known = size > _STILL**2
+    slope = (answered * moved).sum(axis=1) / np.where(known, size, 1.0)
+    return np.where(known, 1.0 / (1.0 - np.clip(slope, -_STEEPEST, 0.5)), share)
+
+
+def cutting_stiffness(engagement: Engagement, setup: Setup) -> float:
+    """How much the chip's mean force grows with depth, at most, in N/mm.
+
+    Where a stock boundary runs beside the path, a depth more by da lengthens the arc by ``da / (R sin phi)``, and
+    the tooth there takes ``f_t sin phi``: the force grows by ``N b f_t K / (2 pi R)`` with
+    ``K = sqrt(Ktc^2 + Krc^2)``, whatever phi is; a slot has two such boundaries. Edge forces are not in it.
+    """
+    e, m = engagement, setup.material
+    if not len(e.arc_entry):
+        return 0.0
+    free = (e.arc_entry > _AT_END).astype(float) + (e.arc_exit < np.pi - _AT_END)
+    step = e.arc_step
+    per_arc = e.arc_depth * np.nan_to_num(e.feed_per_tooth[step]) * np.maximum(free, 1.0)
+    whole = float(np.bincount(step, per_arc).max())
+    k = float(np.hypot(m.ktc_n_per_mm2, m.krc_n_per_mm2))
+    return setup.tool.flutes * whole * k / (2 * np.pi * e.radius)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Links:
+    """How steps hang together: which lead to the next without a break, and by which commanded middle.
+
+    `joined` (n,) is true for steps that the step before leads to; `middle` (n, 2) lies halfway; `run` (n,) numbers
+    rows of steps without a gap, corners included; `known` (n,) is the first step of those that have just led to each.
+    """
+
+    joined: Bools
+    middle: Floats
+    run: Ints
+    known: Ints
+
+    @staticmethod
+    def of(path: CutterPath) -> _Links:
+        steps, pieces = path.steps, path.pieces
+        n = len(steps)
+        same = np.zeros(n, dtype=bool)
+        same[1:] = steps.piece[1:] == steps.piece[:-1]
+        joined = same | (steps.u > 0)
+        joined[0] = False
+        begin = np.where(same, np.roll(steps.u, 1), 0.0)
+        middle = pieces.point(steps.piece, (begin + steps.u) / 2)
+        near = np.zeros(n, dtype=bool)
+        near[1:] = np.hypot(*(steps.centre[1:] - steps.centre[:-1]).T) <= np.diff(path.s) + 1e-6
+        run = np.cumsum(~near)
+        lap = float(np.diff(path.s).max(initial=0.0))
+        # Just now: within one step, and along the same run.
+        key = path.s + run * (path.s[-1] + 10 * lap + 1.0)
+        known = np.searchsorted(key, key - lap - 1e-9)
+        known = np.maximum(known, np.searchsorted(run, run))
+        return _Links(joined, middle, run.astype(np.int64), known.astype(np.int64))
+
+    def given_way(self, path: CutterPath, deflection: Floats) -> GivenWay:
+        """The path of the cutter, every bit an arc through its ends and its middle, which give way alike."""
+        centre = path.steps.centre + deflection
+        k = np.flatnonzero(self.joined)
+        start, end = centre[k - 1], centre[k]
+        middle = self.middle[k] + (deflection[k - 1] + deflection[k]) / 2
+        arc, radius, sweep = arcs_through(start, middle, end)
+        zero, nothing = np.zeros(len(k)), np.full(len(k), np.nan)
+        pieces = Pieces(start, end, arc, radius, sweep, k, zero, zero + 1.0, nothing, nothing.copy())
+        return GivenWay(centre, pieces, np.searchsorted(k, self.known, side="right"))
+
+
+def predicted_deviation(
+    elastic: ElasticPass,
+    nominal: Profile,
+    *,
+    spacing: float = 1.0,
+    z: float | None = None,
+) -> Deviation:
+    """Deviation from the nominal of the surface that an elastic pass leaves, as if it were measured.
+
+    Parameters
+    ----------
+    elastic : ElasticPass
+    nominal : Profile
+    spacing : float
+        Distance of the points along the profile in mm.
+    z : float, optional
+        Height looked at: passes with the tip at or below it cut. By default the deepest.
+
+    Returns
+    -------
+    Deviation
+        At points of the profile that the cutter passes within its radius and 1 mm, corners left out.
+
+    Raises
+    ------
+    UsageError
+        If the spacing is not positive, or nothing cuts at the height.
+    InputError
+        If the cutter comes near no point of the profile.
+    """
+    if not (np.isfinite(spacing) and spacing > 0):
+        raise UsageError(f"predicted deviation: a spacing of {spacing!r} mm is not positive")
+    height = float(elastic.path.levels[0] if z is None else z)
+    envelope = _actual_path(elastic, height)
+    radius = elastic.engagement.radius
+    points, normals = [], []
+    for k, total in enumerate(nominal.total):
+        count = max(1, int(np.ceil(float(total) / spacing)))
+        c, n = nominal.at(k, (np.arange(count) + 0.5) * (float(total) / count))
+        points.append(c)
+        normals.append(n)
+    point, normal = np.concatenate(points), np.concatenate(normals)
+    out, cut = surface_along(envelope, radius, point, normal)
+    if not cut.any():
+        raise UsageError("predicted deviation: the program does not cut the nominal profile: check both")
+    rows = np.flatnonzero(cut)
+    xyz = np.column_stack([point[rows] + out[rows, None] * normal[rows], np.full(len(rows), height)])
+    ijk = np.column_stack([normal[rows], np.zeros(len(rows))])
+    touched = Measurement(xyz, ijk, 0.0, np.arange(1, len(rows) + 1), "predicted surface", "")
+    return deviations(touched, nominal, cutter_radius=radius)
+
+
+def surface_along(
+    path: Profile, radius: float, point: Floats, normal: Floats, reach: float = 1.0
+) -> tuple[Floats, Bools]:
+    """Distance along normals, in mm, at which a cutter that runs along a path leaves the surface.
+
+    Parameters
+    ----------
+    path : Profile
+        Of the cutter's centre.
+    radius : float
+        mm.
+    point, normal : (n, 2) float64
+        mm, and unit vectors out of the part.
+    reach : float
+        mm.
+
+    Returns
+    -------
+    (n,) float64, (n,) bool
+        Distance, and whether the cutter comes within `reach` of the point other than by an end of its path.
+    """
+    search = FootPointSearch(path, margin=radius + 2 * reach)
+    x = np.full(len(point), -reach)
+    rows = np.arange(len(point))
+    cut, beyond = np.ones(len(point), dtype=bool), np.zeros(len(point), dtype=bool)
+    for _ in range(200):
+        q = point[rows] + x[rows, None] * normal[rows]
+        feet = search.find(q)
+        away = q - feet.foot
+        beyond[rows] = feet.place == Place.END
+        distance = np.hypot(*away.T)
+        gap = distance - radius
+        # A step as long as the gap cannot pass the surface; near it Newton's step is the shorter way.
+        slope = -(away * normal[rows]).sum(axis=1) / np.maximum(distance, 1e-12)
+        step = np.where((slope > 0.5) & (np.abs(gap) < 0.1), gap / np.maximum(slope, 0.5), gap)
+        x[rows] += step
+        lost = (np.abs(x[rows]) > reach) & (np.abs(x[rows] - step) <= reach)
+        lost &= np.abs(step) > 1e-12
+        cut[rows[lost]] = False
+        rows = rows[(np.abs(step) > 1e-12) & ~lost]
+        if not len(rows):
+            break
+    cut[rows] = False
+    return x, cut & ~beyond
+
+
+def _actual_path(elastic: ElasticPass, height: float) -> Profile:
+    """Path of the cutter's centre up to a height: cubic splines through the steps, lines where the force jumps."""
+    path, centre = elastic.path, elastic.centre
+    links = _Links.of(path)
+    deep = path.position[:, 2] <= height + 1e-6
+    begins = np.ones(len(centre), dtype=bool)
+    begins[1:] = (np.diff(links.run) != 0) | ~deep[1:] | ~deep[:-1]
+    contours = []
+    for run in np.split(np.arange(len(centre)), np.flatnonzero(begins)[1:]):
+        if len(run) < 2 or not deep[run[0]]:
+            continue
+        curves: list[NurbsCurve] = []
+        for part in np.split(run, np.flatnonzero(~links.joined[run[1:]]) + 1):
+            if curves and np.hypot(*(centre[part[0]] - curves[-1].poles[-1])) > 1e-9:
+                curves.append(NurbsCurve.line(curves[-1].poles[-1], centre[part[0]]))
+            if len(part) > 1:
+                # Every step and the middle before it, which gives way alike.
+                points = np.empty((2 * len(part) - 1, 2))
+                points[0::2] = centre[part]
+                given = elastic.deflection[part]
+                points[1::2] = links.middle[part[1:]] + (given[1:] + given[:-1]) / 2
+                curves.append(_through(points))
+        if curves:
+            contours.append(Contour(tuple(curves), False))
+    if not contours:
+        raise UsageError(f"predicted deviation: nothing cuts at or below Z{height:g}")
+    return Profile.from_contours(contours)
+
+
+def _through(points: Floats) -> NurbsCurve:
+    """Cubic spline through points, by chord length; a parabola through three."""
+    from scipy.interpolate import make_interp_spline
+
+    s = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+    degree = min(3, len(points) - 1)
+    spline = make_interp_spline(s, points, k=degree)
+    knots, count = np.unique(spline.t, return_counts=True)
+    poles = np.array(spline.c)
+    # The ends are points of the path to the last digit.
+    poles[0], poles[-1] = points[0], points[-1]
+    return NurbsCurve(degree, poles, np.ones(len(poles)), knots, count.astype(np.int64))

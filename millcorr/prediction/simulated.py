@@ -1,0 +1,305 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A program simulated before it is cut: real feed, engagement, force, deflection, and the surface that is left.
+
+What is left is a `Deviation` like a measured one. A correction laid on the program is simulated again, and again
+until the surface is as near to the nominal as is asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import PurePath
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr import gcode
+from millcorr.compensation import Correction, correction_from
+from millcorr.deviation import Deviation
+from millcorr.engagement import stock_of
+from millcorr.engagement.contact_steps import Contacts
+from millcorr.engagement.stock_region import StockRegion
+from millcorr.errors import FormatError, RefusedError
+from millcorr.footpoint import FootPointSearch
+from millcorr.kinematics import Control, Halts, Motion, halts_of, motion
+from millcorr.measurement import Measurement
+from millcorr.profile import Profile
+from millcorr.regeneration.emission import Emission
+from millcorr.setup_file import Setup
+from millcorr.toolpath import Toolpath
+
+from .cutter_reach import profile_of_path
+from .elastic_pass import ElasticPass, elastic_pass, predicted_deviation
+from .real_feed import RealFeed, control_of
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+ROUNDS = 8
+"""Corrections are simulated at most so many times; each leaves about a tenth of the one before."""
+
+FINEST, COARSEST = 0.1, 0.5
+"""Bounds of the distance of predicted points along the contour, in mm."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Simulation:
+    """A program cut by the model of a setup.
+
+    Parameters
+    ----------
+    setup : Setup
+    nominal : Profile
+    stock : StockRegion
+        What the program found.
+    feed : RealFeed
+        The program at real feeds, without earlier ones.
+    motion : Motion or None
+        Actual motion; None where the setup names no inertia: feeds are then the programmed ones.
+    elastic : ElasticPass
+        Engagement, force and deflection at every step, those of an earlier program first.
+    deviation : Deviation
+        What is left at points of the nominal, mm.
+    cautions : tuple of str
+        What the model could not take into account, and how far its numbers can be trusted.
+    """
+
+    setup: Setup
+    nominal: Profile
+    stock: StockRegion
+    feed: RealFeed
+    motion: Motion | None
+    elastic: ElasticPass
+    deviation: Deviation
+    cautions: tuple[str, ...]
+
+    @property
+    def largest(self) -> float:
+        """Largest predicted error in mm."""
+        return float(np.abs(self.deviation.value).max())
+
+    def error_at(self, contour: Ints, s: Floats) -> Floats:
+        """Predicted deviation in mm between its points; NaN farther than a spacing from one. (n,)."""
+        d = self.deviation
+        out = np.full(len(s), np.nan)
+        for k in np.unique(contour):
+            rows, mine = np.flatnonzero(contour == k), np.flatnonzero(d.contour == k)
+            if not len(mine):
+                continue
+            order = mine[np.argsort(d.s[mine])]
+            along = d.s[order]
+            period = float(self.nominal.total[k]) if self.nominal.contours[k].closed else None
+            out[rows] = np.interp(s[rows], along, d.value[order], period=period)
+            away = np.abs(s[rows, None] - along[_nearest(along, s[rows])])
+            if period is not None:
+                away = np.minimum(away, period - away)
+            out[rows[away.min(axis=1) > 1.5 * _spacing(self.elastic.engagement.radius)]] = np.nan
+        return out
+
+    def error_of(self, contour: Ints, s: Floats, shift: Floats) -> Floats:
+        """Predicted deviation where the cutter really cuts that is commanded to displaced places of the contour.
+
+        Parameters
+        ----------
+        contour : (n,) int64
+        s : (n,) float64
+            Arc lengths of places whose cutter is commanded along their normal, mm.
+        shift : (n,) float64
+            By how much farther out than one radius, mm.
+
+        Returns
+        -------
+        (n,) float64
+            mm; NaN where it is not known. The force along the path deflects the cutter to another place of the contour.
+        """
+        foot, normal = self.nominal.at(contour, s)
+        foot = foot + shift[:, None] * normal
+        deflection = Contacts.of(self.elastic.engagement, foot, normal).take(self.elastic.deflection)
+        actual = foot + self.elastic.engagement.radius * normal + deflection
+        feet = FootPointSearch(self.nominal, margin=self.elastic.engagement.radius + 2.0).find(actual)
+        return self.error_at(self.nominal.contour[feet.span], self.nominal.arc_length(feet.span, feet.t))
+
+    def surface(self) -> Measurement:
+        """The predicted surface as if it had been measured: contact points with the nominal's normals."""
+        d = self.deviation
+        points = np.column_stack([d.foot + d.value[:, None] * d.normal, d.z])
+        normals = np.column_stack([d.normal, np.zeros(len(d))])
+        source = f"predicted from {PurePath(self.setup.source).name or 'a setup'}"
+        out = Measurement(points, normals, 0.0, np.arange(1, len(d) + 1), source, "")
+        return replace(out, digest=out.fingerprint)
+
+
+def simulate(
+    program: gcode.Program,
+    setup: Setup,
+    nominal: Profile,
+    *,
+    stock: StockRegion | None = None,
+    earlier: gcode.Program | None = None,
+) -> Simulation:
+    """Simulate a program.
+
+    Parameters
+    ----------
+    program : Program
+        Path of the cutter's centre.
+    setup : Setup
+    nominal : Profile
+    stock : StockRegion, optional
+        By default the stock of the setup.
+    earlier : Program, optional
+        Cuts first, with the same tool and machine: what it leaves the program finds.
+
+    Returns
+    -------
+    Simulation
+
+    Raises
+    ------
+    MillcorrError
+        As `elastic_pass` and `kinematics.motion`: no stiffness, no feed, a cut stiffer than the machine.
+    """
+    stock = stock_of(setup, nominal) if stock is None else stock
+    control, cautions = control_of(setup)
+    feed, moved, notes = _at_real_feed(program, control)
+    toolpath = feed.toolpath
+    if earlier is not None:
+        toolpath = one_after_another(_at_real_feed(earlier, control)[0].toolpath, toolpath)
+    elastic = elastic_pass(toolpath, setup, stock)
+    found = predicted_deviation(elastic, nominal, spacing=_spacing(setup.tool.radius))
+    caution = setup.material.caution()
+    cautions = (*((caution,) if caution else ()), *cautions, *notes)
+    return Simulation(setup, nominal, stock, feed, moved, elastic, found, cautions)
+
+
+def at_real_feed(program: gcode.Program, setup: Setup) -> Toolpath:
+    """Path of a program at the feeds that the setup's machine really runs."""
+    return _at_real_feed(program, control_of(setup)[0])[0].toolpath
+
+
+def one_after_another(first: Toolpath, second: Toolpath) -> Toolpath:
+    """Two programs in a row."""
+    later = second.source + (int(first.source[-1]) + 1 if len(first) else 0)
+    return Toolpath.concatenate([first, second.with_moves(source=later)])
+
+
+def _at_real_feed(program: gcode.Program, control: Control | None) -> tuple[RealFeed, Motion | None, tuple[str, ...]]:
+    """A program at the feeds of its actual motion, that motion, and what was taken for granted."""
+    if control is None:
+        return RealFeed.programmed(program.toolpath), None, ()
+    halts, notes = halts_and_notes(program)
+    moved = motion(program.toolpath, control, halts=halts, name=program.name)
+    return RealFeed.of(program.toolpath, moved), moved, notes
+
+
+def halts_and_notes(program: gcode.Program) -> tuple[Halts, tuple[str, ...]]:
+    """Exact stops and dwells of a program, and what was taken for granted of them."""
+    try:
+        return halts_of(program), ()
+    except FormatError:
+        note = f"{program.name}: the unit of the dwells is not known, they are taken as seconds"
+        return halts_of(program, "s"), (note,)
+
+
+def _spacing(radius: float) -> float:
+    """Distance of predicted points in mm: load changes along the contour over a good part of the cutter's radius."""
+    return float(np.clip(radius / 40.0, FINEST, COARSEST))
+
+
+def _nearest(sorted_s: Floats, s: Floats) -> Ints:
+    """Rows of the neighbours of places, wrapping round; (n, 2)."""
+    right = np.searchsorted(sorted_s, s)
+    out: Ints = np.stack([right - 1, right % len(sorted_s)], axis=1)
+    return out
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Aim:
+    """Where the cutter is to be moved, by the place of the contour that it touches.
+
+    Parameters
+    ----------
+    contour, stretch : (n,) int64
+    s : (n,) float64
+        Arc length from the contour's start, mm.
+    value : (n,) float64
+        Displacement of its centre along the normal there, mm, positive out of the material.
+    yields : (n,) float64
+        By how much the path must move for the surface to move by one: 1 + MS.
+    """
+
+    contour: Ints
+    stretch: Ints
+    s: Floats
+    value: Floats
+    yields: Floats
+
+    def correction(self, nominal: Profile, radius: float, limit: float) -> tuple[Correction, tuple[str, ...]]:
+        """Correction whose parallel is the displaced path; errors as `correction_from`."""
+        stretch, s, value = profile_of_path(nominal, self.stretch, self.s, self.value, radius)
+        return correction_from(nominal, stretch, s, value, limit=limit)
+
+
+def settle(
+    aim: Aim,
+    nominal: Profile,
+    *,
+    lay: Callable[[Correction], Emission],
+    cut: Callable[[Emission], Simulation],
+    radius: float,
+    limit: float,
+    bound: float | None,
+) -> tuple[Aim, Correction, tuple[str, ...], Emission, tuple[Simulation, ...]]:
+    """Lay a correction on the program, simulate it, and go on until the predicted error is below a bound.
+
+    The next path is moved by what the last one left, times ``1 + MS``: that solves the loop where force is in
+    proportion to depth, and comes ten times nearer each round where it is not.
+
+    Parameters
+    ----------
+    aim : Aim
+    nominal : Profile
+    lay : callable
+        From a correction to the program that carries it.
+    cut : callable
+        From a program to its simulation.
+    radius : float
+        Of the cutter, mm.
+    limit : float
+        Largest correction in mm.
+    bound : float or None
+        mm; None simulates once and leaves it at that.
+
+    Returns
+    -------
+    aim, correction, warnings, emission
+        The last ones.
+    tuple of Simulation
+        One a round.
+
+    Raises
+    ------
+    RefusedError
+        If the bound is not reached.
+    MillcorrError
+        As `correction_from`, `lay` and `cut`.
+    """
+    passes: list[Simulation] = []
+    for _ in range(1 if bound is None else ROUNDS):
+        correction, notes = aim.correction(nominal, radius, limit)
+        emission = lay(correction)
+        done = cut(emission)
+        passes.append(done)
+        over = np.nan_to_num(done.error_of(aim.contour, aim.s, aim.value))
+        if bound is None or done.largest <= bound:
+            return aim, correction, notes, emission, tuple(passes)
+        aim = replace(aim, value=aim.value - aim.yields * over)
+    assert bound is not None
+    d = done.deviation
+    worst = int(np.argmax(np.abs(d.value)))
+    raise RefusedError(
+        f"after {ROUNDS} rounds {d.value[worst]:+.4f} mm are still predicted at X{d.foot[worst, 0]:.3f} "
+        f"Y{d.foot[worst, 1]:.3f}, more than --iterate {bound:g} mm: the cutter cannot follow so quick a change; "
+        "allow more"
+    )

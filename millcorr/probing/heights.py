@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Heights that a milling program leaves to a probe: how deep it cut beside the contour, how high it passes over all.
+
+What the program does elsewhere, a hole through the part, says nothing about the floor beside the contour.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr.errors import UsageError
+from millcorr.footpoint import FootPointSearch
+from millcorr.profile import Profile
+from millcorr.toolpath import Compensation, Kind, Plane, Toolpath
+
+Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+BESIDE = 1.0
+"""A move follows the contour where it runs within this, in mm, of the contour's parallel that the program gives."""
+
+_SAMPLES = np.array([0.25, 0.5, 0.75])
+_LITTLE = 1e-6
+
+
+@dataclass(frozen=True, slots=True)
+class Cleared:
+    """What a milling program cuts, for a probe that comes after it.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    radius : float
+        Of the cutter, mm.
+    contour_programmed : bool
+        Moves under G41 or G42 give the contour, and the control moves the cutter off it by its radius; else all moves
+        give the centre of the cutter.
+    """
+
+    toolpath: Toolpath
+    radius: float
+    contour_programmed: bool = False
+
+    def offset(self, moves: Toolpath) -> Floats:
+        """Distance in mm that the program keeps with each of the moves from the contour beside it, (n,)."""
+        given = (moves.compensation != Compensation.OFF) & self.contour_programmed
+        return np.where(given, 0.0, self.radius)
+
+
+@dataclass(frozen=True, slots=True)
+class Room:
+    """Heights between which a probe measures and above which it passes over everything, in mm; NaN is unknown.
+
+    Parameters
+    ----------
+    floor : float
+        Lowest cut beside the contour; where several contours are cut to different depths, that of the shallowest.
+    cut : float
+        Highest place of any feed move that travels in XY.
+    passing : float
+        Lowest rapid that travels in XY.
+    highest : float
+        Highest rapid.
+    """
+
+    floor: float
+    cut: float
+    passing: float
+    highest: float
+
+    @property
+    def least(self) -> float:
+        """Lowest safe height that the program itself vouches for, mm."""
+        return float(np.fmax(self.cut, self.passing))
+
+    def suggested(self) -> tuple[float, float] | None:
+        """Height to measure at and safe height, mm; None where the program shows none.
+
+        Half of the depth below Z0 (or 1 mm above the floor where that is not below), and the highest rapid.
+        """
+        z = self.floor / 2 if self.floor < 0 else self.floor + 1.0
+        safe = float(np.fmax(self.highest, self.least))
+        return (z, safe) if np.isfinite(self.highest) and safe > z else None
+
+    def refuse(self, z: float, safe_z: float) -> None:
+        """UsageError where a probe would go into the floor beside the contour, or pass too low over the part."""
+        if z < self.floor - _LITTLE:
+            raise UsageError(
+                f"--z {z:g} lies below Z{self.floor:g}, the deepest that the program cuts beside the contour: "
+                f"say --z {self.floor:g} or higher, the ball's own room above the floor included"
+            )
+        if safe_z < self.least - _LITTLE:
+            what = "lowest rapid across the part" if self.least == self.passing else "highest cut"
+            raise UsageError(
+                f"--safe-z {safe_z:g} lies below Z{self.least:g}, the program's {what}: "
+                f"say --safe-z {self.least:g} or higher"
+            )
+
+
+def room_of(cleared: Cleared, profile: Profile | None = None, contour: int | None = None) -> Room:
+    """Heights that a milling program shows.
+
+    Parameters
+    ----------
+    cleared : Cleared
+    profile : Profile, optional
+        The contour to measure, material on the left; without it every cut counts as one beside it.
+    contour : int, optional
+        Only beside this contour of the profile, counted from 1.
+
+    Returns
+    -------
+    Room
+    """
+    path = cleared.toolpath
+    across = _across(path)
+    rapid = path.kind == Kind.RAPID
+    z = np.stack([path.start[:, 2], path.end[:, 2]])
+    lowest, highest = np.fmin(*z), np.fmax(*z)
+    cuts = np.flatnonzero(~rapid & across & np.isfinite(lowest))
+    floor = _lowest(lowest[cuts]) if profile is None else _floor(cleared, profile, path.take(cuts), contour)
+    return Room(floor, -_lowest(-highest[cuts]), _lowest(lowest[rapid & across]), -_lowest(-path.end[rapid, 2]))
+
+
+def _floor(cleared: Cleared, profile: Profile, cuts: Toolpath, contour: int | None) -> float:
+    """Lowest cut beside the contours, that of the shallowest of them; NaN where there is none.
+
+    A move counts where most of it runs beside the contour on the free side: one that only crosses does not.
+    """
+    stated = np.isfinite(np.column_stack([cuts.start[:, :2], cuts.end]))
+    known: Bools = np.logical_and.reduce(stated, axis=1)
+    points = cuts.take(known).position(_SAMPLES)
+    # A start without a height is that of its end: the program has stated no other.
+    points[:, :, 2] = np.where(np.isfinite(points[:, :, 2]), points[:, :, 2], cuts.end[known, 2][:, None])
+    reach = cleared.radius + BESIDE
+    left, bottom, right, top = profile.bounding_box()
+    x, y = points[:, :, 0], points[:, :, 1]
+    near = ((x > left - reach) & (x < right + reach) & (y > bottom - reach) & (y < top + reach)).any(axis=1)
+    if not near.any():
+        return np.nan
+    points, off = points[near], cleared.offset(cuts.take(known))[near]
+    feet = FootPointSearch(profile, margin=reach).find(points.reshape(-1, 3))
+    beside = np.abs(feet.distance.reshape(-1, len(_SAMPLES)) - off[:, None]) <= BESIDE
+    beside &= beside.sum(axis=1, keepdims=True) >= 2
+    which = profile.contour[feet.span].reshape(beside.shape)
+    numbers = range(len(profile.contours))
+    chosen = [n for n in numbers if n + 1 == contour] or numbers
+    return max((_lowest(points[:, :, 2][beside & (which == n)]) for n in chosen), key=_known_first)
+
+
+def _across(path: Toolpath) -> Bools:
+    """Moves that travel in X or Y; a start that is unknown counts as another place."""
+    way = path.end[:, :2] - path.start[:, :2]
+    moved = (~(np.abs(way) <= _LITTLE)).any(axis=1) & np.isfinite(path.end[:, :2]).any(axis=1)
+    out: Bools = np.where((path.kind == Kind.ARC) & (path.plane == Plane.XY), True, moved)
+    return out
+
+
+def _known_first(z: float) -> float:
+    return z if np.isfinite(z) else -np.inf
+
+
+def _lowest(z: Floats) -> float:
+    known = z[np.isfinite(z)]
+    return float(known.min()) if len(known) else np.nan

@@ -1,0 +1,430 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where and how a touch probe measures a contour: places, directions of touch, safe ways between them.
+
+A three-axis touch probe is only sure of axis-parallel touches: along X where the normal is nearer X, along Y where it
+is nearer Y, else along the normal (petrakov-2018). Every touch is planned so that a ball on the nominal contour
+touches it at the intended point: the ball's centre lies one radius along the normal, whatever way it came.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import inf, isfinite
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr.deviation import REACHED
+from millcorr.errors import RefusedError, UsageError
+from millcorr.footpoint import FootPointSearch
+from millcorr.profile import Profile
+
+from .links import into_fillets, links_between
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Bools = NDArray[np.bool_]
+
+TOUCHES = ("auto", "axis", "normal")
+
+TIE = np.radians(1.0)
+"""A normal that is within this of 45 degrees is near neither axis."""
+
+MOST_POINTS = 100_000
+
+_LENGTHENED = (1.0, 1.2, 1.5, 2.0, 3.0)
+"""In a hollow the ball must back off farther than beside a flat to stand as clear."""
+
+
+@dataclass(frozen=True, slots=True)
+class TouchProbe:
+    """The probe and how much room it is given.
+
+    Parameters
+    ----------
+    ball_radius : float
+        Radius in mm at which the probe triggers (the calibrated one).
+    clearance : float
+        How far the ball backs off the stock before a touch, along the normal in mm, and the gap of its way along the
+        contour. To anything else the gap is at least half of it, anywhere.
+    overtravel : float
+        How far behind the nominal surface, along the normal in mm, a touch gives up.
+    stock : float
+        Material in mm that may still be on the nominal surface.
+    margin : float
+        Distance in mm that the ball keeps from corners and from other walls.
+    free_width : float
+        How far from the contour, in mm, the space is free; the ball stays within.
+    touch : {'auto', 'axis', 'normal'}
+        Along X or Y whichever is nearer the normal, and along the normal where neither is; always along X or Y;
+        always along the normal.
+    """
+
+    ball_radius: float
+    clearance: float = 2.0
+    overtravel: float = 1.0
+    stock: float = 0.0
+    margin: float = 0.5
+    free_width: float = inf
+    touch: str = "auto"
+
+    def __post_init__(self) -> None:
+        for name, option, least in (
+            ("ball_radius", "--probe-radius", 0.01),
+            ("clearance", "--clearance", 0.1),
+            ("overtravel", "--overtravel", 0.01),
+            ("stock", "--stock", 0.0),
+            ("margin", "--margin", 0.0),
+        ):
+            value = getattr(self, name)
+            if not (isfinite(value) and least <= value <= 1000.0):
+                raise UsageError(f"{option} {value:g} must lie between {least:g} and 1000 mm")
+        if not self.free_width > 2 * self.ball_radius + self.stock:
+            raise UsageError(f"--free-width {self.free_width:g}: the ball and the stock do not fit in there")
+        if self.touch not in TOUCHES:
+            raise UsageError(f"--touch is one of {', '.join(TOUCHES)}, not {self.touch!r}")
+
+
+@dataclass(frozen=True, slots=True)
+class Placement:
+    """Where points are wanted.
+
+    Parameters
+    ----------
+    count : int, optional
+        Number of points.
+    spacing : float, optional
+        Largest distance along the contour in mm, in place of `count`.
+    by_curvature : bool
+        Half of the points by length, half by how much the contour turns: denser where it bends.
+    stretch : int, optional
+        Only on this smooth stretch, counted from 1 in the order of the profile, or of the chosen contour.
+    contour : int, optional
+        Only on this contour, counted from 1.
+    """
+
+    count: int | None = None
+    spacing: float | None = None
+    by_curvature: bool = False
+    stretch: int | None = None
+    contour: int | None = None
+
+    def __post_init__(self) -> None:
+        if (self.count is None) == (self.spacing is None):
+            raise UsageError("give either --points-count or --spacing")
+        if self.count is not None and not 1 <= self.count <= MOST_POINTS:
+            raise UsageError(f"--points-count {self.count} must lie between 1 and {MOST_POINTS}")
+        if self.spacing is not None and not (isfinite(self.spacing) and self.spacing > 0):
+            raise UsageError(f"--spacing {self.spacing:g} is no distance in mm")
+
+
+@dataclass(frozen=True, slots=True)
+class LeftOut:
+    """A place where no touch is planned, in mm, and why."""
+
+    x: float
+    y: float
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Touch:
+    """One touch; lengths in mm, places are those of the ball's centre but for `contact`.
+
+    Parameters
+    ----------
+    number : int
+        From 1.
+    contact, normal : tuple of 2 float
+        Intended point on the nominal contour and directional cosines there.
+    start, target : tuple of 2 float
+        Where the touch starts, and where it gives up.
+    direction : tuple of 2 float
+        Unit vector of travel.
+    centre : tuple of 2 float
+        Ball centre when it touches the nominal contour.
+    axis : {'X', 'Y', ''}
+        Axis of travel, or none.
+    """
+
+    number: int
+    contact: tuple[float, float]
+    normal: tuple[float, float]
+    start: tuple[float, float]
+    target: tuple[float, float]
+    direction: tuple[float, float]
+    centre: tuple[float, float]
+    axis: str
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class ProbingPlan:
+    """Touches in the order in which they are made.
+
+    Parameters
+    ----------
+    probe : TouchProbe
+    contact, normal : (n, 2) float64
+        Intended points on the nominal contour in mm, and directional cosines there.
+    direction : (n, 2) float64
+        Unit vectors of travel.
+    start, target : (n, 2) float64
+        Ball centre in mm where a touch starts, and where it gives up.
+    contour : (n,) int64
+    s : (n,) float64
+        Arc length in mm of the contact from the contour's start.
+    links : tuple of ((k, 2) float64 or None)
+        Way of the ball's centre from the start of each touch to that of the next one, both included; None where it
+        leads over the safe height. One fewer than touches.
+    left_out : tuple of LeftOut
+    """
+
+    probe: TouchProbe
+    contact: Floats
+    normal: Floats
+    direction: Floats
+    start: Floats
+    target: Floats
+    contour: Ints
+    s: Floats
+    links: tuple[Floats | None, ...]
+    left_out: tuple[LeftOut, ...]
+
+    def __post_init__(self) -> None:
+        for array in (self.contact, self.normal, self.direction, self.start, self.target, self.contour, self.s):
+            array.flags.writeable = False
+
+    def __len__(self) -> int:
+        return len(self.contact)
+
+    @property
+    def centre(self) -> Floats:
+        """Ball centre in mm when it touches the nominal contour; (n, 2)."""
+        out: Floats = self.contact + self.probe.ball_radius * self.normal
+        return out
+
+    def touches(self) -> Iterator[Touch]:
+        """The touches one by one."""
+        arrays = (self.contact, self.normal, self.start, self.target, self.direction, self.centre)
+        for k, row in enumerate(zip(*(a.tolist() for a in arrays), strict=True), 1):
+            contact, normal, start, target, direction, centre = (tuple(v) for v in row)
+            axis = "X" if direction[1] == 0 else "Y" if direction[0] == 0 else ""
+            yield Touch(k, contact, normal, start, target, direction, centre, axis)
+
+
+def plan(profile: Profile, placement: Placement, probe: TouchProbe, cutter_radius: float = 0.0) -> ProbingPlan:
+    """Touches on a contour.
+
+    Parameters
+    ----------
+    profile : Profile
+        Nominal, material on the left.
+    placement : Placement
+    probe : TouchProbe
+    cutter_radius : float
+        Radius in mm of the cutter that made the part: the fillets that it leaves in inner corners are neither
+        touched nor come near to.
+
+    Returns
+    -------
+    ProbingPlan
+        Points where the ball does not fit or has no room are left out, with the reason.
+
+    Raises
+    ------
+    UsageError
+        If there is no such contour or stretch.
+    RefusedError
+        If nothing is left; names the first place and why.
+    """
+    contour, s, left_out = places(profile, placement, probe.ball_radius + probe.margin)
+    span, t = profile.locate(contour, s)
+    contact, _, _ = profile.evaluate(span, t)
+    normal = profile.normals(span, t)
+    direction = touch_directions(normal, probe.touch)
+    steep = -(normal * direction).sum(axis=1)
+    centre = contact + probe.ball_radius * normal
+    search = FootPointSearch(profile, margin=2 * probe.ball_radius + probe.clearance + probe.stock)
+    start, reason = _starts(search, centre, direction, steep, probe, cutter_radius)
+    in_the_way = _other_wall_first(search, start, centre, steep, probe, cutter_radius)
+    reason = np.where(in_the_way & (reason == ""), _IN_THE_WAY, reason)
+    reason = np.where(_too_tight(search, centre, probe), _TIGHT, reason)
+    if cutter_radius > 0:
+        cutter = search.find(contact + cutter_radius * normal)
+        reason = np.where(cutter.distance < cutter_radius - REACHED, _FILLET, reason)
+    for row in np.flatnonzero(reason != ""):
+        left_out.append(LeftOut(float(contact[row, 0]), float(contact[row, 1]), str(reason[row])))
+    good = reason == ""
+    if not good.any():
+        where = f"near X{left_out[0].x:.3f} Y{left_out[0].y:.3f} {left_out[0].reason}" if left_out else "no stretch"
+        raise RefusedError(f"no point of the contour can be touched: {where}; check --probe-radius and --clearance")
+    target = centre + (probe.overtravel / steep)[:, None] * direction
+    start, contour, s = start[good], contour[good], s[good]
+    links = links_between(
+        search, contour, s, start,
+        stand=probe.ball_radius + probe.stock + probe.clearance,
+        least=probe.ball_radius + probe.stock + probe.clearance / 2,
+        most=probe.free_width - probe.ball_radius,
+        cutter_radius=cutter_radius,
+    )  # fmt: skip
+    return ProbingPlan(
+        probe, contact[good], normal[good], direction[good], start, target[good], contour, s, links, tuple(left_out)
+    )
+
+
+def touch_directions(normal: Floats, touch: str = "auto") -> Floats:
+    """Unit vectors of travel for touches, towards the material.
+
+    Parameters
+    ----------
+    normal : (n, 2) float64
+        Directional cosines.
+    touch : {'auto', 'axis', 'normal'}
+        As in `TouchProbe`.
+
+    Returns
+    -------
+    (n, 2) float64
+        Against the larger component of the normal, or against the normal (petrakov-2018: along X or Y, whichever
+        the normal is nearer).
+    """
+    if touch == "normal":
+        out: Floats = -normal
+        return out
+    along_x = np.abs(normal[:, 0]) >= np.abs(normal[:, 1])
+    out = np.where(np.stack([along_x, ~along_x], axis=1), -np.sign(normal), 0.0)
+    if touch == "axis":
+        return out
+    angle = np.arctan2(np.abs(normal[:, 1]), np.abs(normal[:, 0]))
+    tie = np.abs(angle - np.pi / 4) < TIE
+    out[tie] = -normal[tie]
+    return out
+
+
+def places(profile: Profile, placement: Placement, keep: float) -> tuple[Ints, Floats, list[LeftOut]]:
+    """Contours and arc lengths of the wanted points.
+
+    Parameters
+    ----------
+    profile : Profile
+    placement : Placement
+    keep : float
+        Distance in mm kept from corners and open ends, along the contour.
+
+    Returns
+    -------
+    contour : (n,) int64
+    s : (n,) float64
+        mm from the contour's start; in the order of the profile.
+    left_out : list of LeftOut
+        Stretches too short for any point.
+
+    Raises
+    ------
+    UsageError
+        If there is no such contour or stretch.
+    RefusedError
+        If every stretch is too short.
+    """
+    stretches = profile.stretches()
+    if placement.contour is not None:
+        if not 1 <= placement.contour <= len(profile.contours):
+            raise UsageError(f"--contour {placement.contour}: the profile has {len(profile.contours)} contours")
+        stretches = [stretch for stretch in stretches if stretch.contour == placement.contour - 1]
+    if placement.stretch is not None:
+        if not 1 <= placement.stretch <= len(stretches):
+            raise UsageError(f"--stretch {placement.stretch}: there are {len(stretches)} smooth stretches")
+        stretches = stretches[placement.stretch - 1 : placement.stretch]
+    left_out: list[LeftOut] = []
+    pieces: list[tuple[int, Floats, Floats]] = []
+    for stretch in stretches:
+        first, last = (0.0, stretch.length) if stretch.closed else (keep, stretch.length - keep)
+        if last <= first:
+            middle, _ = profile.at(stretch.contour, np.array([stretch.begin + stretch.length / 2]))
+            reason = f"the stretch of {stretch.length:.3f} mm between corners is shorter than {2 * keep:g} mm"
+            left_out.append(LeftOut(float(middle[0, 0]), float(middle[0, 1]), reason))
+            continue
+        steps = int(np.clip(np.ceil((last - first) / 0.05), 64, 4000))
+        along = np.linspace(first, last, steps + 1)
+        _, normal = profile.at(stretch.contour, stretch.begin + along)
+        turn = np.arctan2(
+            normal[:-1, 0] * normal[1:, 1] - normal[:-1, 1] * normal[1:, 0], (normal[:-1] * normal[1:]).sum(axis=1)
+        )
+        pieces.append((stretch.contour, stretch.begin + along, np.concatenate([[0.0], np.cumsum(np.abs(turn))])))
+    if not pieces:
+        raise RefusedError(
+            f"no point of the contour can be touched: {left_out[0].reason} near X{left_out[0].x:.3f} "
+            f"Y{left_out[0].y:.3f}; use a smaller ball or --margin"
+        )
+    length = sum(float(along[-1] - along[0]) for _, along, _ in pieces)
+    turned = sum(float(turn[-1]) for _, _, turn in pieces)
+    number = placement.count or int(min(np.ceil(length / (placement.spacing or length)), MOST_POINTS + 1))
+    if number > MOST_POINTS:
+        raise UsageError(f"--spacing {placement.spacing:g} makes more than {MOST_POINTS} points")
+    wanted = (np.arange(number) + 0.5) / number
+    by_turn = 0.5 if placement.by_curvature and turned > 1e-6 else 0.0
+    contour, s, before = [], [], 0.0
+    for index, along, turn in pieces:
+        measure = before + (1 - by_turn) * (along - along[0]) / length + by_turn * turn / max(turned, 1e-6)
+        here = wanted[(wanted >= before) & (wanted < measure[-1])]
+        s.append(np.interp(here, measure, along))
+        contour.append(np.full(len(here), index, dtype=np.int64))
+        before = float(measure[-1])
+    which = np.concatenate(contour)
+    return which, np.mod(np.concatenate(s), profile.total[which]), left_out
+
+
+_TIGHT = "the ball does not reach it: the contour is too hollow there, or another wall is too near"
+_FILLET = "the cutter does not reach it: its fillet stands there"
+_IN_THE_WAY = "another wall is in the way of the touch"
+_NO_ROOM = "there is no room for the ball to stand clear before the touch"
+
+
+def _starts(
+    search: FootPointSearch, centre: Floats, direction: Floats, steep: Floats, probe: TouchProbe, cutter_radius: float
+) -> tuple[Floats, NDArray[np.str_]]:
+    """Where touches start, and a reason where there is no such place."""
+    back_off = probe.stock + probe.clearance
+    least = probe.ball_radius + probe.stock + probe.clearance / 2
+    start = centre - (back_off / steep)[:, None] * direction
+    reason = np.full(len(centre), _NO_ROOM, dtype="U100")
+    open_rows = np.arange(len(centre))
+    for longer in _LENGTHENED:
+        back = longer * back_off / steep[open_rows]
+        tried = centre[open_rows] - back[:, None] * direction[open_rows]
+        distance = search.find(tried).distance
+        beyond = distance + probe.ball_radius
+        distance = np.minimum(distance, into_fillets(search, tried, cutter_radius))
+        good = (distance >= least) & (beyond <= probe.free_width + 1e-6)
+        start[open_rows[good]] = tried[good]
+        reason[open_rows[good]] = ""
+        open_rows = open_rows[~good]
+        if not len(open_rows):
+            break
+    return start, reason
+
+
+def _too_tight(search: FootPointSearch, centre: Floats, probe: TouchProbe) -> Bools:
+    """Whether a ball that should touch the nominal in one place overlaps it, or nearly, in another."""
+    feet = search.find(centre)
+    out: Bools = (feet.distance < probe.ball_radius - REACHED) | (feet.rival < probe.margin / 2)
+    return out
+
+
+def _other_wall_first(
+    search: FootPointSearch, start: Floats, centre: Floats, steep: Floats, probe: TouchProbe, cutter_radius: float
+) -> Bools:
+    """Whether the ball, on its way to the touch, comes nearer to the contour than to the place it should touch.
+
+    Beside a flat wall, and a convex one, the gap is the way left times the cosine of the slope or more; half of that
+    leaves room for a hollow.
+    """
+    u = np.linspace(0.0, 1.0, 33)[:-1]
+    way = np.hypot(*(centre - start).T)
+    points = (start[:, None, :] * (1 - u)[:, None] + centre[:, None, :] * u[:, None]).reshape(-1, 2)
+    distance = np.minimum(search.find(points).distance, into_fillets(search, points, cutter_radius))
+    gap = distance.reshape(len(start), -1) - probe.ball_radius
+    expected = 0.5 * steep[:, None] * way[:, None] * (1 - u)
+    out: Bools = (gap < expected - REACHED).any(axis=1)
+    return out

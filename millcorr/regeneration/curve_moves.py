@@ -1,0 +1,322 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Lines, arcs and cubics in place of an exact curve, within a tolerance, as few as it needs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr.errors import FitError, LimitError
+from millcorr.reconstruction import CompensatedContour
+from millcorr.toolpath import Kind, Plane, Toolpath
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Bools = NDArray[np.bool_]
+
+PROBES = (np.arange(15) + 1) / 16
+LARGEST_RADIUS = 5000.0
+"""An arc of larger radius, in mm, is written as a line where the tolerance allows: controls refuse or round it."""
+
+ROUNDS = 24
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Intervals:
+    """Pieces of exact path to be replaced by moves; one row a piece.
+
+    Parameters
+    ----------
+    owner : (e,) int64
+        What the resulting moves belong to.
+    piece : (e,) int64
+        Piece of the contour; negative on the arc about a corner.
+    sigma0, sigma1 : (e,) float64
+        Arc length on the piece at start and end, mm.
+    start, end : (e, 2) float64
+        Ends that the moves must meet exactly, mm.
+    z0, z1 : (e,) float64
+        Heights at the ends, mm.
+    kind : (e,) int64
+        `Kind` to use.
+    corner : (e, 2) float64
+        Centre of the arc about a corner; NaN elsewhere.
+    whole : (e,) bool
+        True where the interval is a full turn, ending where it starts.
+    sweep_sign : (e,) float64
+        Direction of the arc about a corner.
+    """
+
+    owner: Ints
+    piece: Ints
+    sigma0: Floats
+    sigma1: Floats
+    start: Floats
+    end: Floats
+    z0: Floats
+    z1: Floats
+    kind: Ints
+    corner: Floats
+    whole: Bools
+    sweep_sign: Floats
+
+    def take(self, index: Ints | Bools) -> Intervals:
+        """Rows chosen by index or mask."""
+        return Intervals(**{f.name: getattr(self, f.name)[index] for f in fields(self)})
+
+
+def fit_moves(
+    intervals: Intervals, contour: CompensatedContour, radius: float, tolerance: float
+) -> tuple[Toolpath, Ints, float]:
+    """Replace intervals of the exact path by moves.
+
+    Parameters
+    ----------
+    intervals : Intervals
+    contour : CompensatedContour
+    radius : float
+        Distance of the path from the contour, mm.
+    tolerance : float
+        Largest distance in mm between moves and exact path.
+
+    Returns
+    -------
+    moves : Toolpath
+        In the order of the owners, and along the path within one.
+    owner : (m,) int64
+    error : float
+        Largest distance found between moves and exact path, mm.
+
+    Raises
+    ------
+    LimitError
+        If the contour turns tighter than the radius: the cutter would gouge.
+    FitError
+        If the tolerance cannot be reached.
+    """
+    moves: list[tuple[Ints, Floats, Toolpath]] = []
+    largest = 0.0
+    corner = intervals.piece < 0
+    if corner.any():
+        moves += _about_corners(intervals.take(corner), tolerance)
+        if (intervals.kind[corner] == Kind.LINE).any():
+            largest = tolerance
+    rest = intervals.take(~corner)
+    for round_ in range(ROUNDS):
+        if not len(rest.owner):
+            break
+        probes = _probe(rest, contour, radius)
+        if round_ == 0 or round_ == 4:
+            _refuse_gouge(rest, probes, contour, radius)
+        done = np.zeros(len(rest.owner), dtype=bool)
+        for kind, attempt in ((Kind.LINE, _lines), (Kind.ARC, _arcs), (Kind.CUBIC, _cubics)):
+            rows = np.flatnonzero(rest.kind == kind)
+            if len(rows):
+                error, found = attempt(rest.take(rows), probes[rows], tolerance, contour, radius)
+                ok = error <= tolerance
+                done[rows[ok]] = True
+                largest = max(largest, float(error[ok].max(initial=0.0)))
+                moves += found
+        rest = _halves(rest.take(~done), contour, radius)
+    else:
+        x, y = rest.start[0]
+        raise FitError(f"the corrected path near X{x:.3f} Y{y:.3f} cannot be written within {tolerance:g} mm")
+    if not moves:
+        empty = np.zeros((0, 2))
+        return _moves(empty, empty, np.zeros(0), np.zeros(0), Kind.LINE), np.zeros(0, dtype=np.int64), 0.0
+    owner = np.concatenate([m[0] for m in moves])
+    place = np.concatenate([m[1] for m in moves])
+    order = np.lexsort((place, owner))
+    return Toolpath.concatenate([m[2] for m in moves]).take(order), owner[order], largest
+
+
+def _moves(start: Floats, end: Floats, z0: Floats, z1: Floats, kind: Kind, **more: Floats) -> Toolpath:
+    n = len(start)
+    centre = np.full((n, 3), np.nan)
+    if "centre" in more:
+        centre[:, :2] = more["centre"]
+        centre[:, 2] = z0
+    return Toolpath(
+        kind=np.full(n, int(kind)),
+        start=np.column_stack([start, z0]),
+        end=np.column_stack([end, z1]),
+        centre=centre,
+        sweep=more.get("sweep", np.zeros(n)),
+        control=more.get("control", np.full((n, 4), np.nan)),
+        plane=np.full(n, int(Plane.XY)),
+        feed=np.full(n, np.nan),
+        source=np.zeros(n, dtype=np.int64),
+        compensation=np.zeros(n, dtype=np.int64),
+        tool=np.zeros(n, dtype=np.int64),
+    )
+
+
+def _place(rows: Intervals) -> Floats:
+    """Key that orders the moves of one owner along its path."""
+    out: Floats = rows.sigma0 * np.sign(rows.sigma1 - rows.sigma0)
+    return out
+
+
+def _about_corners(rows: Intervals, tolerance: float) -> list[tuple[Ints, Floats, Toolpath]]:
+    arm0, arm1 = rows.start - rows.corner, rows.end - rows.corner
+    turn = np.arctan2(arm0[:, 0] * arm1[:, 1] - arm0[:, 1] * arm1[:, 0], (arm0 * arm1).sum(axis=1))
+    # The corner's arc keeps its direction; a correction never turns it round.
+    against = (rows.sweep_sign != 0) & (np.sign(turn) != rows.sweep_sign)
+    sweep = np.where(against, turn + rows.sweep_sign * 2 * np.pi, turn)
+    radius = np.hypot(*arm0.T)
+    line = rows.kind == Kind.LINE
+    a = rows.take(~line)
+    arcs = _moves(a.start, a.end, a.z0, a.z1, Kind.ARC, centre=a.corner, sweep=sweep[~line])
+    out = [(a.owner, np.zeros(len(a.owner)), arcs)]
+    for i in np.flatnonzero(line):
+        largest = 2 * np.arccos(max(1 - tolerance / radius[i], 0.0)) if radius[i] > 0 else np.pi
+        count = max(1, int(np.ceil(abs(sweep[i]) / largest)))
+        share = np.arange(count + 1) / count
+        angle = np.arctan2(arm0[i, 1], arm0[i, 0]) + sweep[i] * share
+        point = rows.corner[i] + radius[i] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+        point[0], point[-1] = rows.start[i], rows.end[i]
+        z = rows.z0[i] + (rows.z1[i] - rows.z0[i]) * share
+        chords = _moves(point[:-1], point[1:], z[:-1], z[1:], Kind.LINE)
+        out.append((np.full(count, rows.owner[i]), np.arange(float(count)), chords))
+    return out
+
+
+def _probe(rows: Intervals, contour: CompensatedContour, radius: float) -> Floats:
+    """Points of the exact path within each interval, (e, 15, 2)."""
+    sigma = rows.sigma0[:, None] + (rows.sigma1 - rows.sigma0)[:, None] * PROBES
+    piece = np.repeat(rows.piece, len(PROBES))
+    return contour.evaluate(piece, sigma.ravel(), radius)[0].reshape(-1, len(PROBES), 2)
+
+
+def _refuse_gouge(rows: Intervals, probes: Floats, contour: CompensatedContour, radius: float) -> None:
+    """LimitError where the parallel curve runs backwards: the contour turns tighter than the radius."""
+    sigma = rows.sigma0[:, None] + (rows.sigma1 - rows.sigma0)[:, None] * PROBES
+    piece = np.repeat(rows.piece, len(PROBES))
+    _, normal, size = contour.evaluate(piece, sigma.ravel(), radius)
+    step = np.diff(probes, axis=1)
+    normal = normal.reshape(-1, len(PROBES), 2)
+    way = np.sign(rows.sigma1 - rows.sigma0)[:, None]
+    middle = normal[:, 1:] + normal[:, :-1]
+    forward = (step[:, :, 1] * middle[:, :, 0] - step[:, :, 0] * middle[:, :, 1]) * way
+    bad = (forward < -1e-9).any(axis=1) | (size.reshape(-1, len(PROBES)) <= 0).any(axis=1)
+    if bad.any():
+        i = int(np.flatnonzero(bad)[0])
+        x, y = probes[i, len(PROBES) // 2]
+        raise LimitError(
+            f"the cutter of radius {radius:g} mm would gouge near X{x:.3f} Y{y:.3f}: there the corrected profile "
+            "turns tighter than the cutter; use a stronger --filter or a smaller tool"
+        )
+
+
+def _lines(
+    rows: Intervals, probes: Floats, tolerance: float, contour: CompensatedContour, radius: float
+) -> tuple[Floats, list[tuple[Ints, Floats, Toolpath]]]:
+    error = np.where(rows.whole, np.inf, _off_chord(rows, probes))
+    good = rows.take(error <= tolerance)
+    moves = _moves(good.start, good.end, good.z0, good.z1, Kind.LINE)
+    return error, [(good.owner, _place(good), moves)]
+
+
+def _off_chord(rows: Intervals, probes: Floats) -> Floats:
+    chord = rows.end - rows.start
+    size = np.maximum(np.hypot(*chord.T), 1e-12)
+    away = probes - rows.start[:, None]
+    across = away[:, :, 0] * chord[:, None, 1] - away[:, :, 1] * chord[:, None, 0]
+    out: Floats = np.abs(across).max(axis=1) / size
+    return out
+
+
+def _arcs(
+    rows: Intervals, probes: Floats, tolerance: float, contour: CompensatedContour, radius: float
+) -> tuple[Floats, list[tuple[Ints, Floats, Toolpath]]]:
+    """One arc through the ends and the middle; a line where that is as good and the radius is huge."""
+    middle = len(PROBES) // 2
+    second = np.where(rows.whole[:, None], probes[:, 2 * len(PROBES) // 3], rows.end)
+    first = np.where(rows.whole[:, None], probes[:, len(PROBES) // 3], probes[:, middle])
+    centre, r = _circle(rows.start, first, second)
+    error = np.abs(np.hypot(probes[:, :, 0] - centre[:, None, 0], probes[:, :, 1] - centre[:, None, 1]) - r[:, None])
+    round_error = np.where(r <= LARGEST_RADIUS, error.max(axis=1), np.inf)
+    fits = round_error <= tolerance
+    sweep = _sweep(rows.start, probes[:, middle], rows.end, centre, rows.whole)
+    flat_error = np.where(rows.whole, np.inf, _off_chord(rows, probes))
+    # A line is taken before an arc only where the path is straight to a hundredth of the tolerance.
+    straight = (flat_error <= tolerance) & (~fits | (flat_error <= 0.01 * tolerance))
+    arc = fits & ~straight
+    a, b = rows.take(arc), rows.take(straight)
+    found = [
+        (a.owner, _place(a), _moves(a.start, a.end, a.z0, a.z1, Kind.ARC, centre=centre[arc], sweep=sweep[arc])),
+        (b.owner, _place(b), _moves(b.start, b.end, b.z0, b.z1, Kind.LINE)),
+    ]
+    return np.where(straight, flat_error, round_error), found
+
+
+def _circle(a: Floats, b: Floats, c: Floats) -> tuple[Floats, Floats]:
+    """Centre and radius of the circle through three points; a huge radius where they are in line."""
+    u, v = b - a, c - a
+    det = 2 * (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
+    det = np.where(np.abs(det) < 1e-300, 1e-300, det)
+    uu, vv = (u * u).sum(axis=1), (v * v).sum(axis=1)
+    rel = np.stack([v[:, 1] * uu - u[:, 1] * vv, u[:, 0] * vv - v[:, 0] * uu], axis=1) / det[:, None]
+    return a + rel, np.hypot(*rel.T)
+
+
+def _sweep(start: Floats, middle: Floats, end: Floats, centre: Floats, whole: Bools) -> Floats:
+    """Signed angle of the arcs from start through middle to end."""
+    angle = [np.arctan2(p[:, 1] - centre[:, 1], p[:, 0] - centre[:, 0]) for p in (start, middle, end)]
+    half = np.mod(angle[1] - angle[0], 2 * np.pi)
+    turn = np.mod(angle[2] - angle[0], 2 * np.pi)
+    turn = np.where(whole, 2 * np.pi, turn)
+    left = half <= turn
+    left = np.where(whole, half <= np.pi + 1e-6, left)
+    u, v = middle - start, end - middle
+    cross = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
+    left = np.where(whole, cross >= 0, left)
+    return np.where(left, turn, turn - 2 * np.pi) - np.where(whole & ~left, 2 * np.pi, 0.0)
+
+
+def _cubics(
+    rows: Intervals, probes: Floats, tolerance: float, contour: CompensatedContour, radius: float
+) -> tuple[Floats, list[tuple[Ints, Floats, Toolpath]]]:
+    """One Bezier cubic with the path's tangents at its ends."""
+    step = (rows.sigma1 - rows.sigma0)[:, None] / 3
+    # Just inside: where the curvature jumps, each side has its own speed.
+    inside = 1e-6 * (rows.sigma1 - rows.sigma0)
+    _, n0, f0 = contour.evaluate(rows.piece, rows.sigma0 + inside, radius)
+    _, n1, f1 = contour.evaluate(rows.piece, rows.sigma1 - inside, radius)
+    p1 = rows.start + step * np.stack([-n0[:, 1], n0[:, 0]], 1) * f0[:, None]
+    p2 = rows.end - step * np.stack([-n1[:, 1], n1[:, 0]], 1) * f1[:, None]
+    u = PROBES[None, :, None]
+    curve = (
+        rows.start[:, None] * (1 - u) ** 3
+        + 3 * p1[:, None] * u * (1 - u) ** 2
+        + 3 * p2[:, None] * u**2 * (1 - u)
+        + rows.end[:, None] * u**3
+    )
+    sigma = rows.sigma0[:, None] + (rows.sigma1 - rows.sigma0)[:, None] * PROBES
+    _, normal, _ = contour.evaluate(np.repeat(rows.piece, len(PROBES)), sigma.ravel(), radius)
+    gap = curve - probes
+    across = np.abs((gap * normal.reshape(gap.shape)).sum(axis=2)).max(axis=1)
+    # Running ahead along the path costs only its square over the radius of curvature.
+    ahead = np.hypot(gap[:, :, 0], gap[:, :, 1]).max(axis=1)
+    error = np.where(rows.whole | (ahead > 0.05 * np.abs(rows.sigma1 - rows.sigma0)), np.inf, across)
+    ok = error <= tolerance
+    good = rows.take(ok)
+    moves = _moves(good.start, good.end, good.z0, good.z1, Kind.CUBIC, control=np.column_stack([p1[ok], p2[ok]]))
+    return error, [(good.owner, _place(good), moves)]
+
+
+def _halves(rows: Intervals, contour: CompensatedContour, radius: float) -> Intervals:
+    """Each interval cut in the middle of its arc length."""
+    if not len(rows.owner):
+        return rows
+    middle = (rows.sigma0 + rows.sigma1) / 2
+    point = contour.evaluate(rows.piece, middle, radius)[0]
+    height = (rows.z0 + rows.z1) / 2
+    none = np.zeros(len(rows.owner), dtype=bool)
+    first = {f.name: getattr(rows, f.name) for f in fields(rows)}
+    second = dict(first)
+    first.update(sigma1=middle, end=point, z1=height, whole=none)
+    second.update(sigma0=middle, start=point, z0=height, whole=none)
+    return Intervals(**{name: np.concatenate([first[name], second[name]]) for name in first})

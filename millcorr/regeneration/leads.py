@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How leads, ramps and plunges go along with a corrected contour, and where that ends.
+
+What leads onto a contour and off it is displaced rigidly with it. What is work of its own, another contour, a
+roughing pass, a helical entry, stays where it is: one move between takes up the difference.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr.theoretical_contour import closed_loops, cutting_runs
+from millcorr.toolpath import Kind, Toolpath
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Bools = NDArray[np.bool_]
+
+REACH = 30.0
+"""Leads are at most this long, in mm; what is chained on farther away stays where it is."""
+
+
+def own_work(toolpath: Toolpath, following: Bools, beside: Bools) -> Bools:
+    """Moves that cut something else than the corrected contour.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    following : (n,) bool
+        Moves on the contour that is corrected.
+    beside : (n,) bool
+        Moves that run along it at another distance, as roughing passes do.
+
+    Returns
+    -------
+    (n,) bool
+    """
+    out = beside & ~following
+    for run in cutting_runs(toolpath):
+        for a, b in closed_loops(toolpath, run):
+            if not following[run[a:b]].any():
+                out[run[a:b]] = True
+    return out
+
+
+def carry_along(toolpath: Toolpath, following: Bools, own: Bools, shift0: Floats, shift1: Floats) -> None:
+    """Hand the displacement of following moves on to their leads. In place.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    following, own : (n,) bool
+        Moves on the contour; moves that must stay.
+    shift0, shift1 : (n, 2) float64
+        Displacement in mm of every move's start and end; given for following moves, filled in for the others.
+    """
+    n = len(toolpath)
+    position = np.hstack([toolpath.start[:, :2], toolpath.end[:, :2]])
+    broken = np.asarray(~np.isfinite(position).all(axis=1))
+    travel = np.nan_to_num(toolpath.length())
+    flat = np.nan_to_num(np.hypot(*(toolpath.end[:, :2] - toolpath.start[:, :2]).T))
+    flat = np.where(toolpath.sweep != 0, travel, flat)
+    jump = np.asarray((toolpath.kind == int(Kind.RAPID)) & (flat > 1e-9))
+    rows = np.flatnonzero(following)
+    heads = rows[np.concatenate([[True], np.diff(rows) > 1])]
+    tails = rows[np.concatenate([np.diff(rows) > 1, [True]])]
+    for tail, head in zip([-1, *tails.tolist()], [*heads.tolist(), n], strict=True):
+        gap = np.arange(tail + 1, head)
+        if not len(gap):
+            continue
+        stops = gap[jump[gap] | broken[gap] | own[gap]]
+        if tail >= 0 and head < n and not len(stops):
+            _take_up(gap, flat, shift1[tail], shift0[head], shift0, shift1)
+            continue
+        if tail >= 0:
+            end = int(stops[0]) if len(stops) else n
+            _release(np.arange(tail + 1, end), end, n, flat, jump, broken, shift1[tail], shift0, shift1, 1)
+        if head < n:
+            begin = int(stops[-1]) if len(stops) else -1
+            _release(np.arange(head - 1, begin, -1), begin, n, flat, jump, broken, shift0[head], shift0, shift1, -1)
+
+
+def _release(
+    rows: Ints,
+    stop: int,
+    n: int,
+    flat: Floats,
+    jump: Bools,
+    broken: Bools,
+    moved: Floats,
+    shift0: Floats,
+    shift1: Floats,
+    way: int,
+) -> None:
+    """Displace `rows`, listed outward from the contour, up to the move `stop` that stays or jumps. In place."""
+    near, far = (shift0, shift1) if way > 0 else (shift1, shift0)
+    long = np.flatnonzero(np.cumsum(flat[rows]) > REACH) if len(rows) else np.zeros(0, dtype=np.int64)
+    beyond = not 0 <= stop < n
+    if len(long):
+        rows = rows[: long[0] + 1]
+    elif beyond or jump[stop] or broken[stop]:
+        # A rapid goes to wherever the contour now begins; at an end of the program nothing is left to meet.
+        near[rows], far[rows] = moved, moved
+        if not beyond and not (broken[stop] and way > 0 and not jump[stop]):
+            near[stop] = moved
+        return
+    # The longest move hides the difference best; what lies beyond it stays.
+    moving = np.flatnonzero(flat[rows] > 1e-9)
+    if not len(moving):
+        near[rows], far[rows] = moved, moved
+        if not beyond:
+            near[stop] = moved
+        return
+    absorber = int(moving[np.argmax(flat[rows[moving]])])
+    near[rows[: absorber + 1]] = moved
+    far[rows[:absorber]] = moved
+
+
+def _take_up(rows: Ints, flat: Floats, before: Floats, after: Floats, shift0: Floats, shift1: Floats) -> None:
+    """Between two corrected contours the longest move takes up what they differ by. In place."""
+    absorber = int(np.argmax(flat[rows]))
+    shift0[rows[: absorber + 1]] = before
+    shift1[rows[:absorber]] = before
+    shift1[rows[absorber:]] = after
+    shift0[rows[absorber + 1 :]] = after

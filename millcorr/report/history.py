@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The journal of a series as one page of HTML that needs nothing but itself, with a trend chart a series."""
+
+from __future__ import annotations
+
+import datetime
+import os
+import tempfile
+from collections.abc import Sequence
+from html import escape
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr import __version__
+from millcorr.errors import UsageError
+from millcorr.series import history, trend
+from millcorr.series.journal import Chain, Entry
+
+from .html import html_facts, html_table, page_style
+from .plots import MICRO, UM, WIDTH, Plot, frame, value_axis
+from .svg import MARKERS, Axis, Canvas, bars, markers, polyline
+
+Floats = NDArray[np.float64]
+
+HEIGHT = 190.0
+
+_SHAPES = {"mean": ("filtered", 0), "place X": ("excess", 1), "place Y": ("undercut", 2)}
+"""Class and marker of each component."""
+
+
+def write(chains: Sequence[Chain], journal: Path, directory: Path, *, date: datetime.date | None = None) -> list[Path]:
+    """Write history.html and history.csv; files of these names are replaced as a whole.
+
+    Raises
+    ------
+    UsageError
+        If `directory` is a file.
+    OSError
+        If it cannot be written to.
+    """
+    if directory.exists() and not directory.is_dir():
+        raise UsageError(f"{directory}: the report needs a directory, this is a file")
+    directory.mkdir(parents=True, exist_ok=True)
+    texts = {
+        "history.html": page(chains, journal.name, date=date),
+        "history.csv": "".join(history.csv_lines(chains)),
+    }
+    return [write_whole(directory / name, text) for name, text in texts.items()]
+
+
+def write_whole(path: Path, text: str) -> Path:
+    """Write a text file, or replace the old one, as a whole."""
+    handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
+            file.write(text)
+        mask = os.umask(0)
+        os.umask(mask)
+        os.chmod(temporary, 0o666 & ~mask)
+        os.replace(temporary, path)
+    except BaseException:
+        os.unlink(temporary)
+        raise
+    return path
+
+
+def page(chains: Sequence[Chain], name: str, *, date: datetime.date | None = None) -> str:
+    """The journal as HTML.
+
+    Parameters
+    ----------
+    chains : sequence of Chain
+    name : str
+        Of the journal.
+    date : datetime.date, optional
+        Today by default.
+    """
+    day = (date or datetime.date.today()).isoformat()
+    body = [
+        f"<header><p class=kind>Serial production</p><h1>{escape(name)}</h1>"
+        f"<p class=meta>{day}, millcorr {escape(__version__)}</p></header>",
+        *(_chain(chain) for chain in chains),
+        "" if chains else "<p class=verdict>The journal has no part yet.</p>",
+    ]
+    return (
+        "<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8>"
+        "<meta http-equiv=Content-Security-Policy content=\"default-src 'none'; style-src 'unsafe-inline'\">"
+        "<meta name=viewport content='width=device-width,initial-scale=1'>"
+        f"<meta name=color-scheme content='light dark'><title>{escape(name)}: serial production</title>"
+        f"<style>{page_style()}</style></head>\n<body><main>\n"
+        + "\n".join(part for part in body if part)
+        + "\n</main></body></html>\n"
+    )
+
+
+def _chain(chain: Chain) -> str:
+    entries = chain.entries
+    corrected = sum(entry.corrected for entry in entries)
+    count = f"{len(entries)} {'part' if len(entries) == 1 else 'parts'}"
+    said = [line for line, _ in history.series(entries)]
+    found = "".join(f"<li>{escape(line)}</li>" for line in said)
+    out = [
+        f"<section><h2>{escape(chain.name)}</h2><p class=verdict>{count}; after {corrected} of them the program was "
+        f"corrected, after {len(entries) - corrected} it stayed as it was.</p>",
+        f"<div class=warnings><b>What the machine does</b><ul>{found}</ul></div>" if said else "",
+    ]
+    for plot in (deviations(entries), machine(entries)):
+        out.append(f"<figure class=plot>{plot.svg}<figcaption>{escape(plot.caption)}</figcaption></figure>")
+    rows = []
+    for e in entries:
+        d = e.statistics["deviation"]
+        values = (d["mean"], d["std"], d["height"], e.statistics["determined"], e.statistics.get("smoothed", np.nan))
+        numbers = [f"{v * UM:.2f}" if np.isfinite(v) else "" for v in (*values, e.statistics["correction"])]
+        rows.append([f"{e.part}", e.time, *numbers, history.decision_in_words(e)])
+    head = ("part", "time (UTC)", "mean", "std", "height", "largest", "smoothed", "correction", "decision")
+    out.append(html_table(head, rows))
+    last = entries[-1]
+    out.append(
+        html_facts(
+            [
+                ("First program, SHA-256", f"{chain.first}..."),
+                ("Program for the next part", f"{last.after[0]}, SHA-256 {last.after[1]}"),
+                *((f"Settings of part {last.part}", _settings(last)),),
+            ]
+        )
+    )
+    out.append(
+        f"<p class=small>Deviations in {MICRO}, positive where material is left. largest: determined deviation at its "
+        "largest; smoothed: what was compared with the limit; correction: sum of all corrections in force for the "
+        "next part, at its largest place.</p></section>"
+    )
+    return "\n".join(part for part in out if part)
+
+
+def _settings(entry: Entry) -> str:
+    control = entry.settings.get("control")
+    rules = "" if control is None else "; control: " + ", ".join(f"{k} {v:g}" for k, v in control.items())
+    return str(entry.settings["correction"]) + rules
+
+
+def deviations(entries: Sequence[Entry]) -> Plot:
+    """Deviation of each part: range, mean, what is smoothed and its limit; dotted uprights where it was corrected."""
+    canvas = Canvas(WIDTH, HEIGHT + 68, "Deviation of the parts")
+    canvas.legend(
+        56,
+        14,
+        [
+            ("range of the points", [("raw", "m0-6v12")]),
+            ("mean", [("predicted", MARKERS[0])]),
+            ("smoothed, largest", [("filtered", "m-9 0h18")]),
+            ("limit", [("axis", "m-9 0h18")]),
+            ("program corrected", [("corner", "m0-6v12")]),
+        ],
+    )
+    x = _parts_axis(entries)
+    part = np.array([e.part for e in entries], dtype=np.float64)
+    low, mean, high = (np.array([e.statistics["deviation"][k] for e in entries]) * UM for k in ("min", "mean", "max"))
+    smoothed = np.array([e.statistics.get("smoothed", np.nan) for e in entries]) * UM
+    limit = np.array([e.settings.get("control", {}).get("limit", np.nan) for e in entries]) * UM
+    shown = np.concatenate([low, high, smoothed, limit, -limit])
+    y = value_axis(shown[np.isfinite(shown)], 30 + HEIGHT, 30.0)
+    frame(canvas, x, y, "part", f"deviation / {MICRO}")
+    for e in entries:
+        if e.corrected:
+            canvas.line(x.at(e.part + 0.5), y.start, x.at(e.part + 0.5), y.end, "corner")
+    canvas.path(bars(x(part), y(high), y(low)), "raw")
+    known = np.isfinite(limit)
+    for sign in (1.0, -1.0):
+        canvas.path(polyline(x(part[known]), y(sign * limit[known])), "axis")
+    known = np.isfinite(smoothed)
+    canvas.path(polyline(x(part[known]), y(smoothed[known])), "filtered")
+    canvas.path(markers(x(part), y(mean), 0), "predicted")
+    return Plot(
+        str(canvas),
+        "Each part: smallest to largest measured deviation and their mean; line: the largest smoothed deviation (its "
+        "absolute value), which is compared with the limit. Dotted uprights: the next part is cut with a corrected "
+        "program.",
+    )
+
+
+def machine(entries: Sequence[Entry]) -> Plot:
+    """What the machine does without the corrections: mean and place of the part, with trends and jumps."""
+    canvas = Canvas(WIDTH, HEIGHT + 68, "What the machine does")
+    canvas.legend(56, 14, [(name, [(css, MARKERS[shape])]) for name, (css, shape) in _SHAPES.items()])
+    x = _parts_axis(entries)
+    part = np.array([e.part for e in entries], dtype=np.float64)
+    value = {n: np.array([e.statistics["components"][n] for e in entries]) * UM for n in trend.COMPONENTS}
+    shown = np.concatenate(list(value.values()))
+    y = value_axis(shown[np.isfinite(shown)], 30 + HEIGHT, 30.0)
+    frame(canvas, x, y, "part", f"deviation / {MICRO}")
+    for name, v in value.items():
+        known = np.isfinite(v)
+        css, shape = _SHAPES[name]
+        canvas.path(polyline(x(part[known]), y(v[known])), "course")
+        canvas.path(markers(x(part[known]), y(v[known]), shape), css)
+    for _, change in history.changes(entries):
+        at = x.at(entries[change.part].part - 0.5)
+        if change.kind == "jump":
+            canvas.line(at, y.start, at, y.end, "corner")
+            canvas.text(at + 3, y.end + 10, f"{change.size * UM:+.1f} {MICRO}")
+    return Plot(
+        str(canvas),
+        "Measured deviation less what the program commands, so that corrections do not show: mean along the contour, "
+        "and displacement of the part. Dotted uprights: jumps.",
+    )
+
+
+def _parts_axis(entries: Sequence[Entry]) -> Axis:
+    """Parts side by side; the ends leave room, so that whole numbers are the only ticks for few parts."""
+    return Axis(entries[0].part - 0.7, max(entries[-1].part, entries[0].part + 9) + 0.7, 56.0, WIDTH - 12.0)

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the pages of all reports share: looks, numbers in words, tables, figures."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from html import escape
+
+from .plots import COLOURS, STYLE, UM, Plot
+
+MINUS, DASH = "\N{MINUS SIGN}", "\N{EN DASH}"
+
+
+def page_style() -> str:
+    """Style sheet of a page: light, dark and paper."""
+
+    def variables(theme: str) -> str:
+        return "".join(f"--{name}:{value};" for name, value in COLOURS[theme].items())
+
+    return (
+        f":root{{{variables('light')}--note:#fff4d6;--note-edge:#d99a00;--tile:#f5f7fa}}"
+        f"@media screen and (prefers-color-scheme:dark){{:root{{{variables('dark')}"
+        "--note:#3a2f12;--note-edge:#d9a83a;--tile:#1e262e}}" + _LOOKS + STYLE
+    )
+
+
+_LOOKS = """
+*{box-sizing:border-box}
+html{background:var(--paper);color:var(--ink)}
+body{margin:0;font:15px/1.5 "Segoe UI","Helvetica Neue",Arial,"Liberation Sans","DejaVu Sans",sans-serif}
+main{max-width:900px;margin:0 auto;padding:28px 24px 40px}
+header{border-bottom:2px solid var(--ink);margin-bottom:18px;
+display:grid;grid-template-columns:1fr auto;align-items:end}
+.kind{grid-column:1/3;margin:0;font-size:12px;letter-spacing:.09em;text-transform:uppercase;color:var(--soft)}
+h1{margin:0 0 6px;font-size:27px;line-height:1.2;overflow-wrap:anywhere}
+.meta{margin:0 0 8px 16px;color:var(--soft);white-space:nowrap}
+h2{font-size:17px;margin:30px 0 8px;break-after:avoid}
+p{margin:0 0 8px}
+.verdict{font-size:16px;margin:0 0 14px}
+.note,.warnings{border-left:4px solid var(--note-edge);background:var(--note);padding:8px 14px;margin:0 0 14px}
+.note{font-weight:600}
+.warnings ul{margin:2px 0 0;padding-left:20px}
+.tiles{display:grid;grid-template-columns:repeat(4,1fr);gap:10px;margin:0 0 16px}
+.tile{background:var(--tile);padding:10px 12px;border-radius:4px;break-inside:avoid}
+.tile b{display:block;font-size:19px;font-weight:600;font-variant-numeric:tabular-nums;white-space:nowrap}
+.tile span{font-size:12px;color:var(--soft);display:block;line-height:1.35}
+table{border-collapse:collapse;width:100%;margin:4px 0 10px;font-variant-numeric:tabular-nums}
+th,td{text-align:left;padding:4px 10px 4px 0;border-bottom:1px solid var(--faint);vertical-align:top}
+thead th{border-bottom:1px solid var(--soft);font-weight:600;color:var(--soft);font-size:13px}
+tbody th{font-weight:400}
+.numbers td,.numbers thead th+th{text-align:right;padding:4px 0 4px 10px}
+.numbers td.words,.numbers thead th.words{text-align:left;padding-left:24px}
+.facts th{width:15em;color:var(--soft)}
+td{overflow-wrap:anywhere}
+tr{break-inside:avoid}
+.hash{font:12px/1.4 "DejaVu Sans Mono",Consolas,Menlo,monospace;color:var(--soft)}
+.small,figcaption,footer{font-size:13px;color:var(--soft)}
+figure{margin:6px 0 14px;break-inside:avoid}
+.plot svg{display:block;width:100%;height:auto}
+footer{border-top:1px solid var(--faint);margin-top:28px;padding-top:8px}
+@media (max-width:640px){.tiles{grid-template-columns:repeat(2,1fr)}main{padding:16px 12px}}
+@media print{@page{size:A4;margin:15mm}body{font-size:10.5pt}main{max-width:none;padding:0}
+*{-webkit-print-color-adjust:exact;print-color-adjust:exact}h1{font-size:19pt}h2{margin-top:16pt}.verdict{font-size:11pt}
+.hash{font-size:7.5pt}.facts{break-inside:avoid}}
+"""
+
+
+def um(value: float, signed: bool = False) -> str:
+    """Micrometres with two decimals."""
+    if not math.isfinite(value):
+        return DASH
+    text = f"{value * UM:+.2f}" if signed else f"{value * UM:.2f}"
+    if float(text) == 0:
+        text = "0.00"
+    return text.replace("-", MINUS)
+
+
+def mm(value: float, digits: int = 3) -> str:
+    """Millimetres, or a dash."""
+    return f"{value:.{digits}f}".replace("-", MINUS) if math.isfinite(value) else DASH
+
+
+def coordinates(x: float, y: float) -> str:
+    """A place as a machinist writes it, mm."""
+    return f"X{mm(x)} Y{mm(y)}"
+
+
+def grouped(count: int) -> str:
+    """A whole number in groups of three digits."""
+    return f"{count:,}".replace(",", "\N{NARROW NO-BREAK SPACE}")
+
+
+def plural(count: int, thing: str) -> str:
+    """So many things."""
+    return f"{grouped(count)} {thing}{'' if count == 1 else 's'}"
+
+
+def html_table(head: Sequence[str], rows: Iterable[Sequence[str]], css: str = "numbers") -> str:
+    """Table of escaped cells, the first of each row its name."""
+    top = "".join(f"<th>{escape(cell)}</th>" for cell in head)
+    body = "".join(
+        f"<tr><th>{escape(row[0])}</th>" + "".join(f"<td>{escape(cell)}</td>" for cell in row[1:]) + "</tr>"
+        for row in rows
+    )
+    header = f"<thead><tr>{top}</tr></thead>" if head else ""
+    return f"<table class={css}>{header}<tbody>{body}</tbody></table>"
+
+
+def html_facts(rows: Iterable[tuple[str, str]]) -> str:
+    """Table of names and what they are."""
+    return html_table((), rows, "facts")
+
+
+def figure(plot: Plot) -> str:
+    """A drawing with its caption."""
+    return f"<figure class=plot>{plot.svg}<figcaption>{escape(plot.caption)}</figcaption></figure>"

@@ -1,0 +1,444 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The report as one page of HTML that needs nothing but itself: no script, no font, no network."""
+
+from __future__ import annotations
+
+import datetime
+import math
+from collections.abc import Mapping, Sequence
+from html import escape
+from pathlib import PurePath
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr import __version__, provenance
+from millcorr.deviation import statistics
+from millcorr.largest import LargestCorrection, largest_correction
+from millcorr.pipeline import Result
+
+from .html import MINUS, coordinates, figure, grouped, html_facts, html_table, mm, page_style, plural, um
+from .plots import COVERAGE, MICRO, Plot, along_contour, histogram
+from .transfer import transfer_section
+from .view import on_contour, path_and_contour
+
+Floats = NDArray[np.float64]
+
+ARROW, SIGMA, DOT, ELLIPSIS = (
+    "\N{RIGHTWARDS ARROW}",
+    "\N{GREEK SMALL LETTER SIGMA}",
+    "\N{MIDDLE DOT}",
+    "\N{HORIZONTAL ELLIPSIS}",
+)
+
+PATH_ERROR_WORTH_SAYING = 1e-3
+"""A program that is farther than this, in mm, from the exact path gets a section of its own."""
+
+_MOST_ROWS = 40
+_MOST_LINES = 6
+
+
+def page(
+    result: Result,
+    *,
+    outputs: Mapping[str, str] | None = None,
+    notes: Sequence[str] = (),
+    date: datetime.date | None = None,
+) -> str:
+    """The report as HTML.
+
+    Parameters
+    ----------
+    result : Result
+    outputs : mapping of str to str, optional
+        What else was written: kind to path.
+    notes : sequence of str
+        Statements for the top.
+    date : datetime.date, optional
+        Today by default.
+    """
+    name = PurePath(result.request.program.name).name
+    largest = largest_correction(result.correction, result.nominal)
+    day = (date or datetime.date.today()).isoformat()
+    body = [
+        f"<header><p class=kind>Toolpath correction report</p><h1>{escape(name)}</h1>"
+        f"<p class=meta>{day} {DOT} millcorr {escape(__version__)}</p></header>",
+        "".join(f"<p class=note>{escape(note)}</p>" for note in notes),
+        _verdict(result, largest),
+        _tiles(result, largest),
+        _warnings(result),
+        _deviations(result),
+        *_plots(result),
+        _separation(result),
+        transfer_section(result),
+        _own_path_error(result),
+        _correction(result, largest),
+        _settings(result),
+        _files(result, outputs or {}),
+        "<footer><p>Every measured point is in <b>deviations.csv</b>, the contour check in <b>contour.csv</b> and "
+        "<b>points.csv</b>, every number in <b>report.json</b>, the compensated profile as NURBS in "
+        f"<b>profile.json</b> and <b>profile.step</b>. Made by millcorr {escape(__version__)}.</p></footer>",
+    ]
+    return (
+        "<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8>"
+        "<meta http-equiv=Content-Security-Policy content=\"default-src 'none'; style-src 'unsafe-inline'\">"
+        "<meta name=viewport content='width=device-width,initial-scale=1'>"
+        f"<meta name=color-scheme content='light dark'><title>{escape(name)}: toolpath correction</title>"
+        f"<style>{page_style()}</style></head>\n<body><main>\n"
+        + "\n".join(part for part in body if part)
+        + "\n</main></body></html>\n"
+    )
+
+
+def profile_value(deviation: Floats) -> float:
+    """Profile deviation 2 max abs(d) in mm, to compare with a tolerance zone (ISO 1101); NaN without points."""
+    return 2.0 * float(np.abs(deviation).max()) if len(deviation) else math.nan
+
+
+def expected_std(result: Result) -> float:
+    """Standard deviation in mm to expect when the next part is measured the same way; NaN where unknown.
+
+    What the correction leaves of the determined part, the random part anew, and what of this part's random
+    part went through the filter into the correction: ``s_rest^2 + s^2 (1 + g^2 q)``.
+    """
+    if not len(result.deviation) or not math.isfinite(result.random_std):
+        return math.nan
+    points = [len(part.determined) for part in result.separations]
+    factor = float(np.average([part.variance_factor for part in result.separations], weights=points))
+    rest = result.filtered + result.predicted - result.deviation.value
+    gain = result.request.settings.gain
+    variance = float(rest.var()) + result.random_std**2 * (1 + gain**2 * factor)
+    return math.sqrt(variance)
+
+
+def _corrected_before(result: Result) -> bool:
+    return bool(provenance.marks(result.request.program.comments()))
+
+
+def _verdict(result: Result, largest: LargestCorrection) -> str:
+    d, settings, proof = result.deviation, result.request.settings, result.verification
+    words = []
+    if len(d):
+        s = statistics(d.value)
+        measurement = result.request.measurement
+        name = PurePath(measurement.source).name if measurement is not None else ""
+        words.append(
+            f"{plural(len(d) + len(d.rejected), 'measured point')} ({escape(name)}) show deviations of "
+            f"{um(s['min'], True)} to {um(s['max'], True)} {MICRO}, {um(s['mean'], True)} {MICRO} in the mean."
+        )
+    else:
+        words.append("No measurement: the path is laid on the exact parallel of the nominal contour.")
+    moves = result.regeneration
+    if not moves.changed:
+        words.append("Nothing is to be corrected: <b>the program stays as it is</b>.")
+    elif abs(largest.value) < 5e-9:
+        words.append(f"<b>{plural(moves.changed, 'move')} of the program change</b> by the path's own error only.")
+    else:
+        words.append(
+            f"<b>The correction moves the contour by up to {um(largest.value, True)} {MICRO}</b> (at "
+            f"{coordinates(*largest.point)}) and changes {plural(moves.changed, 'move')}."
+        )
+    kept = "within" if proof.path_error_max <= settings.tolerance else "<b>outside</b>"
+    words.append(
+        f"Read back, the program keeps the exact path to {um(proof.path_error_max)} {MICRO}, {kept} its tolerance of "
+        f"{um(settings.tolerance)} {MICRO}."
+    )
+    return f"<p class=verdict>{' '.join(words)}</p>"
+
+
+def _tiles(result: Result, largest: LargestCorrection) -> str:
+    tiles = []
+    if len(result.deviation):
+        before, after = statistics(result.deviation.value), statistics(result.predicted)
+        mean = f"{um(before['mean'], True)} {ARROW} {um(after['mean'], True)}"
+        height = f"{um(before['height'])} {ARROW} {um(after['height'])}"
+        tiles.append((mean, f"mean deviation, {MICRO}, before and predicted"))
+        tiles.append((height, f"height (max {MINUS} min), {MICRO}, before and predicted"))
+    tiles.append((f"{um(largest.value, True)} {MICRO}", "largest correction of the contour"))
+    if len(result.deviation) == 0:
+        tiles.append((plural(result.regeneration.changed, "move"), "changed in the program"))
+    tiles.append((f"{um(result.verification.path_error_max)} {MICRO}", "largest path error of the program, read back"))
+    inner = "".join(f"<div class=tile><b>{escape(v)}</b><span>{escape(what)}</span></div>" for v, what in tiles)
+    return f"<div class=tiles>{inner}</div>"
+
+
+def _warnings(result: Result) -> str:
+    if not result.warnings:
+        return ""
+    items = "".join(f"<li>{escape(text)}</li>" for text in result.warnings)
+    title = "Warning" if len(result.warnings) == 1 else f"{len(result.warnings)} warnings"
+    return f"<section class=warnings><b>{title}</b><ul>{items}</ul></section>"
+
+
+_SIGN = (
+    "Deviations are signed along the nominal's normal: <b>positive is excess material, negative is undercut</b>. "
+    f"Deviations in {MICRO}, coordinates and lengths in mm."
+)
+
+
+def _deviations(result: Result) -> str:
+    d = result.deviation
+    if not len(d):
+        return f"<h2>Deviations</h2><p>No points were measured.</p><p class=small>{_SIGN}</p>"
+    columns = (("before", d.value), ("determined part", result.filtered), ("predicted after", result.predicted))
+    rows = []
+    for name, value in columns:
+        s = statistics(value)
+        signed = [um(s[key], True) for key in ("mean", "min", "max")]
+        rows.append((name, *signed, um(s["height"]), um(s["std"]), um(profile_value(value))))
+    head = (MICRO, "mean", "min", "max", "height", "std", "profile value")
+    words = [
+        "Predicted: the same points after the correction, this part's random part unchanged. The profile value is "
+        f"2{DOT}max|d|, to be held against the width of a profile tolerance zone (ISO 1101)."
+    ]
+    again = expected_std(result)
+    if math.isfinite(again):
+        words.append(
+            "The next part brings its own random part: measured the same way, a standard deviation of about "
+            f"<b>{um(again)} {MICRO}</b> is to be expected."
+        )
+    else:
+        words.append(
+            "The random part is not known here, so the prediction is too favourable: the next part brings its own, "
+            "and what was random on this part comes on top."
+        )
+    return (
+        f"<h2>Deviations</h2>{html_table(head, rows)}<p class=small>{_SIGN}</p><p class=small>{' '.join(words)}</p>"
+        + _points(result)
+        + _by_level(result)
+    )
+
+
+def _points(result: Result) -> str:
+    d, measurement = result.deviation, result.request.measurement
+    assert measurement is not None
+    kind = "contact points"
+    if measurement.ball_radius > 0:
+        kind = f"ball centres, ball radius {measurement.ball_radius:g} mm"
+    elif measurement.axis_radii is not None:
+        radii = " and ".join(f"{radius:g}" for radius in sorted(set(measurement.axis_radii)))
+        kind = f"ball centres shifted along an axis, ball radius {radii} mm"
+    if measurement.probe is not None:
+        kind += f", probe {escape(measurement.probe.source)}" if measurement.probe.source else ", calibrated probe"
+    counts = f"{plural(len(measurement), 'point')} read ({kind}), {grouped(len(d))} used, "
+    counts += f"{grouped(len(d.rejected))} rejected"
+    groups: dict[str, list[int]] = {}
+    for r in d.rejected:
+        groups.setdefault(r.reason, []).append(int(measurement.lines[r.index]))
+    items = []
+    for reason, lines in sorted(groups.items(), key=lambda group: -len(group[1])):
+        listed = ", ".join([*map(str, lines[:_MOST_LINES]), *([ELLIPSIS] if len(lines) > _MOST_LINES else [])])
+        word = "line" if len(lines) == 1 else "lines"
+        items.append(f"<li>{grouped(len(lines))} \N{MULTIPLICATION SIGN} {escape(reason)} ({word} {listed})</li>")
+    return f"<p>{counts}.</p>" + (f"<ul>{''.join(items)}</ul>" if items else "")
+
+
+def _by_level(result: Result) -> str:
+    """Before and predicted for every contour and level, where there are several."""
+    d = result.deviation
+    levels = int(d.level.max()) + 1
+    keys = [divmod(int(key), levels) for key in np.unique(d.contour * levels + d.level)]
+    if len(keys) < 2:
+        return ""
+    rows = []
+    for contour, level in keys[:_MOST_ROWS]:
+        at = (d.contour == contour) & (d.level == level)
+        before, after = statistics(d.value[at]), statistics(result.predicted[at])
+        rows.append(
+            (
+                f"contour {contour + 1}, Z {mm(float(d.z[at].mean()))}",
+                grouped(int(at.sum())),
+                um(before["mean"], True),
+                um(before["height"]),
+                um(before["std"]),
+                um(after["mean"], True),
+                um(after["height"]),
+                um(after["std"]),
+            )
+        )
+    head = (MICRO, "points", "mean", "height", "std", "predicted mean", "height", "std")
+    more = f"<p class=small>{len(keys) - _MOST_ROWS} more are not listed.</p>" if len(keys) > _MOST_ROWS else ""
+    return html_table(head, rows) + more
+
+
+def near_zero(result: Result) -> tuple[float, str]:
+    """Deviation in mm up to which a point counts as near zero on the contour's plot, and why."""
+    settings = result.request.settings
+    if settings.dead_band > 0:
+        return settings.dead_band, "the dead band"
+    if math.isfinite(result.random_std) and result.random_std > 0:
+        return 2 * result.random_std, f"twice the random part's {SIGMA}"
+    return settings.tolerance, "the path's tolerance"
+
+
+def _plots(result: Result) -> list[str]:
+    d = result.deviation
+    parts = []
+    if len(d):
+        plot = along_contour(result.nominal, d, result.filtered, result.predicted, result.uncertainty)
+        parts.append("<h2>Deviation along the contour</h2>" + figure(plot))
+    within, why = near_zero(result)
+    rejected = None
+    if result.request.measurement is not None and d.rejected:
+        rejected = result.request.measurement.points[[r.index for r in d.rejected]]
+    plot = on_contour(result.nominal, d, result.filtered, within=within, rejected=rejected)
+    title = "Deviations on the contour" if len(d) else "Contour"
+    more = f" Near zero: up to {um(within)} {MICRO}, {why}." if len(d) else ""
+    parts.append(f"<h2>{title}</h2>" + figure(Plot(plot.svg, plot.caption + more)))
+    if len(d):
+        parts.append("<h2>Path and contour</h2>" + figure(path_and_contour(result)))
+        parts.append("<h2>Distribution</h2>" + figure(histogram(d.value, result.predicted, result.random_std)))
+    return parts
+
+
+def _separation(result: Result) -> str:
+    if not result.separations:
+        return ""
+    random = (
+        f"<p>Random part: standard deviation <b>{um(result.random_std)} {MICRO}</b>, process and measurement "
+        "together. It does not repeat and is not corrected.</p>"
+        if math.isfinite(result.random_std)
+        else "<p>The random part is not known: without a filter all of the deviation is taken as determined, and what "
+        "was random on this part is milled into the next.</p>"
+    )
+    random += "".join(f"<p>{escape(text[:1].upper() + text[1:])}.</p>" for text in result.advice)
+    title = "<h2>What repeats and what does not</h2>"
+    if len(result.separations) == 1:
+        part = result.separations[0]
+        words = part.description[:1].upper() + part.description[1:]
+        return (
+            f"{title}{random}<p>{escape(words)}. Of the random part's variance {part.variance_factor * 100:.1f} % "
+            "goes through the filter into the correction.</p>"
+        )
+    rows = [
+        (str(i), grouped(len(part.determined)), um(part.random_std), f"{part.variance_factor:.3f}", part.description)
+        for i, part in enumerate(result.separations[:_MOST_ROWS], 1)
+    ]
+    head = ("smooth stretch and level", "points", f"random {SIGMA} / {MICRO}", "variance factor", "filter")
+    left = len(result.separations) - _MOST_ROWS
+    more = f"<p class=small>{left} more are not listed.</p>" if left > 0 else ""
+    table = html_table(head, rows).replace("<th>filter</th>", "<th class=words>filter</th>")
+    return f"{title}{random}{_last_column_in_words(table)}{more}"
+
+
+def _last_column_in_words(table: str) -> str:
+    rows = table.split("</td></tr>")
+    return "</td></tr>".join(
+        row[: row.rfind("<td>")] + "<td class=words>" + row[row.rfind("<td>") + 4 :] if "<td>" in row else row
+        for row in rows
+    )
+
+
+def _own_path_error(result: Result) -> str:
+    error = result.regeneration.original_error
+    if error <= PATH_ERROR_WORTH_SAYING:
+        return ""
+    title = "<h2>The program's own path error</h2>"
+    if _corrected_before(result):
+        title = "<h2>The correction in force</h2>"
+        words = (
+            f"This program was corrected before: it commands a contour up to <b>{um(error)} {MICRO}</b> off the "
+            "nominal. This offset is known exactly and was taken out of the deviations before filtering; the new "
+            "correction takes its place."
+        )
+    else:
+        words = (
+            f"The path of the program is up to <b>{um(error)} {MICRO}</b> off the exact parallel of the nominal. This "
+            "share comes from the CAM system's path, not from the machine: it is known exactly, was taken out of the "
+            "deviations before filtering, and the corrected program does not have it."
+        )
+    if not len(result.commanded):
+        return f"{title}<p>{words}</p>"
+    s = statistics(result.commanded)
+    rms = math.sqrt(float((result.commanded**2).mean()))
+    signed = [um(s[key], True) for key in ("mean", "min", "max")]
+    row = ("at the points", *signed, um(s["height"]), um(s["std"]), um(rms))
+    return f"{title}<p>{words}</p>" + html_table((MICRO, "mean", "min", "max", "height", "std", "rms"), [row])
+
+
+def _uncertainty(result: Result) -> list[tuple[str, str]]:
+    """How well the correction is known; nothing where that is not known."""
+    known = result.uncertainty[np.isfinite(result.uncertainty)]
+    if not len(known):
+        return []
+    gain, parts = result.request.settings.gain, len(result.request.measurements)
+    seen = f"from the spread of {parts} parts" if parts > 1 else "from the scatter of the points of one part"
+    return [
+        (
+            "Uncertainty of the correction",
+            f"expanded (k = {COVERAGE:g}, about 95 %) \N{PLUS-MINUS SIGN}{um(gain * COVERAGE * float(known.max()))} "
+            f"{MICRO} at most, \N{PLUS-MINUS SIGN}{um(gain * COVERAGE * float(np.median(known)))} {MICRO} typically, "
+            f"{seen}. No tolerance is known here, so nothing is said about conformity (ISO 14253-1)",
+        )
+    ]
+
+
+def _correction(result: Result, largest: LargestCorrection) -> str:
+    moves, proof, settings = result.regeneration, result.verification, result.request.settings
+    where = f" at {coordinates(*largest.point)}, s = {mm(largest.s)} mm" if largest.value else ""
+    if largest.value and len(result.nominal.contours) > 1:
+        where += f" on contour {largest.contour + 1}"
+    side = "out of the material" if largest.value > 0 else "into the material"
+    facts = [
+        ("Largest correction", f"{um(largest.value, True)} {MICRO}{where}" + (f" ({side})" if largest.value else "")),
+        *_uncertainty(result),
+        ("Moves", f"{grouped(moves.changed)} of the program's moves changed, {grouped(len(moves.toolpath))} written"),
+        ("Largest displacement of a vertex", f"{um(moves.largest_shift)} {MICRO}"),
+    ]
+    status = "kept" if proof.path_error_max <= settings.tolerance else "exceeded"
+    checks = [
+        (
+            "Largest path error",
+            f"{um(proof.path_error_max)} {MICRO} at {coordinates(*proof.place)}; "
+            f"tolerance {um(settings.tolerance)} {MICRO} {status}",
+        ),
+        ("Gouge", f"{um(proof.gouge_max)} {MICRO} nearer to the profile than the cutter's radius at most"),
+        ("Profile as NURBS", f"within {um(result.fit_residual)} {MICRO} of the exact compensated contour"),
+        ("Checked length of path", f"{mm(proof.length)} mm"),
+    ]
+    return (
+        f"<h2>Correction</h2>{html_facts(facts)}<h2>Verification</h2><p>The emitted program was read back and its path "
+        f"compared with the exact parallel of the compensated profile.</p>{html_facts(checks)}"
+    )
+
+
+_SETTING_NAMES = {
+    "side": "Side of the cutter",
+    "align": "Alignment",
+    "filter": "Filter",
+    "method": "Method",
+    "gain": "Gain",
+    "limit": "Limit of a correction",
+    "dead_band": "Dead band",
+    "tolerance": "Tolerance of the path",
+    "output_moves": "Kinds of move written",
+    "cutter_compensation": "With G41, G42 the program gives",
+}
+_LENGTHS = ("limit", "dead_band", "tolerance")
+
+
+def _settings(result: Result) -> str:
+    summary = result.summary()
+    facts = [("Tool diameter", f"{2 * result.request.radius:g} mm")]
+    distance = "the cutter's centre" if result.path_radius else "the contour; the control offsets by the radius"
+    facts.append(("Program gives", distance))
+    facts.append(("Nominal", "given" if result.request.nominal is not None else "the contour that the program cuts"))
+    for name, value in summary["settings"].items():
+        text = f"{value:g}" if isinstance(value, float) else str(value)
+        facts.append((_SETTING_NAMES.get(name, name.replace("_", " ")), text + (" mm" if name in _LENGTHS else "")))
+    shift, turn = summary["alignment"]["shift"], summary["alignment"]["rotation_deg"]
+    if any(shift) or turn:
+        facts.append(("Aligned by", f"shift X{mm(shift[0], 4)} Y{mm(shift[1], 4)} mm, turn {turn:.5f} degrees"))
+    return f"<h2>Settings</h2>{html_facts(facts)}"
+
+
+def _files(result: Result, outputs: Mapping[str, str]) -> str:
+    rows = "".join(
+        f"<tr><th>{escape(kind)}</th><td>{escape(str(entry['name']))}<br><span class=hash>SHA-256 "
+        f"{escape(str(entry['sha256']))}</span></td></tr>"
+        for kind, entry in result.inputs().items()
+    )
+    out = f"<h2>Inputs</h2><table class=facts><tbody>{rows}</tbody></table>"
+    if outputs:
+        out += f"<h2>Outputs</h2>{html_facts((kind, str(path)) for kind, path in outputs.items())}"
+    return out

@@ -1,0 +1,446 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The plots of a report as SVG: looks, deviations along the contour, and their distribution.
+
+Many points are thinned for drawing only, and the captions say how; no number comes from what is drawn.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr.compensation import GAP_SPACINGS, along
+from millcorr.deviation import Deviation
+from millcorr.profile import CORNER_ANGLE, Profile
+
+from .svg import MARKERS, Axis, Canvas, bars, columns, markers, number, polyline, round_step
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Bools = NDArray[np.bool_]
+
+UM = 1000.0
+MICRO = "\N{MICRO SIGN}m"
+
+WIDTH = 760.0
+MOST_MARKERS = 1200
+"""Points of one panel beyond which columns of pixels are drawn instead."""
+
+MOST_PANELS = 8
+
+COVERAGE = 2.0
+"""Coverage factor k of the drawn band: about 95 %."""
+
+COLOURS = {
+    "light": {
+        "ink": "#1b2530",
+        "soft": "#5b6875",
+        "faint": "#dde3e9",
+        "paper": "#ffffff",
+        "material": "#eef2f6",
+        "raw": "#7c8a98",
+        "predicted": "#7d4cb8",
+        "excess": "#0065a8",
+        "within": "#0a8a63",
+        "undercut": "#c8480a",
+    },
+    "dark": {
+        "ink": "#e4eaf0",
+        "soft": "#9aa8b6",
+        "faint": "#303a45",
+        "paper": "#161c22",
+        "material": "#212a33",
+        "raw": "#8795a3",
+        "predicted": "#b893ec",
+        "excess": "#5ab4f2",
+        "within": "#3ecb9b",
+        "undercut": "#ff8a4f",
+    },
+}
+"""Colours by role; excess, within and undercut stay apart for colour-blind eyes."""
+
+STYLE = """
+.plot text{font-family:inherit;font-size:11px;fill:var(--soft)}
+.plot .legend,.plot .strong{fill:var(--ink)}
+.plot .strong{font-weight:600}
+.plot path{fill:none}
+.plot .axis{stroke:var(--soft);stroke-width:1}
+.plot .grid{stroke:var(--faint);stroke-width:1}
+.plot .zero{stroke:var(--soft);stroke-width:1}
+.plot .corner{stroke:var(--soft);stroke-width:1;stroke-dasharray:2 3}
+.plot .raw{stroke:var(--raw);stroke-width:1}
+.plot .predicted{stroke:var(--predicted);stroke-width:1}
+.plot .band{fill:var(--ink);fill-opacity:.16}
+.plot .raw-columns{stroke:var(--raw);stroke-width:1;opacity:.55}
+.plot .predicted-columns{stroke:var(--predicted);stroke-width:1;opacity:.5}
+.plot .filtered{stroke:var(--ink);stroke-width:1.8;stroke-linejoin:round}
+.plot .filtered.dash1{stroke-dasharray:7 3}
+.plot .filtered.dash2{stroke-dasharray:2 2}
+.plot .filtered.dash3{stroke-dasharray:9 3 2 3}
+.plot .material{fill:var(--material);fill-rule:evenodd}
+.plot .nominal{stroke:var(--ink);stroke-width:1.2;stroke-linejoin:round}
+.plot .way{stroke:var(--predicted);stroke-width:1.2;stroke-dasharray:6 3;stroke-linejoin:round}
+.plot .course{stroke:var(--soft);stroke-width:1;stroke-linejoin:round}
+.plot .excess{stroke:var(--excess);stroke-width:1.1}
+.plot .within{stroke:var(--within);stroke-width:1.1}
+.plot .undercut{stroke:var(--undercut);stroke-width:1.1}
+.plot .excess.tip{fill:var(--excess)}
+.plot .undercut.tip{fill:var(--paper)}
+.plot .rejected{stroke:var(--soft);stroke-width:1.2}
+.plot .start{stroke:var(--ink);stroke-width:1.6;fill:var(--paper)}
+.plot .arrow{stroke:var(--ink);stroke-width:1.6;stroke-linejoin:round;stroke-linecap:round}
+.plot .raw-fill{stroke:var(--raw);fill:var(--raw);fill-opacity:.35}
+.plot .predicted-fill{stroke:var(--predicted);fill:var(--predicted);fill-opacity:.4}
+.plot .spread{stroke:var(--ink);stroke-width:1.4}
+.plot .bell{stroke:var(--ink);stroke-width:1.2;stroke-dasharray:4 3}
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Plot:
+    """A drawing and the words under it.
+
+    Parameters
+    ----------
+    svg : str
+        The drawing; its looks come from `STYLE`, which needs `COLOURS` as CSS variables. See `standalone`.
+    caption : str
+    """
+
+    svg: str
+    caption: str
+
+
+def standalone(plot: Plot, theme: str = "light") -> str:
+    """The drawing as an SVG file of its own, with the colours of a theme written in."""
+    colours = COLOURS[theme]
+    style = re.sub(r"var\(--([a-z]+)\)", lambda match: colours[match[1]], STYLE)
+    style = style.replace(".plot ", "").replace("inherit", "sans-serif")
+    return plot.svg.replace("<title>", f"<style>{style}</style><title>", 1)
+
+
+def along_contour(
+    profile: Profile, deviation: Deviation, filtered: Floats, predicted: Floats, uncertainty: Floats | None = None
+) -> Plot:
+    """Deviations over arc length: points, determined part with its uncertainty, prediction; a panel for every contour.
+
+    Parameters
+    ----------
+    profile : Profile
+        Nominal.
+    deviation : Deviation
+        At least one point.
+    filtered, predicted : (n,) float64
+        mm.
+    uncertainty : (n,) float64, optional
+        Standard uncertainty of the determined part in mm; a band of twice as much on either side is drawn where it
+        is a number.
+    """
+    half = np.full(len(deviation), np.nan) if uncertainty is None else COVERAGE * uncertainty
+    contours = np.unique(deviation.contour)
+    shown = contours
+    if len(contours) > MOST_PANELS:
+        worst = [np.abs(deviation.value[deviation.contour == k]).max() for k in contours]
+        shown = np.sort(contours[np.argsort(worst)[-MOST_PANELS:]])
+    levels = levels_of(deviation)
+    height = 250.0 if len(shown) == 1 else 175.0
+    top = 30 if len(levels) == 1 else 48
+    canvas = Canvas(WIDTH, top - 6 + len(shown) * (height + 44), "Deviation along the contour")
+    dense = max(int((deviation.contour == k).sum()) for k in shown) > MOST_MARKERS
+    banded = bool(np.isfinite(half).any())
+    _along_legend(canvas, levels, dense, banded)
+    for i, k in enumerate(shown):
+        rows = np.flatnonzero(deviation.contour == k)
+        title = f"contour {int(k) + 1}" if len(profile.contours) > 1 else ""
+        panel = _Panel(canvas, top + i * (height + 44), height, title, f"along{int(k)}")
+        panel.draw(profile, int(k), deviation, rows, filtered, half, predicted, levels)
+    words = [
+        f"Deviation in {MICRO} over the arc length of the nominal, from its start; above zero material is left, "
+        "below too much is gone."
+    ]
+    if banded:
+        words.append(
+            f"Band: the determined part with its expanded uncertainty (k = {COVERAGE:g}, about 95 %), "
+            f"up to \N{PLUS-MINUS SIGN}{np.nanmax(half) * UM:.2f} {MICRO}."
+        )
+    if dense:
+        words.append("Where points are dense, each column of pixels shows the range from the smallest to the largest.")
+    if len(shown) < len(contours):
+        words.append(
+            f"Of {len(contours)} measured contours the {len(shown)} with the largest deviations are drawn; "
+            "deviations.csv has all."
+        )
+    if any(len(corners(profile, int(k))) for k in shown):
+        words.append("Dotted uprights mark corners: no filter reaches across them.")
+    return Plot(str(canvas), " ".join(words))
+
+
+def corners(profile: Profile, contour: int) -> Floats:
+    """Arc lengths in mm of a contour's corners, from its start."""
+    spans = np.flatnonzero((profile.contour == contour) & (np.abs(np.nan_to_num(profile.turn)) > CORNER_ANGLE))
+    total = float(profile.total[contour])
+    at = profile.begin[spans] + profile.length[spans]
+    return np.sort(np.where(at > total - 1e-9, 0.0, at)) if profile.contours[contour].closed else np.sort(at)
+
+
+def levels_of(deviation: Deviation) -> list[tuple[int, float]]:
+    """Number and mean height of every level."""
+    return [(int(k), float(deviation.z[deviation.level == k].mean())) for k in np.unique(deviation.level)]
+
+
+def _along_legend(canvas: Canvas, levels: list[tuple[int, float]], dense: bool, banded: bool) -> None:
+    mark = "m-4-4v8m2-10v9m2-6v8m2-9v9m2-8v8" if dense else MARKERS[0]
+    suffix = "-columns" if dense else ""
+    entries = [
+        ("before, range of the points" if dense else "before, each point", [(f"raw{suffix}", mark)]),
+        ("determined part (filtered)", [("filtered", "m-9 0h18")]),
+        ("predicted after the correction", [(f"predicted{suffix}", mark)]),
+    ]
+    if banded:
+        entries.insert(2, (f"its uncertainty, k = {COVERAGE:g}", [("band", "m-9-4h18v8h-18z")]))
+    canvas.legend(56, 14, entries)
+    if len(levels) > 1:
+        # More do not fit; the table by level has them.
+        entries = [
+            (f"Z {number(round(z, 3))}", [(f"filtered dash{i % 4}", "m-12 0h24"), *_level_mark(i, dense)])
+            for i, (_, z) in enumerate(levels[:8])
+        ]
+        canvas.legend(56, 32, entries)
+
+
+def _level_mark(level: int, dense: bool) -> list[tuple[str, str]]:
+    return [] if dense else [("raw", MARKERS[level % len(MARKERS)])]
+
+
+@dataclass(slots=True)
+class _Panel:
+    """One contour's plot over arc length."""
+
+    canvas: Canvas
+    top: float
+    height: float
+    title: str
+    name: str
+
+    def draw(
+        self,
+        profile: Profile,
+        contour: int,
+        deviation: Deviation,
+        rows: Ints,
+        filtered: Floats,
+        half: Floats,
+        predicted: Floats,
+        levels: list[tuple[int, float]],
+    ) -> None:
+        canvas, bottom = self.canvas, self.top + self.height
+        total = float(profile.total[contour])
+        x = Axis(0.0, total, 56.0, WIDTH - 12.0)
+        edge = np.nan_to_num(half[rows])
+        values = (
+            np.concatenate([deviation.value[rows], predicted[rows], filtered[rows] - edge, filtered[rows] + edge]) * UM
+        )
+        y = value_axis(values, bottom, self.top)
+        frame(canvas, x, y, "s / mm", f"deviation / {MICRO}")
+        if self.title:
+            canvas.text(x.end, self.top - 5, self.title, "strong", "end")
+        canvas.clip(self.name, x.start, self.top, x.end - x.start, self.height)
+        for s in corners(profile, contour):
+            canvas.line(x.at(s), self.top, x.at(s), bottom, "corner")
+        dense = len(rows) > MOST_MARKERS
+        self._bands(x, y, profile, deviation, rows, filtered, half, total)
+        for i, (level, _) in enumerate(levels):
+            at = rows[deviation.level[rows] == level]
+            if not len(at):
+                continue
+            px = x(deviation.s[at])
+            for value, css in ((deviation.value, "raw"), (predicted, "predicted")):
+                py = y(value[at] * UM)
+                if dense:
+                    middle, [(low, _, high)] = columns(px, [py])
+                    canvas.path(bars(middle, low, high), f"{css}-columns")
+                else:
+                    canvas.path(markers(px, py, i), css)
+        stretches = profile.stretches()
+        for i, (level, _) in enumerate(levels):
+            for k in np.unique(deviation.stretch[rows]):
+                at = rows[(deviation.level[rows] == level) & (deviation.stretch[rows] == k)]
+                local = along(stretches[int(k)], deviation.s[at], profile)
+                line = course(local, filtered[at], stretches[int(k)].length, stretches[int(k)].closed)
+                begin = stretches[int(k)].begin
+                data = "".join(self._wrapped(x, y, begin + s, value, total) for s, value in line)
+                canvas.path(data, f"filtered dash{i % 4}", self.name)
+
+    def _bands(
+        self,
+        x: Axis,
+        y: Axis,
+        profile: Profile,
+        deviation: Deviation,
+        rows: Ints,
+        filtered: Floats,
+        half: Floats,
+        total: float,
+    ) -> None:
+        """Determined part less and plus half the band's width, for every stretch and level."""
+        stretches = profile.stretches()
+        rows = rows[np.isfinite(half[rows])]
+        levels = int(deviation.level.max()) + 1
+        key = deviation.stretch[rows] * levels + deviation.level[rows]
+        for one in np.unique(key):
+            at, stretch = rows[key == one], stretches[int(one) // levels]
+            local = along(stretch, deviation.s[at], profile)
+            lower = course(local, filtered[at] - half[at], stretch.length, stretch.closed)
+            upper = course(local, filtered[at] + half[at], stretch.length, stretch.closed)
+            data = ""
+            for (s, low), (_, high) in zip(lower, upper, strict=True):
+                px, py, qy = x(stretch.begin + s), y(low * UM), y(high * UM)
+                if len(s) > 2 * MOST_MARKERS:
+                    px, [(_, py, _), (_, qy, _)] = columns(px, [py, qy])
+                for shift in (0.0, x.start - x.end, x.end - x.start):
+                    if (px + shift).max() > x.start and (px + shift).min() < x.end:
+                        data += polyline(np.append(px, px[::-1]) + shift, np.append(py, qy[::-1]), True)
+            self.canvas.path(data, "band", self.name)
+
+    @staticmethod
+    def _wrapped(x: Axis, y: Axis, s: Floats, value: Floats, total: float) -> str:
+        """The line, and once more a turn earlier where it runs past the contour's seam."""
+        px, py = x(s), y(value * UM)
+        if len(s) > 2 * MOST_MARKERS:
+            px, [(_, py, _)] = columns(px, [py])
+        out = polyline(px, py)
+        turn = x.end - x.start
+        for shift, needed in ((-turn, s.max() > total), (turn, s.min() < 0)):
+            if needed:
+                out += polyline(px + shift, py)
+        return out
+
+
+def course(s: Floats, value: Floats, length: float, closed: bool) -> list[tuple[Floats, Floats]]:
+    """Values sorted by arc length, cut where a gap is long; a closed course goes on past its seam by a point."""
+    if not len(s):
+        return []
+    order = np.argsort(s, kind="stable")
+    s, value = s[order], value[order]
+    if closed:
+        s = np.concatenate([[s[-1] - length], s, [s[0] + length]])
+        value = np.concatenate([[value[-1]], value, [value[0]]])
+    step = np.diff(s)
+    apart = step[step > 0]
+    typical = float(np.median(apart)) if len(apart) else math.inf
+    cuts = np.flatnonzero(step > GAP_SPACINGS * typical) + 1
+    return list(zip(np.split(s, cuts), np.split(value, cuts), strict=True))
+
+
+def value_axis(values: Floats, bottom: float, top: float) -> Axis:
+    """Axis of values in micrometres that holds zero."""
+    low, high = min(0.0, float(values.min())), max(0.0, float(values.max()))
+    room = max(high - low, 0.2)
+    return Axis(low - 0.08 * room, high + 0.08 * room, bottom, top)
+
+
+def frame(canvas: Canvas, x: Axis, y: Axis, below: str, beside: str) -> None:
+    """Grid, ticks and names of a plot whose zero is marked."""
+    for value in y.ticks(6):
+        at = y.at(value)
+        canvas.line(x.start, at, x.end, at, "zero" if value == 0 else "grid")
+        canvas.text(x.start - 6, at + 4, number(value), anchor="end")
+    for value in x.ticks(10):
+        at = x.at(value)
+        canvas.line(at, y.start, at, y.start + 4, "axis")
+        canvas.text(at, y.start + 16, number(value), anchor="middle")
+    canvas.line(x.start, y.start, x.end, y.start, "axis")
+    canvas.text((x.start + x.end) / 2, y.start + 30, below, anchor="middle")
+    canvas.text(13, (y.start + y.end) / 2, beside, anchor="middle", turn=-90)
+
+
+def histogram(before: Floats, predicted: Floats, random_std: float) -> Plot:
+    """Distribution of the deviations before, and predicted after the correction.
+
+    Parameters
+    ----------
+    before, predicted : (n,) float64
+        mm; at least one point.
+    random_std : float
+        mm; NaN where it is not known.
+    """
+    a, b = before * UM, predicted * UM
+    low, high = float(min(a.min(), b.min(), 0.0)), float(max(a.max(), b.max(), 0.0))
+    width = class_width(a, b, high - low)
+    first, last = math.floor(low / width), max(math.floor(high / width) + 1, math.floor(low / width) + 1)
+    edges = np.arange(first, last + 1) * width
+    counts = [np.histogram(v, edges)[0] for v in (a, b)]
+    canvas = Canvas(WIDTH, 262, "Distribution of the deviations")
+    canvas.legend(
+        56,
+        14,
+        [
+            ("before", [("raw-fill", "m-8-4h16v8h-16z")]),
+            ("predicted after the correction", [("predicted-fill", "m-8-4h16v8h-16z")]),
+            ("mean \N{PLUS-MINUS SIGN} standard deviation", [("spread", "m-9-4v8m0-4h18m0-4v8")]),
+            *([("normal law of the random part", [("bell", "m-9 0h18")])] if random_std > 0 else []),
+        ],
+    )
+    top, bottom = 48.0, 226.0
+    x = Axis(float(edges[0]) - width, float(edges[-1]) + width, 56, WIDTH - 12)
+    tallest = float(max(c.max() for c in counts))
+    if random_std > 0:
+        tallest = max(tallest, len(b) * width / (random_std * UM * math.sqrt(2 * math.pi)))
+    y = Axis(0.0, 1.05 * tallest, bottom, top)
+    for value in y.ticks(5):
+        if value == int(value):
+            canvas.line(x.start, y.at(value), x.end, y.at(value), "grid")
+            canvas.text(x.start - 6, y.at(value) + 4, number(value), anchor="end")
+    for count, css in zip(counts, ("raw-fill", "predicted-fill"), strict=True):
+        canvas.path(_steps(x(edges), y(count.astype(np.float64)), bottom), css)
+    for value in x.ticks(12):
+        canvas.line(x.at(value), bottom, x.at(value), bottom + 4, "axis")
+        canvas.text(x.at(value), bottom + 16, number(value), anchor="middle")
+    canvas.line(x.start, bottom, x.end, bottom, "axis")
+    if x.low < 0 < x.high:
+        canvas.line(x.at(0), top - 8, x.at(0), bottom, "zero")
+    for v, level, css in ((a, 30.0, "raw"), (b, 40.0, "predicted")):
+        mean, std = float(v.mean()), float(v.std(ddof=1)) if len(v) > 1 else 0.0
+        canvas.line(x.at(mean - std), level, x.at(mean + std), level, "spread")
+        canvas.path(f"M{x.at(mean):.1f} {level:.1f}{MARKERS[3]}", css)
+        for end in (mean - std, mean + std):
+            canvas.line(x.at(end), level - 3, x.at(end), level + 3, "spread")
+    if math.isfinite(random_std) and random_std > 0:
+        sigma, mean = random_std * UM, float(b.mean())
+        at = np.linspace(max(x.low, mean - 4 * sigma), min(x.high, mean + 4 * sigma), 161)
+        bell = len(b) * width / (sigma * math.sqrt(2 * math.pi)) * np.exp(-0.5 * ((at - mean) / sigma) ** 2)
+        canvas.path(polyline(x(at), y(bell)), "bell")
+    canvas.text((x.start + x.end) / 2, bottom + 32, f"deviation / {MICRO}", anchor="middle")
+    canvas.text(13, (top + bottom) / 2, "points", anchor="middle", turn=-90)
+    words = f"Classes of {number(width)} {MICRO}; bars above: mean \N{PLUS-MINUS SIGN} standard deviation."
+    if math.isfinite(random_std):
+        words += (
+            f" The random part has a standard deviation of {random_std * UM:.2f} {MICRO}: no correction can make the "
+            "spread smaller than what of it comes from the process."
+        )
+    return Plot(str(canvas), words)
+
+
+def class_width(a: Floats, b: Floats, span: float) -> float:
+    """Round class width after Freedman and Diaconis, with 14 to 60 classes."""
+    wide = []
+    for v in (a, b):
+        quarter = float(np.subtract(*np.percentile(v, [75, 25])))
+        if quarter > 1e-9:
+            wide.append(2 * quarter / len(v) ** (1 / 3))
+    width = min(wide, default=span / 20)
+    return round_step(float(np.clip(width / 2, max(span / 60, 1e-3), max(span / 30, 1e-3))))
+
+
+def _steps(edges: Floats, tops: Floats, base: float) -> str:
+    x = np.repeat(edges, 2)
+    y = np.concatenate([[base], np.repeat(tops, 2), [base]])
+    filled = np.flatnonzero(tops < base)
+    if not len(filled):
+        return ""
+    low, high = 2 * int(filled[0]), 2 * int(filled[-1]) + 4
+    return polyline(x[low:high], y[low:high], True)

@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Report of a simulated program: a table of every signal, plots, and a page in which it is cut."""
+
+from __future__ import annotations
+
+import datetime
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr import pipeline
+from millcorr.engagement import Engagement, engagement
+from millcorr.errors import RefusedError
+from millcorr.prediction import Simulation, simulate
+from millcorr.prediction.foreseen import require_setup
+from millcorr.prediction.signals import Signals, csv_lines
+
+from . import simulation_view
+from . import wall as report_wall
+from .history import write_whole
+from .plots import MICRO, UM, standalone
+from .simulation_page import page
+
+Floats = NDArray[np.float64]
+
+
+def write(
+    request: pipeline.Request,
+    directory: Path,
+    *,
+    date: datetime.date | None = None,
+    heights: Sequence[float] = (),
+) -> str:
+    """Simulate a program and its correction, and write what happens.
+
+    Parameters
+    ----------
+    request : Request
+        With a setup and method ``predicted``.
+    directory : Path
+        Made if it is not there. Gets simulation.html, signals.csv, predicted.csv, simulation.json and the plots as
+        SVG; with heights also wall.csv. Each is replaced as a whole.
+    date : datetime.date, optional
+        Date on the page; today by default.
+    heights : sequence of float
+        mm above the tool's tip at which the wall is wanted; none leaves it out.
+
+    Returns
+    -------
+    str
+        What was found, in a few lines.
+
+    Raises
+    ------
+    MillcorrError
+        If program or setup cannot be used; nothing is written then. A correction that is refused is only not shown.
+    """
+    setup = require_setup(request.setup, request.settings, request.radius)
+    wanted = report_wall.heights_of(heights)
+    after: Simulation | None = None
+    notes: list[str] = []
+    try:
+        foreseen = pipeline.correct(request).foreseen
+        assert foreseen is not None
+        before, after = foreseen.before, foreseen.after[-1]
+    except RefusedError as error:
+        nominal = request.nominal
+        if nominal is None:
+            nominal = pipeline.nominal_from_program(request.program, request.radius, request.settings, None)
+        before = simulate(request.program, setup, nominal)
+        notes.append(f"No corrected path is shown: {error}")
+    signals = Signals.of(before, request.program)
+    plots = {
+        "load": simulation_view.load_plot(signals),
+        "axes": simulation_view.axis_plot(signals),
+        "contour": simulation_view.contour_plot(before, after),
+    }
+    rigid = engagement(before.feed.toolpath, setup, before.stock)
+    figures = summary(before, after, signals, rigid)
+    wall = report_wall.wall_of(request.program, before, wanted) if len(wanted) else None
+    figures["wall"] = None if wall is None else report_wall.summary(wall)
+    sections: list[str] = []
+    if wall is not None:
+        plots["wall"] = report_wall.curves(wall)
+        sections.append(report_wall.section(wall, plots["wall"]))
+    texts = {
+        "signals.csv": "".join(csv_lines(signals)),
+        "predicted.csv": "".join(_predicted_lines(before, after)),
+        "simulation.json": json.dumps(figures, indent=1, ensure_ascii=False, allow_nan=False) + "\n",
+        **({} if wall is None else {"wall.csv": "".join(report_wall.csv_lines(wall))}),
+        **{f"{name}.svg": standalone(plot) for name, plot in plots.items()},
+        "simulation.html": page(
+            request, before, after, signals, plots, figures, notes, date or datetime.date.today(), sections
+        ),
+    }
+    directory.mkdir(parents=True, exist_ok=True)
+    for name, text in texts.items():
+        write_whole(directory / name, text)
+    return "\n".join(
+        [
+            f"steps       {len(signals)} on {figures['path_length_mm']:.1f} mm of path, {figures['time_s']:.1f} s",
+            f"arc         {figures['arc_deg']['median']:.2f} degrees typically, "
+            f"{figures['arc_deg']['max']:.2f} at most",
+            f"force       {figures['force_n']['median']:.0f} N typically, {figures['force_n']['max']:.0f} N at most",
+            f"unbent      arc {figures['rigid']['arc_deg']['median']:.2f} degrees typically, "
+            f"{figures['rigid']['arc_deg']['max']:.2f} at most; load at most {figures['rigid']['load_ratio_max']:.2f} "
+            "times the typical one",
+            f"error       {UM * figures['predicted_error_mm']['min']:+.1f} to "
+            f"{UM * figures['predicted_error_mm']['max']:+.1f} {MICRO} predicted"
+            + ("" if after is None else f"; corrected at most {UM * after.largest:.1f} {MICRO}"),
+            *(() if wall is None else report_wall.in_words(wall)),
+            *(f"warning     {text}" for text in (*before.cautions, *notes)),
+            f"report      {directory / 'simulation.html'}",
+        ]
+    )
+
+
+def summary(before: Simulation, after: Simulation | None, signals: Signals, rigid: Engagement) -> dict[str, Any]:
+    """Contents of simulation.json; `rigid` is the engagement of a machine that does not give way."""
+    cutting = signals.area > 0
+    loaded = rigid.area[rigid.area > 0]
+
+    def spread(values: Floats, where: NDArray[np.bool_] = cutting) -> dict[str, float]:
+        chosen = values[where] if where.any() else values
+        return {"min": float(chosen.min()), "median": float(np.median(chosen)), "max": float(chosen.max())}
+
+    value = before.deviation.value
+    return {
+        "setup": before.setup.source,
+        "path_length_mm": float(signals.s[-1]),
+        "time_s": float(signals.t[-1] - signals.t[0]),
+        "feed_mm_min": spread(60 * signals.feed),
+        "feed_per_tooth_mm": spread(signals.feed_per_tooth),
+        "arc_deg": spread(np.degrees(signals.arc)),
+        "force_n": spread(signals.resultant),
+        "rigid": {
+            "arc_deg": spread(np.degrees(rigid.phi), rigid.area > 0),
+            "load_ratio_max": float(loaded.max() / np.median(loaded)) if len(loaded) else 0.0,
+        },
+        "predicted_error_mm": {"min": float(value.min()), "mean": float(value.mean()), "max": float(value.max())},
+        "predicted_error_after_mm": None if after is None else after.largest,
+        "loop_accuracy_mm": before.elastic.accuracy,
+        "stiffness_n_per_mm": list(before.setup.machine.stiffness()),
+        "cautions": list(before.cautions),
+    }
+
+
+def _predicted_lines(before: Simulation, after: Simulation | None) -> list[str]:
+    """Lines of predicted.csv: the surface that is left, in mm; the header first."""
+    d = before.deviation
+    corrected = np.full(len(d), np.nan) if after is None else after.error_at(d.contour, d.s)
+    lines = ["contour,s,x,y,nx,ny,deviation,deviation_corrected\n"]
+    table = np.column_stack([d.s, d.foot, d.normal, d.value, corrected])
+    for contour, row in zip(d.contour.tolist(), table.tolist(), strict=True):
+        lines.append(f"{contour}," + ",".join("" if v != v else f"{v:.9g}" for v in row) + "\n")
+    return lines

@@ -1,0 +1,318 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Report of a simulated wall over its height: table, curves, and what shift and tilt leave (dat-2025, figs. 12, 13)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from html import escape
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr.deflection.height_error import HeightError, WallModel
+from millcorr.deflection.real_path import SPACING, real_path
+from millcorr.deflection.tilt import Remedy, remedies
+from millcorr.errors import InputError, RefusedError, UsageError
+from millcorr.gcode import Program
+from millcorr.prediction import Simulation, halts_and_notes
+from millcorr.prediction.real_feed import control_of
+
+from .html import figure, html_table, um
+from .plots import MICRO, UM, WIDTH, Plot, course, frame, value_axis
+from .svg import Axis, Canvas, columns, number, polyline
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+EVEN_SPACING = 0.1
+"""Steps along a path whose feed is the programmed one, in mm: only what is engaged changes along it."""
+
+MOST_TABLED = 8
+"""Stretches of which the page has figures; simulation.json has all."""
+
+LOOKS = ("excess", "undercut", "within", "predicted", "filtered", "raw")
+"""One style a height; of more heights so many are drawn, evenly spread."""
+
+_PANEL = 190.0
+_AT = 1e-9
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Wall:
+    """The wall of a simulated program at some heights, one row a step of the path.
+
+    Parameters
+    ----------
+    before : HeightError
+        Of the program as it came.
+    tilted : HeightError or None
+        With the shift and the tilt of `remedy`; NaN too where no stretch of the nominal is made.
+    remedy : Remedy or None
+        None where none can be given; `note` says why.
+    t : (n,) float64
+        Time in s as in `RealPath`.
+    line : (n,) int64
+        Line of the program, from 1.
+    note : str
+    """
+
+    before: HeightError
+    tilted: HeightError | None
+    remedy: Remedy | None
+    t: Floats
+    line: Ints
+    note: str = ""
+
+    def __post_init__(self) -> None:
+        self.t.flags.writeable = False
+        self.line.flags.writeable = False
+
+    @property
+    def largest(self) -> tuple[float, ...]:
+        """Largest absolute error in mm; where there is a remedy, of its stretches: as they are, shifted, and tilted."""
+        if self.remedy is None:
+            return (float(np.nanmax(np.abs(self.before.value))),)
+        return tuple(self.remedy.worst.max(axis=0).tolist())
+
+    @property
+    def rows(self) -> Ints:
+        """Steps that make a wall at one of the heights."""
+        return np.flatnonzero(np.isfinite(self.before.value).any(axis=1))
+
+    @property
+    def stretch(self) -> Ints:
+        """Number of the nominal's stretch that each step makes, from 1; 0 for none, or where there is no remedy."""
+        out = np.zeros(len(self.t), dtype=np.int64)
+        if self.remedy is not None:
+            made = self.remedy.step >= 0
+            out[made] = self.remedy.number[self.remedy.step[made]] + 1
+        return out
+
+
+def heights_of(values: Sequence[float]) -> Floats:
+    """Heights to look at, in order and each once.
+
+    Parameters
+    ----------
+    values : sequence of float
+        mm above the tip of the deepest pass.
+
+    Returns
+    -------
+    (k,) float64
+
+    Raises
+    ------
+    UsageError
+        If one is negative or no number.
+    """
+    for value in values:
+        if not (math.isfinite(value) and value >= 0):
+            raise UsageError(f"--heights {value:g}: heights count from the tool's tip upwards, in mm: give 0 or more")
+    return np.unique(np.asarray(values, dtype=float))
+
+
+def wall_of(program: Program, simulation: Simulation, heights: Floats) -> Wall:
+    """Error of the wall at heights, its shift and its tilt.
+
+    Parameters
+    ----------
+    program : Program
+    simulation : Simulation
+        Of this program: its setup, stock and nominal.
+    heights : (k,) float64
+        As `heights_of`.
+
+    Returns
+    -------
+    Wall
+
+    Raises
+    ------
+    UsageError
+        If a height is above the cut; and as `WallModel.of`: the tool has no overhang.
+    InputError
+        As `WallModel.of`: the program makes no wall.
+    RefusedError
+        If the elastic loop does not settle.
+    """
+    setup = simulation.setup
+    control, _ = control_of(setup)
+    halts = None if control is None else halts_and_notes(program)[0]
+    spacing = EVEN_SPACING if control is None else SPACING
+    path = real_path(program.toolpath, control, halts=halts, spacing=spacing, name=program.name)
+    model = WallModel.of(path, setup, simulation.stock)
+    step = model.arcs.step
+    top = float((model.arcs.high + model.tip[step])[np.isfinite(model.wall[step, 0])].max())
+    for height in heights:
+        if height > top + _AT:
+            raise UsageError(
+                f"--heights {height:g}: {program.name} cuts its wall up to {top:g} mm above the tool's tip: give 0 to "
+                f"{top:g}, or correct [stock] in {setup.source or 'the setup'}"
+            )
+    before = model.errors(heights)
+    e = model.engagement
+    t = path.begin[e.move] + e.t * (path.end - path.begin)[e.move]
+    line = program.toolpath.source[path.move[e.move]] + 1
+    if len(heights) < 2:
+        return Wall(before, None, None, t, line, "No remedy: a slope needs two heights at least, give --heights again.")
+    try:
+        remedy = remedies(before, simulation.nominal)
+    except (InputError, RefusedError) as error:
+        return Wall(before, None, None, t, line, f"No remedy: {error}")
+    offset, lean = (np.where(remedy.step >= 0, v[remedy.step], 0.0) for v in (remedy.offset, remedy.lean))
+    tilted = model.errors(heights, offset=offset, lean=lean, about=remedy.about)
+    # Elsewhere the tool stands as before: that is no place of the contour, or cut away again.
+    value = np.where((remedy.step >= 0)[:, None], tilted.value, np.nan)
+    return Wall(before, replace(tilted, value=value), remedy, t, line)
+
+
+def csv_lines(wall: Wall) -> Iterator[str]:
+    """Lines of wall.csv, the header first: a row for every step that makes a wall."""
+    e, rows = wall.before.model.engagement, wall.rows
+    names = [f"error_at_{h:g}_mm" for h in wall.before.heights]
+    names += [] if wall.tilted is None else [f"tilted_at_{h:g}_mm" for h in wall.before.heights]
+    yield ",".join(["line", "stretch", "s_mm", "t_s", "x_mm", "y_mm", *names]) + "\n"
+    values = [wall.before.value] if wall.tilted is None else [wall.before.value, wall.tilted.value]
+    table = np.column_stack([e.s, wall.t, e.position[:, :2], *values])[rows]
+    for line, stretch, row in zip(wall.line[rows].tolist(), wall.stretch[rows].tolist(), table.tolist(), strict=True):
+        cells = ",".join("" if v != v else f"{v:.9g}" for v in row)
+        yield f"{line},{stretch or ''},{cells}\n"
+
+
+def summary(wall: Wall) -> dict[str, Any]:
+    """What simulation.json says of the wall; lengths in mm, positive where material is left or out of the part."""
+    out: dict[str, Any] = {
+        "heights_mm": wall.before.heights.tolist(),
+        "largest_mm": dict(zip(("before", "shifted", "tilted"), wall.largest, strict=False)),
+        "loop_accuracy_mm": wall.before.residual,
+        "caution": wall.before.caution,
+        "note": wall.note,
+        "stretches": [],
+    }
+    r = wall.remedy
+    if r is None:
+        return out
+    out["tilted_about_mm"] = r.about
+    for k, stretch in enumerate(r.stretches):
+        out["stretches"].append(
+            {
+                "stretch": int(r.number[k]) + 1,
+                "length_mm": stretch.length,
+                "shift_mm": float(r.offset[k]),
+                "tilt_deg": float(r.degrees[k]),
+                "floor_mm": float(r.floor[k]),
+                "before_mm": _plain(r.before[k]),
+                "shifted_mm": _plain(r.shifted[k]),
+                "tilted_mm": _plain(r.after[k]),
+                "largest_mm": dict(zip(("before", "shifted", "tilted"), r.worst[k].tolist(), strict=True)),
+            }
+        )
+    return out
+
+
+def _plain(values: Floats) -> list[float | None]:
+    return [None if v != v else v for v in values.tolist()]
+
+
+def in_words(wall: Wall) -> list[str]:
+    """What to say in the terminal."""
+    heights = ", ".join(f"{h:g}" for h in wall.before.heights)
+    before, *after = (f"{UM * v:.1f} {MICRO}" for v in wall.largest)
+    left = f"; shifted {after[0]}; shifted and tilted {after[1]}" if after else ""
+    out = [f"wall        at most {before} off, {heights} mm above the tip{left}"]
+    if wall.note:
+        out.append(f"warning     {wall.note}")
+    return out
+
+
+def curves(wall: Wall) -> Plot:
+    """Error at each height against path length: as it is, and below it shifted and tilted."""
+    heights = wall.before.heights
+    shown = np.unique(np.linspace(0, len(heights) - 1, min(len(heights), len(LOOKS))).round().astype(np.int64))
+    rows = wall.rows
+    s = wall.before.model.engagement.s[rows]
+    panels = [("as it is", wall.before.value)]
+    if wall.tilted is not None:
+        panels.append(("shifted and tilted", wall.tilted.value))
+    canvas = Canvas(WIDTH, 36 + len(panels) * (_PANEL + 50), "Error of the wall at each height")
+    canvas.legend(56, 14, [(f"{number(float(heights[k]))} mm", [(LOOKS[i], "m-9 0h18")]) for i, k in enumerate(shown)])
+    known = np.concatenate([value[rows][:, shown].ravel() for _, value in panels])
+    known = known[np.isfinite(known)] * UM
+    x = Axis(float(s[0]), float(max(s[-1], s[0] + 1e-6)), 56.0, WIDTH - 12.0)
+    stretch = wall.stretch[rows]
+    turns = (s[1:] + s[:-1])[stretch[1:] != stretch[:-1]] / 2
+    for i, (title, value) in enumerate(panels):
+        top = 36 + i * (_PANEL + 50)
+        y = value_axis(known, top + _PANEL, top)
+        frame(canvas, x, y, "path length / mm", f"error / {MICRO}")
+        canvas.text(x.end, top - 5, title, "strong", "end")
+        for at in turns:
+            canvas.line(x.at(at), top, x.at(at), top + _PANEL, "corner")
+        for look, k in zip(LOOKS, shown, strict=False):
+            there = np.isfinite(value[rows, k])
+            for along, error in course(s[there], value[rows, k][there] * UM, 0.0, False):
+                canvas.path(_drawn(x(along), y(error)), look)
+    words = [
+        f"Error of the wall in {MICRO} along its normal at each height above the tip, over the length of the path; "
+        "above zero material is left."
+    ]
+    if len(turns):
+        words.append("Dotted uprights mark where one stretch of the contour ends.")
+    if len(shown) < len(heights):
+        words.append(f"Of {len(heights)} heights {len(shown)} are drawn; wall.csv has all.")
+    return Plot(str(canvas), " ".join(words))
+
+
+def _drawn(x: Floats, y: Floats) -> str:
+    """Path through points; where they are dense, through the lowest and the highest of each column of pixels."""
+    if len(x) > 2 * WIDTH:
+        middle, [(low, _, high)] = columns(x, [y])
+        x, y = np.repeat(middle, 2), np.stack([low, high], axis=1).ravel()
+    return polyline(x, y)
+
+
+def section(wall: Wall, plot: Plot) -> str:
+    """The page's part on the wall, as HTML."""
+    parts = [
+        "<h2>Wall over the height</h2>",
+        "<p class=small>Deflection at the moment in which an edge makes the surface at each height, by the forces of "
+        "the real feed; the figures above go by the mean force of a turn, over the whole height.</p>",
+        figure(plot),
+    ]
+    if wall.before.caution:
+        parts.append(f"<p class=note>{escape(_capital(wall.before.caution))}.</p>")
+    if wall.note:
+        parts.append(f"<p class=note>{escape(wall.note)}</p>")
+    r = wall.remedy
+    if r is not None:
+        worst = np.sort(np.argsort(-r.worst[:, 0], kind="stable")[:MOST_TABLED])
+        table = [
+            [
+                f"stretch {r.number[k] + 1}, {h:g} mm above the tip",
+                *(um(v[k, i], True) for v in (r.before, r.shifted, r.after)),
+            ]
+            for k in worst
+            for i, h in enumerate(r.heights)
+        ]
+        parts.append(f"<h3>Mean error in {MICRO}</h3>")
+        parts.append(html_table(("", "before", "shifted", "shifted and tilted"), table))
+        lines = r.lines()
+        words = "".join(f"<li>{escape(_capital(lines[k].replace(' um', f' {MICRO}')))}.</li>" for k in worst)
+        parts.append(f"<h3>Remedies</h3><ul>{words}</ul>")
+        if len(worst) < len(lines):
+            parts.append(f"<p class=small>The {len(worst)} worst of {len(lines)}; simulation.json has all.</p>")
+        parts.append(
+            "<p class=small>A negative shift moves the contour into the part; a positive tilt leans the tool's upper "
+            f"end out of it, about the height of {r.about:g} mm. Both fit the mean of a stretch: where the tool is "
+            "slow, at starts, stops and corners, it bends less. Neither is in the corrected path above.</p>"
+        )
+    parts.append("<p class=small>Every step is in <b>wall.csv</b>.</p>")
+    return "".join(parts)
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]

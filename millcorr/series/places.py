@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Places along the nominal that are the same for all parts, and fields over them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr.compensation import Correction, Course, correction_from
+from millcorr.deviation import Deviation
+from millcorr.profile import Profile, Stretch
+
+Floats = NDArray[np.float64]
+
+SPACING = 0.5
+"""Distance of places in mm: a cubic spline through them returns a wave of 3 mm to 0.3 %."""
+
+FEWEST, MOST = 8, 2000
+"""Places on one stretch."""
+
+SAME = 1e-6
+"""Two nominals are one where their stretches differ by less than this, in mm."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Places:
+    """Even places on every smooth stretch of a profile.
+
+    Parameters
+    ----------
+    stretches : tuple of Stretch
+    counts : tuple of int
+        Number of places on each; on an open stretch the outer ones are its ends.
+    """
+
+    stretches: tuple[Stretch, ...]
+    counts: tuple[int, ...]
+
+    @staticmethod
+    def of(profile: Profile) -> Places:
+        """The places of a nominal."""
+        stretches = tuple(profile.stretches())
+        return Places(stretches, tuple(int(np.clip(np.ceil(t.length / SPACING), FEWEST, MOST)) for t in stretches))
+
+    def __len__(self) -> int:
+        return sum(self.counts)
+
+    def s(self, number: int) -> Floats:
+        """Arc lengths in mm from the start of a stretch, (counts[number],)."""
+        stretch, count = self.stretches[number], self.counts[number]
+        return np.linspace(0.0, stretch.length, count, endpoint=not stretch.closed)
+
+    def normals(self, profile: Profile) -> Floats:
+        """Directional cosines at the places, (n, 2)."""
+        normals = [profile.at(t.contour, t.begin + self.s(k))[1] for k, t in enumerate(self.stretches)]
+        return np.concatenate(normals)
+
+    def sampled(self, profile: Profile, deviation: Deviation, value: Floats) -> Floats:
+        """A value known at measured points, at the places.
+
+        Parameters
+        ----------
+        profile : Profile
+            Whose places these are.
+        deviation : Deviation
+            The points.
+        value : (m,) float64
+            mm, one a point. Levels are averaged along the contour, each through a curve of its own.
+
+        Returns
+        -------
+        (n,) float64
+            mm; NaN on stretches without a point.
+        """
+        total = np.zeros(len(self))
+        levels = np.unique(deviation.level)
+        count = np.zeros(len(self))
+        ends = np.cumsum(self.counts)
+        for level in levels:
+            rows = deviation.level == level
+            field, _ = correction_from(profile, deviation.stretch[rows], deviation.s[rows], value[rows], limit=np.inf)
+            measured = np.isin(np.arange(len(self.stretches)), deviation.stretch[rows])
+            for k in np.flatnonzero(measured).tolist():
+                here = slice(ends[k] - self.counts[k], ends[k])
+                total[here] += field.courses[k](self.s(k))[0]
+                count[here] += 1
+        out: Floats = np.where(count > 0, total / np.maximum(count, 1), np.nan)
+        return out
+
+    def of_correction(self, correction: Correction) -> Floats:
+        """A correction at the places, (n,), mm."""
+        return np.concatenate([course(self.s(k))[0] for k, course in enumerate(correction.courses)])
+
+    def field(self, value: Floats) -> Correction:
+        """Smooth field along the contour through finite values at the places, mm."""
+        parts = np.split(value, np.cumsum(self.counts)[:-1])
+        courses = [
+            Course.through(self.s(k), part, stretch.length, stretch.closed)
+            for k, (stretch, part) in enumerate(zip(self.stretches, parts, strict=True))
+        ]
+        return Correction(self.stretches, tuple(courses))
+
+    def text(self) -> str:
+        """As JSON."""
+        rows = zip(self.stretches, self.counts, strict=True)
+        return json.dumps([[t.contour, t.begin, t.length, t.closed, count] for t, count in rows])
+
+    @staticmethod
+    def from_text(text: str) -> Places:
+        """From JSON; ValueError or TypeError where it is damaged."""
+        rows: Sequence[Sequence[float]] = json.loads(text)
+        stretches = tuple(Stretch(int(r[0]), float(r[1]), float(r[2]), bool(r[3])) for r in rows)
+        return Places(stretches, tuple(int(r[4]) for r in rows))
+
+    def same(self, other: Places) -> bool:
+        """True where both belong to the same nominal, as far as lengths tell."""
+        if self.counts != other.counts:
+            return False
+        return all(
+            a.contour == b.contour
+            and a.closed == b.closed
+            and abs(a.begin - b.begin) < SAME
+            and abs(a.length - b.length) < SAME
+            for a, b in zip(self.stretches, other.stretches, strict=True)
+        )

@@ -1,0 +1,299 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Serial production: correct for parts 2 to n from part 1, then under process control, with a journal.
+
+P0 is the first program, P(k) the program after part k; part k was cut with P(k - 1) and measured, and the nominal
+stays that of P0. Which program a part was cut with is told by the marks in the program's comments: they must be
+those of the journal's last entry, so that a part of an earlier program cannot be corrected twice.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from pathlib import Path, PurePath
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr import pipeline, provenance
+from millcorr.compensation import Correction
+from millcorr.deviation import statistics
+from millcorr.errors import InputError, UsageError
+from millcorr.pipeline import Request, Result
+from millcorr.reconstruction import CompensatedContour
+from millcorr.verification import verify
+
+from . import history, process_control, trend
+from . import journal as journals
+from .journal import Chain, Entry, Journal
+from .places import Places
+from .process_control import Control, Decision
+
+Floats = NDArray[np.float64]
+
+SUFFIX = ".journal"
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Outcome:
+    """What a part has led to.
+
+    Parameters
+    ----------
+    result : Result
+        With the program for the next part as its text, and what the series shows among its warnings.
+    part : int
+        Number of the part in the journal.
+    decision : Decision or None
+        None without process control.
+    notes : tuple of str
+        For the top of the report.
+    """
+
+    result: Result
+    part: int
+    decision: Decision | None
+    notes: tuple[str, ...]
+
+    @property
+    def corrected(self) -> bool:
+        """False where the program for the next part is the very bytes of this part's."""
+        return self.result.text != self.result.request.program.data
+
+
+def default_journal(program: Path, nominal: str | None) -> Path:
+    """The journal beside the nominal, which all parts of a series share, or beside the first program."""
+    first = program if nominal is None else Path(nominal.partition("#")[0])
+    return first.with_name(first.name + SUFFIX)
+
+
+def control_from(kind: str | None, dead_band: float, *, journal: bool, **limits: float | None) -> Control | None:
+    """Rules from the command line's options.
+
+    Parameters
+    ----------
+    kind : str, optional
+        ``ewma:K``; None for no process control.
+    dead_band : float
+        mm.
+    journal : bool
+        True where there is a journal to keep the state in.
+    **limits
+        Fields of `Control`, mm, None where not given.
+
+    Raises
+    ------
+    UsageError
+        If options lack what they need, or contradict each other.
+    """
+    given = {name: value for name, value in limits.items() if value is not None}
+    if kind is None:
+        if given:
+            name = next(iter(given)).replace("_", "-")
+            option = f"--{name}" if name.startswith(("step", "sum")) else f"--control-{name}"
+            raise UsageError(f"{option} belongs to --control ewma:K")
+        return None
+    if not journal:
+        raise UsageError("--control needs --journal: what earlier parts have shown is kept there")
+    if "limit" not in given:
+        raise UsageError("--control needs --control-limit MM: the program stays as it is within it")
+    return Control(Control.parse(kind), dead_band=dead_band, **given)
+
+
+@contextmanager
+def corrected(
+    request: Request, output: Path, journal: Path, control: Control | None = None, *, time: str | None = None
+) -> Iterator[Outcome]:
+    """Judge a part, and have its entry and its program appear together.
+
+    The journal is held from the decision until the body has ended; the part itself is worked out before.
+
+    Parameters
+    ----------
+    request : Request
+        With a measurement. ``settings.accept`` may name `process_control.ACCEPTED`.
+    output : Path
+        Where the body writes ``outcome.result.text``.
+    journal : Path
+    control : Control, optional
+        Without, every part is corrected as the settings say.
+    time : str, optional
+        UTC time of the entry; now by default.
+
+    Yields
+    ------
+    Outcome
+
+    Raises
+    ------
+    RefusedError
+        If a measurement has its entry already, or by `pipeline.correct`.
+    LimitError
+        Beyond the alarm, abort, or the limits of a step or of the sum. Nothing is recorded.
+    InputError
+        If the program is not the one that the journal goes on with; if the journal cannot be used.
+    """
+    if request.measurement is None:
+        raise UsageError("--journal keeps measured parts: nothing was measured")
+    if control is not None and request.settings.method != "mirror":
+        raise UsageError(f"--control goes with --method mirror, not with --method {request.settings.method}")
+    accepted = process_control.ACCEPTED in request.settings.accept
+    others = tuple(name for name in request.settings.accept if name != process_control.ACCEPTED)
+    request = replace(request, settings=replace(request.settings, accept=others))
+    own = pipeline.correct(request)
+    places = Places.of(own.nominal)
+    seen = places.sampled(own.nominal, own.deviation, own.filtered)
+    commanded = places.sampled(own.nominal, own.deviation, own.commanded)
+    program = request.program
+    marks = provenance.marks(program.comments())
+    carried = tuple(digest for mark in marks for digest in mark.measured)
+    first = marks[-1].source if marks else program.digest[:16]
+    measured = tuple((PurePath(m.source).name, m.fingerprint) for m in request.measurements)
+    with journals.held(journal) as book:
+        book.refuse_second_use(first, measured)
+        chain = book.chain(first) or Chain(first, PurePath(program.name).name, carried, places)
+        _refuse_other(chain, request, carried, places, book)
+        decision: Decision | None = None
+        result = own
+        if control is not None:
+            decision = process_control.decide(chain.state, seen, control, uncorrected=not marks, accepted=accepted)
+            if decision.kind == "smoothed":
+                result = pipeline.correct(replace(request, smoothed=places.field(decision.smoothed)))
+            elif decision.kind == "keep":
+                result = unchanged(own, places.field(np.nan_to_num(commanded)) if marks else None)
+            _refuse_steps(control, result, bool(marks))
+        entry = _entry(result, own, decision, control, (seen, commanded), places, output, measured, time)
+        result, notes = _told(result, entry, chain, decision)
+        with book.entered(chain, entry) as part:
+            yield Outcome(result, part, decision, notes)
+
+
+def unchanged(result: Result, in_force: Correction | None) -> Result:
+    """The result of leaving the program as it is: its very bytes, no change, nothing predicted to change.
+
+    Parameters
+    ----------
+    result : Result
+        Of correcting it.
+    in_force : Correction or None
+        What the program carries already; None for an uncorrected one.
+    """
+    request, before = result.request, result.regeneration
+    following = np.zeros(len(request.program.toolpath), dtype=bool)
+    following[before.origin[before.following]] = True
+    correction = Correction.none(result.nominal) if in_force is None else in_force
+    compensated, residual = CompensatedContour(result.nominal, correction).to_profile()
+    toolpath = request.program.toolpath
+    return replace(
+        result,
+        compensated=compensated,
+        correction=correction,
+        predicted=result.deviation.value.copy(),
+        regeneration=replace(
+            before,
+            toolpath=toolpath,
+            origin=np.arange(len(toolpath), dtype=np.int64),
+            following=following,
+            changed=0,
+            fit_error=0.0,
+            largest_shift=0.0,
+        ),
+        fit_residual=residual,
+        verification=verify(toolpath, compensated, result.path_radius, following=following, tolerance=math.inf),
+        text=request.program.data,
+        advice=(),
+    )
+
+
+def _refuse_other(chain: Chain, request: Request, carried: tuple[str, ...], places: Places, book: Journal) -> None:
+    """InputError where the program or the nominal is not that of the chain's last entry."""
+    name = request.program.name
+    missing = [digest for digest in chain.applied if digest not in carried]
+    if missing:
+        entry = next(e for e in chain.entries if any(f[:16] in missing for _, f in e.measurements))
+        last = chain.entries[-1]
+        raise InputError(
+            f"{name}: {book.path} goes on from {last.after[0]}; since {name} it was corrected by part {entry.part} on "
+            f"{entry.time}, and correcting again from a part of the earlier program would count its error twice: "
+            f"measure a part cut with {last.after[0]}"
+        )
+    foreign = [digest for digest in carried if digest not in chain.applied]
+    if foreign:
+        raise InputError(
+            f"{name}: it carries a correction (measurement {foreign[0]}) that {book.path} does not know; begin a new "
+            "journal with --journal OTHER"
+        )
+    if not places.same(chain.places):
+        raise InputError(
+            f"{name}: the nominal has other contours or lengths than in {book.path}: give the same --nominal and "
+            "measure the same contours on every part, or begin a new journal with --journal OTHER"
+        )
+
+
+def _refuse_steps(control: Control, result: Result, corrected_before: bool) -> None:
+    applied = result.predicted - result.deviation.value + result.commanded
+    if not result.regeneration.changed:
+        return
+    step = applied - result.commanded if corrected_before else applied
+    process_control.refuse_beyond(control, step, result.correction.largest)
+
+
+def _entry(
+    result: Result,
+    own: Result,
+    decision: Decision | None,
+    control: Control | None,
+    fields: tuple[Floats, Floats],
+    places: Places,
+    output: Path,
+    measured: tuple[tuple[str, str], ...],
+    time: str | None,
+) -> Entry:
+    seen, commanded = fields
+    settings: dict[str, Any] = {"correction": result.request.settings.in_words()}
+    if control is not None:
+        settings["control"] = control.numbers()
+    machine = trend.components(seen - commanded, places.normals(result.nominal))
+    numbers: dict[str, Any] = {
+        "points": len(own.deviation),
+        "deviation": statistics(own.deviation.value),
+        "determined": float(np.nanmax(np.abs(seen))),
+        "random_std": own.random_std,
+        "correction": result.correction.largest,
+        "components": dict(zip(trend.COMPONENTS, machine.tolist(), strict=True)),
+    }
+    state = np.zeros(len(places))
+    if decision is not None:
+        numbers["smoothed"] = float(np.abs(decision.smoothed).max())
+        state = decision.state
+    program = result.request.program
+    return Entry(
+        time or journals.now(),
+        (PurePath(program.name).name, program.digest),
+        (str(output), hashlib.sha256(result.text).hexdigest()),
+        measured,
+        "correct" if decision is None else decision.kind,
+        "corrected as the settings say" if decision is None else decision.reason,
+        settings,
+        numbers,
+        seen,
+        commanded,
+        places.of_correction(result.correction),
+        state,
+    )
+
+
+def _told(result: Result, entry: Entry, chain: Chain, decision: Decision | None) -> tuple[Result, tuple[str, ...]]:
+    """The result with what the decision and the series say."""
+    lines = tuple(line for line, last in history.series((*chain.entries, entry)) if last)
+    said: tuple[str, ...] = ()
+    if result.text == result.request.program.data:
+        why = decision.reason if decision is not None else "nothing is to be corrected"
+        said = (f"{history.KEPT}: {why}; the output is the very bytes of {PurePath(result.request.program.name).name}",)
+    elif decision is not None:
+        said = (f"corrected: {decision.reason}",)
+    return replace(result, warnings=result.warnings + lines, advice=said + result.advice), said
