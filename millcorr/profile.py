@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .errors import FormatError, InputError
 from .nurbs import NurbsCurve
+from .read_only import ReadOnlyArrays
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -78,7 +79,7 @@ class Stretch:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Profile:
+class Profile(ReadOnlyArrays):
     """One or more contours in the XY plane of the work frame, cut into spans for computation.
 
     Make one with `Profile.from_contours`. A span is a rational polynomial of a local parameter t in 0..1.
@@ -117,12 +118,6 @@ class Profile:
     arc: Floats
     turn: Floats
     first: Ints
-
-    def __post_init__(self) -> None:
-        for name in self.__slots__:
-            value = getattr(self, name)
-            if isinstance(value, np.ndarray):
-                value.flags.writeable = False
 
     @staticmethod
     def from_contours(contours: Iterable[Contour]) -> Profile:

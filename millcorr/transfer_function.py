@@ -28,6 +28,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .errors import InputError, RefusedError
+from .read_only import ReadOnlyArrays
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -46,7 +47,7 @@ CHANCE = 0.01
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class TransferFunction:
+class TransferFunction(ReadOnlyArrays):
     """Transfer function at measured points, with the constant offset kept apart where it is known.
 
     Parameters
@@ -72,10 +73,6 @@ class TransferFunction:
     offset_std: Floats
     covariance: Floats
     offset_known: bool = False
-
-    def __post_init__(self) -> None:
-        for array in (self.ms, self.ms_std, self.offset, self.offset_std, self.covariance):
-            array.flags.writeable = False
 
     @staticmethod
     def constant(ms: float, std: float, count: int) -> TransferFunction:

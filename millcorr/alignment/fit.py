@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from millcorr.errors import UsageError
 from millcorr.measurement import Measurement
 from millcorr.profile import Profile
+from millcorr.read_only import ReadOnlyArrays
 from millcorr.transform import Transform
 
 from .rigid_fit import FINEST, VISIBLE, Look, RigidFit, Weights
@@ -109,7 +110,7 @@ class Spread:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Alignment:
+class Alignment(ReadOnlyArrays):
     """A motion that was applied to a measurement, how sure it is, and what it absorbed.
 
     Parameters
@@ -159,10 +160,6 @@ class Alignment:
     taking_part: Bools
     iterations: int
     warnings: tuple[str, ...]
-
-    def __post_init__(self) -> None:
-        for array in (self.covariance, self.weight, self.taking_part):
-            array.flags.writeable = False
 
     @property
     def shift(self) -> tuple[float, float]:

@@ -22,6 +22,7 @@ from millcorr.cutting import cutting, force_at
 from millcorr.engagement import Engagement, engagement
 from millcorr.engagement.stock_region import StockRegion
 from millcorr.errors import InputError, RefusedError, UsageError
+from millcorr.read_only import ReadOnlyArrays
 from millcorr.setup_file import Setup
 
 from .cantilever import Cantilever
@@ -361,7 +362,7 @@ class WallModel:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class HeightError:
+class HeightError(ReadOnlyArrays):
     """Error of a wall at heights, one row a step of the path.
 
     Parameters
@@ -383,10 +384,6 @@ class HeightError:
     z: Floats
     value: Floats
     residual: float
-
-    def __post_init__(self) -> None:
-        for name in ("heights", "z", "value"):
-            getattr(self, name).flags.writeable = False
 
     @property
     def caution(self) -> str:

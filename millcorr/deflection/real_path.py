@@ -16,6 +16,7 @@ from millcorr.engagement.path_pieces import pieces_of_toolpath
 from millcorr.errors import InputError, UsageError
 from millcorr.kinematics import Control, Halts, motions, schedule
 from millcorr.profile import CORNER_ANGLE
+from millcorr.read_only import ReadOnlyArrays
 from millcorr.toolpath import Compensation, Kind, Plane, Toolpath
 
 Floats = NDArray[np.float64]
@@ -29,7 +30,7 @@ _JOINED = 1e-9
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class RealPath:
+class RealPath(ReadOnlyArrays):
     """Short lines in order, and between them the moves that do not cut in the plane, as they were programmed.
 
     Parameters
@@ -50,10 +51,6 @@ class RealPath:
     short: Bools
     begin: Floats
     end: Floats
-
-    def __post_init__(self) -> None:
-        for name in ("move", "short", "begin", "end"):
-            getattr(self, name).flags.writeable = False
 
     def __len__(self) -> int:
         return len(self.move)

@@ -149,8 +149,8 @@ class TiltAxes:
 def tilted(program: Program, error: HeightError, remedy: Remedy, axes: TiltAxes) -> bytes:
     """Program with the words that tilt the tool before every wall, and stand it upright behind.
 
-    The shift of the contour is not in it: it is a correction like any other (`millcorr.deflection.tilt.mean_shift`), and comes
-    first; `remedy` and `error` are those of the shifted program's moves.
+    The shift of the contour is not in it: it is a correction like any other (`tilt.mean_shift`), and comes first;
+    `remedy` and `error` are those of the shifted program's moves.
 
     Parameters
     ----------

@@ -23,6 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 from millcorr.engagement.stock_region import StockRegion
 from millcorr.errors import InputError, UsageError
 from millcorr.footpoint import FootPointSearch
+from millcorr.read_only import ReadOnlyArrays
 from millcorr.setup_file import Tool
 
 from .real_path import RealPath
@@ -87,7 +88,7 @@ def cutting_area(
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class ToothMap:
+class ToothMap(ReadOnlyArrays):
     """Cutting area of every edge as it turns, along a path.
 
     Parameters
@@ -112,10 +113,6 @@ class ToothMap:
     place: Floats
     volume: float
     columns: int
-
-    def __post_init__(self) -> None:
-        for name in ("area", "turn", "begin", "place"):
-            getattr(self, name).flags.writeable = False
 
     def __len__(self) -> int:
         return len(self.area)

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from millcorr.errors import InputError
 from millcorr.profile import Profile
+from millcorr.read_only import ReadOnlyArrays
 from millcorr.toolpath import Compensation, Kind, Plane, Toolpath
 
 Floats = NDArray[np.float64]
@@ -33,7 +34,7 @@ _HALVINGS = 14
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Pieces:
+class Pieces(ReadOnlyArrays):
     """Lines and arcs, one row a piece, in order.
 
     Parameters
@@ -64,10 +65,6 @@ class Pieces:
     t1: Floats
     z0: Floats
     z1: Floats
-
-    def __post_init__(self) -> None:
-        for item in fields(self):
-            getattr(self, item.name).flags.writeable = False
 
     def __len__(self) -> int:
         return len(self.start)

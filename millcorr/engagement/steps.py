@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from millcorr import gcode
 from millcorr.errors import InputError, UsageError
 from millcorr.profile import Profile
+from millcorr.read_only import ReadOnlyArrays
 from millcorr.setup_file import Setup
 from millcorr.toolpath import Kind, Toolpath
 
@@ -41,7 +42,7 @@ SMOOTH = np.radians(1.0)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Engagement:
+class Engagement(ReadOnlyArrays):
     """Engagement at steps along a program, one row a step.
 
     Immersion angles are counted in the sense of the spindle from the side where a tooth's chip is nil: for a
@@ -101,12 +102,6 @@ class Engagement:
     arc_high: Floats
     clockwise: bool
     radius: float
-
-    def __post_init__(self) -> None:
-        for name in self.__slots__:
-            array = getattr(self, name)
-            if isinstance(array, np.ndarray):
-                array.flags.writeable = False
 
     def __len__(self) -> int:
         return len(self.s)

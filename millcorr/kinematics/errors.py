@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from millcorr.read_only import ReadOnlyArrays
 from millcorr.toolpath import Floats, Ints, Kind, Plane, Toolpath
 
 from .control import Control
@@ -25,7 +26,7 @@ _MATCHES = 12
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class CornerErrors:
+class CornerErrors(ReadOnlyArrays):
     """How near the tool comes to the corners of its path, one row a corner that it passes without a stop.
 
     Parameters
@@ -54,16 +55,12 @@ class CornerErrors:
     nearest: Floats
     t: Floats
 
-    def __post_init__(self) -> None:
-        for name in self.__slots__:
-            getattr(self, name).flags.writeable = False
-
     def __len__(self) -> int:
         return len(self.move)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class ArcErrors:
+class ArcErrors(ReadOnlyArrays):
     """How arcs are changed, one row an arc that is followed.
 
     Parameters
@@ -83,16 +80,12 @@ class ArcErrors:
     shrinkage: Floats
     worst: Floats
 
-    def __post_init__(self) -> None:
-        for name in self.__slots__:
-            getattr(self, name).flags.writeable = False
-
     def __len__(self) -> int:
         return len(self.move)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class PathError:
+class PathError(ReadOnlyArrays):
     """Distance of the actual path from the commanded one along its normal in the XY plane, one row a sample.
 
     Parameters
@@ -119,10 +112,6 @@ class PathError:
     foot: Floats
     normal: Floats
     value: Floats
-
-    def __post_init__(self) -> None:
-        for name in self.__slots__:
-            getattr(self, name).flags.writeable = False
 
     def __len__(self) -> int:
         return len(self.t)

@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 
 from millcorr.errors import UsageError
+from millcorr.read_only import ReadOnlyArrays
 from millcorr.toolpath import Floats, Ints, Toolpath
 
 from .control import Control
@@ -24,7 +25,7 @@ _BLOCK = 8192
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Motion:
+class Motion(ReadOnlyArrays):
     """Actual motion of the tool, sampled; every sample is exact for the model.
 
     Parameters
@@ -53,10 +54,6 @@ class Motion:
     move: Ints
     omitted: Ints
 
-    def __post_init__(self) -> None:
-        for name in self.__slots__:
-            getattr(self, name).flags.writeable = False
-
     def __len__(self) -> int:
         return len(self.t)
 
@@ -75,7 +72,7 @@ class Motion:
     @staticmethod
     def concatenate(parts: list[Motion]) -> Motion:
         """One stretch of motion after another."""
-        names = [name for name in Motion.__slots__ if name != "omitted"]
+        names = [item.name for item in fields(Motion) if item.name != "omitted"]
         arrays = {name: np.concatenate([getattr(part, name) for part in parts]) for name in names}
         return Motion(**arrays, omitted=parts[0].omitted)
 

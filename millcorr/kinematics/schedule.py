@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from millcorr.errors import InputError
+from millcorr.read_only import ReadOnlyArrays
 from millcorr.toolpath import Bools, Compensation, Floats, Ints, Kind, Toolpath
 
 from .control import Control
@@ -20,7 +21,7 @@ _AT_REST = 1e-6
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Halts:
+class Halts(ReadOnlyArrays):
     """Where a program stops between its moves, and which moves its text does not show.
 
     Parameters
@@ -45,12 +46,11 @@ class Halts:
     def __post_init__(self) -> None:
         if not len(self.stop) == len(self.dwell) == len(self.opaque):
             raise InputError("halts: the arrays disagree in length")
-        for array in (self.stop, self.dwell, self.opaque):
-            array.flags.writeable = False
+        ReadOnlyArrays.__post_init__(self)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Schedule:
+class Schedule(ReadOnlyArrays):
     """Moves in the order and at the times at which the interpolator runs them.
 
     Parameters
@@ -83,10 +83,6 @@ class Schedule:
     jump: Floats
     stop: Bools
     omitted: Ints
-
-    def __post_init__(self) -> None:
-        for name in ("row", "begin", "phase", "speed", "jump", "stop", "omitted"):
-            getattr(self, name).flags.writeable = False
 
     def __len__(self) -> int:
         return len(self.row)

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from millcorr.errors import FormatError
+from millcorr.read_only import ReadOnlyArrays
 from millcorr.readers.decimal_columns import decimal_columns
 from millcorr.readers.decoding import decode
 from millcorr.readers.fields import is_number, split, why_no_number
@@ -33,7 +34,7 @@ _GAP = 20.0
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Trace:
+class Trace(ReadOnlyArrays):
     """What a machine logged while it ran a program.
 
     Parameters
@@ -52,10 +53,6 @@ class Trace:
     position: Floats
     feed: Floats
     source: str
-
-    def __post_init__(self) -> None:
-        for array in (self.t, self.position, self.feed):
-            array.flags.writeable = False
 
     def __len__(self) -> int:
         return len(self.t)

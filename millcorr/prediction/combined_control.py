@@ -25,6 +25,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.errors import InputError, RefusedError
+from millcorr.read_only import ReadOnlyArrays
 from millcorr.setup_file import Setup
 from millcorr.transfer_function import LEAST_REMOVED
 
@@ -44,7 +45,7 @@ RIGID = 1e7
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class AxisTransfer:
+class AxisTransfer(ReadOnlyArrays):
     """Transfer functions of both axes at a reference load.
 
     Parameters
@@ -67,10 +68,6 @@ class AxisTransfer:
     depth: float
     scatter: float
     separate: bool
-
-    def __post_init__(self) -> None:
-        for array in (self.ms, self.covariance):
-            array.flags.writeable = False
 
     @property
     def ms_std(self) -> Floats:

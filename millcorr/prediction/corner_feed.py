@@ -18,6 +18,7 @@ from millcorr.gcode import Program, parse, write
 from millcorr.kinematics import Control, Halts, corner_errors, halts_of, schedule
 from millcorr.kinematics.errors import LEAST_TURN
 from millcorr.kinematics.moves import Moves
+from millcorr.read_only import ReadOnlyArrays
 from millcorr.toolpath import Bools, Floats, Ints, Kind, Toolpath
 
 TRANSIENT = 0.05
@@ -39,7 +40,7 @@ class Untreated:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class CornerFeeds:
+class CornerFeeds(ReadOnlyArrays):
     """A program whose corners run slower, and what it is predicted to do.
 
     Parameters
@@ -67,10 +68,6 @@ class CornerFeeds:
     after: Floats
     duration: tuple[float, float]
     untreated: tuple[Untreated, ...]
-
-    def __post_init__(self) -> None:
-        for array in (self.line, self.vertex, self.feed, self.before, self.after):
-            array.flags.writeable = False
 
 
 def slow_corners(

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from millcorr.errors import FormatError
 from millcorr.kinematics import AxisDynamics, Control, Motion
+from millcorr.read_only import ReadOnlyArrays
 from millcorr.setup_file import Setup
 from millcorr.toolpath import Kind, Plane, Toolpath
 
@@ -31,7 +32,7 @@ SHORTEST_TIME = 1.0
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class RealFeed:
+class RealFeed(ReadOnlyArrays):
     """A toolpath at real feeds.
 
     Parameters
@@ -48,10 +49,6 @@ class RealFeed:
     move: Ints
     begin: Floats
     end: Floats
-
-    def __post_init__(self) -> None:
-        for name in ("move", "begin", "end"):
-            getattr(self, name).flags.writeable = False
 
     @staticmethod
     def programmed(toolpath: Toolpath) -> RealFeed:

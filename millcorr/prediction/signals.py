@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.gcode import Program
+from millcorr.read_only import ReadOnlyArrays
 
 from .real_feed import course, times
 from .simulated import Simulation
@@ -26,7 +27,7 @@ COLUMNS = (
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Signals:
+class Signals(ReadOnlyArrays):
     """Signals along the cutting moves of a program, one row a step.
 
     Parameters
@@ -73,10 +74,6 @@ class Signals:
     force: Floats
     deflection: Floats
     normal_deflection: Floats
-
-    def __post_init__(self) -> None:
-        for name in self.__slots__:
-            getattr(self, name).flags.writeable = False
 
     def __len__(self) -> int:
         return len(self.s)

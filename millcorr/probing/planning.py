@@ -19,6 +19,7 @@ from millcorr.deviation import REACHED
 from millcorr.errors import RefusedError, UsageError
 from millcorr.footpoint import FootPointSearch
 from millcorr.profile import Profile
+from millcorr.read_only import ReadOnlyArrays
 
 from .links import into_fillets, links_between
 
@@ -159,7 +160,7 @@ class Touch:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class ProbingPlan:
+class ProbingPlan(ReadOnlyArrays):
     """Touches in the order in which they are made.
 
     Parameters
@@ -190,10 +191,6 @@ class ProbingPlan:
     s: Floats
     links: tuple[Floats | None, ...]
     left_out: tuple[LeftOut, ...]
-
-    def __post_init__(self) -> None:
-        for array in (self.contact, self.normal, self.direction, self.start, self.target, self.contour, self.s):
-            array.flags.writeable = False
 
     def __len__(self) -> int:
         return len(self.contact)

@@ -19,6 +19,7 @@ from millcorr.errors import InputError, RefusedError, UsageError
 from millcorr.gcode import Program
 from millcorr.prediction import Simulation, halts_and_notes
 from millcorr.prediction.real_feed import control_of
+from millcorr.read_only import ReadOnlyArrays
 
 from .html import figure, html_table, um
 from .plots import MICRO, UM, WIDTH, Plot, course, frame, value_axis
@@ -41,7 +42,7 @@ _AT = 1e-9
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Wall:
+class Wall(ReadOnlyArrays):
     """The wall of a simulated program at some heights, one row a step of the path.
 
     Parameters
@@ -65,10 +66,6 @@ class Wall:
     t: Floats
     line: Ints
     note: str = ""
-
-    def __post_init__(self) -> None:
-        self.t.flags.writeable = False
-        self.line.flags.writeable = False
 
     @property
     def largest(self) -> tuple[float, ...]:

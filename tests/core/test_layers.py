@@ -19,7 +19,7 @@ GUI = sorted(PACKAGE.glob("gui/*.py"))
 
 HOST = {"FreeCAD", "FreeCADGui", "App", "Gui", "Part", "Sketcher", "Path", "PathScripts", "CAM", "Import", "Draft"}
 WINDOW = {"FreeCADGui", "Gui", "PySide", "PySide2", "PySide6", "pivy"}
-NOUNS = {"errors", "nurbs", "toolpath", "profile", "measurement", "transform"}
+NOUNS = {"errors", "read_only", "nurbs", "toolpath", "profile", "measurement", "transform"}
 DOORS = {"gcode", "readers"}
 """Packages that turn text into nouns and back."""
 FRONTS = {
