@@ -126,11 +126,16 @@ class Machine:
     kx_n_per_mm, ky_n_per_mm : float, optional
         Stiffness of the whole loop, tool included, along X and Y (petrakov-2023, fig. 1).
     acceleration_time_x_ms, acceleration_time_y_ms : float
-        Time constant of linear acceleration and deceleration of each axis; 0 for none.
+        Time constant of acceleration and deceleration of each axis; 0 for none.
+    acceleration_shape : {"linear", "exponential"}
+        What the time constant is one of: a ramp of that length, or a lag.
     contour_control : bool
         True where the control keeps the path by slowing down (dat-2025).
     contour_time_slope_ms_per_mm_min, contour_time_offset_ms : float
         Accuracy-maintenance time ``T = slope v_f + offset`` with v_f in mm/min (dat-2025, eq. 1).
+    contour_speed_change_mm_min : float, optional
+        Largest sudden change of speed of one axis where two blocks meet, which sets the feed at a corner. A parameter
+        of the control (Fanuc: No. 1783); needed with contour control.
     position_gain_per_s : float, optional
         Kv of the position loop.
     """
@@ -139,9 +144,13 @@ class Machine:
     ky_n_per_mm: float | None = _key(1.0, 1e7, default=None, hint="N/mm (1 N/um = 1000 N/mm)")
     acceleration_time_x_ms: float = _key(0.0, 10_000.0, default=0.0, open_=False)
     acceleration_time_y_ms: float = _key(0.0, 10_000.0, default=0.0, open_=False)
+    acceleration_shape: str = field(default="linear", metadata={"one_of": ("linear", "exponential")})
     contour_control: bool = False
     contour_time_slope_ms_per_mm_min: float = _key(0.0, 10.0, default=0.0062, open_=False)
     contour_time_offset_ms: float = _key(0.0, 10_000.0, default=39.226, open_=False)
+    contour_speed_change_mm_min: float | None = _key(
+        0.0, 100_000.0, default=None, hint="mm/min: the feed difference that the control allows at a corner"
+    )
     position_gain_per_s: float | None = _key(0.1, 10_000.0, default=None, hint="1/s, not (m/min)/mm: Kv 1 is 16.67/s")
 
     def stiffness(self) -> tuple[float, float]:
@@ -184,6 +193,34 @@ class Stock:
 
 
 @dataclass(frozen=True, slots=True)
+class Tilt:
+    """Rotary axes that tilt the tool.
+
+    Parameters
+    ----------
+    order : {"A", "B", "AB", "BA"}
+        A turns about X, B about Y; "AB": A carries B.
+    a_sign, b_sign : int
+        1 where a positive word turns the tool against the part as a right-hand screw about the axis does; -1 where
+        it turns the table so, or counts the other way.
+    limit_deg : float
+        Largest angle of either axis.
+    decimals : int
+        Digits behind the point of the words, in degrees.
+    tool_centre_point : bool
+        The control keeps the tip at the programmed X, Y, Z while the axes turn (G43.4, TRAORI and the like are in force
+        as the program is run). Without it the tip would swing away.
+    """
+
+    order: str = field(metadata={"one_of": ("A", "B", "AB", "BA")})
+    a_sign: int = field(default=1, metadata={"one_of": (1, -1)})
+    b_sign: int = field(default=1, metadata={"one_of": (1, -1)})
+    limit_deg: float = _key(0.0, 30.0, default=2.0)
+    decimals: int = _key(1, 6, default=4, open_=False)
+    tool_centre_point: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class Setup:
     """A validated setup.
 
@@ -195,6 +232,8 @@ class Setup:
     stock : Stock
     source : str
         File it came from, for messages.
+    tilt : Tilt, optional
+        None where the machine has not said that it can tilt the tool.
     """
 
     tool: Tool
@@ -202,10 +241,12 @@ class Setup:
     machine: Machine
     stock: Stock
     source: str = ""
+    tilt: Tilt | None = None
 
     def __post_init__(self) -> None:
         for name in _TABLES:
-            _check(getattr(self, name), name, self.source)
+            if (part := getattr(self, name)) is not None:
+                _check(part, name, self.source)
         tool, material, stock = self.tool, self.material, self.stock
         for key in ("ktc_n_per_mm2", "krc_n_per_mm2"):
             if math.isnan(getattr(material, key)):
@@ -222,6 +263,11 @@ class Setup:
             self._refuse("[stock] program_tool_diameter_mm goes with program, which is missing")
         if (stock.top_z_mm is None) == (stock.axial_depth_mm is None):
             self._refuse("[stock] top_z_mm or axial_depth_mm is needed, one of them: it says how deep the tool cuts")
+        if self.machine.contour_control and self.machine.contour_speed_change_mm_min is None:
+            self._refuse(
+                "[machine] contour_speed_change_mm_min is missing: contour_control needs the speed change allowed at a "
+                "corner"
+            )
         if stock.axial_depth_mm is not None:
             self.require_overhang(stock.axial_depth_mm)
         if tool.overhang_mm is not None and tool.overhang_mm > 40 * tool.diameter_mm:
@@ -237,7 +283,8 @@ class Setup:
         raise FormatError(message, self.source or None)
 
 
-_TABLES: dict[str, type] = {"tool": Tool, "material": Material, "machine": Machine, "stock": Stock}
+_TABLES: dict[str, type] = {"tool": Tool, "material": Material, "machine": Machine, "stock": Stock, "tilt": Tilt}
+_OPTIONAL = ("tilt",)
 
 
 def load(path: str | Path) -> Setup:
@@ -267,6 +314,8 @@ def from_dict(data: dict[str, Any], source: str = "") -> Setup:
             raise FormatError(f"[{name}] is unknown{_near(name, _TABLES)}", source or None)
     parts: dict[str, Any] = {}
     for name, kind in _TABLES.items():
+        if name in _OPTIONAL and name not in data:
+            continue
         table = data.get(name, {})
         if not isinstance(table, dict):
             raise FormatError(f"[{name}] is a table of keys", source or None)
@@ -331,6 +380,9 @@ def _check(part: Any, name: str, source: str) -> None:
                 raise FormatError(f"{where} is not a {kind}{hint}", source or None)
             if value is item.default:
                 continue
+            if "one_of" in range_:
+                _require_one_of(value, range_["one_of"], where, source)
+                continue
             low, high = range_["low"], range_["high"]
             if not (low < value <= high or (value == low and not range_["open"])):
                 above = "above" if range_["open"] else "at least"
@@ -344,8 +396,13 @@ def _check(part: Any, name: str, source: str) -> None:
                 raise FormatError(f"{where} is not the name of a file", source or None)
         elif not isinstance(value, str):
             raise FormatError(f"{where} is not a text", source or None)
-        elif "one_of" in range_ and value not in range_["one_of"]:
-            raise FormatError(f"{where} is none of {', '.join(range_['one_of'])}", source or None)
+        elif "one_of" in range_:
+            _require_one_of(value, range_["one_of"], where, source)
+
+
+def _require_one_of(value: Any, legal: tuple[Any, ...], where: str, source: str) -> None:
+    if value not in legal:
+        raise FormatError(f"{where} is none of {', '.join(map(str, legal))}", source or None)
 
 
 def _near(key: str, known: Any) -> str:

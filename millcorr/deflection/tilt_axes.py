@@ -8,15 +8,13 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from millcorr.errors import FormatError, RefusedError
+from millcorr.errors import RefusedError
 from millcorr.gcode import Program
+from millcorr.setup_file import Tilt
 from millcorr.toolpath import Kind
 
 from .height_error import HeightError
@@ -25,128 +23,56 @@ from .tilt import Remedy
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-ORDERS = ("A", "B", "AB", "BA")
-
-_KEYS = {"order", "a_sign", "b_sign", "limit_deg", "decimals", "tool_centre_point"}
 _COMMENT = re.compile(r"[(;]|\r?\n|\r")
 _ROTARY = re.compile(r"[ABC]\s*[-+=\d.#\[]", re.IGNORECASE)
 
 
-@dataclass(frozen=True, slots=True)
-class TiltAxes:
-    """Rotary axes that tilt the tool.
+def words(axes: Tilt, normal: Floats, lean: float) -> dict[str, float]:
+    """Angles in degrees that lean the tool's upper end along a normal.
 
     Parameters
     ----------
-    order : {"A", "B", "AB", "BA"}
-        A turns about X, B about Y; "AB": A carries B.
-    a_sign, b_sign : int
-        1 where a positive word turns the tool against the part as a right-hand screw about the axis does; -1 where
-        it turns the table so, or counts the other way.
-    limit_deg : float
-        Largest angle of either axis.
-    decimals : int
-        Digits behind the point of the words, in degrees.
-    tool_centre_point : bool
-        The control keeps the tip at the programmed X, Y, Z while the axes turn (G43.4, TRAORI and the like are in force
-        as the program is run). Without it the tip would swing away.
+    axes : Tilt
+    normal : (2,) float64
+        Unit normal out of the part.
+    lean : float
+        rad, positive out of the part.
+
+    Returns
+    -------
+    dict
+        Of the axes that the machine has, rounded.
 
     Raises
     ------
-    FormatError
-        If a value is out of its range.
+    RefusedError
+        If the machine lacks the axis, or its limit is exceeded.
     """
-
-    order: str
-    a_sign: int = 1
-    b_sign: int = 1
-    limit_deg: float = 2.0
-    decimals: int = 4
-    tool_centre_point: bool = False
-
-    def __post_init__(self) -> None:
-        if self.order not in ORDERS:
-            raise FormatError(f"[tilt] order {self.order!r} is none of {', '.join(ORDERS)}")
-        if self.a_sign not in (1, -1) or self.b_sign not in (1, -1):
-            raise FormatError("[tilt] a_sign and b_sign are 1 or -1")
-        if not (isinstance(self.limit_deg, int | float) and 0 < self.limit_deg <= 30):
-            raise FormatError(f"[tilt] limit_deg {self.limit_deg!r} is not above 0 and at most 30")
-        if not (isinstance(self.decimals, int) and 1 <= self.decimals <= 6):
-            raise FormatError(f"[tilt] decimals {self.decimals!r} is not a whole number from 1 to 6")
-        if not isinstance(self.tool_centre_point, bool):
-            raise FormatError("[tilt] tool_centre_point is not true or false")
-
-    @staticmethod
-    def of(table: Mapping[str, Any] | None, source: str = "") -> TiltAxes:
-        """Axes of a `[tilt]` table.
-
-        Raises
-        ------
-        RefusedError
-            If there is no table: the machine has not said that it can tilt the tool.
-        FormatError
-            If a key is unknown or missing, or a value out of its range; names the file.
-        """
-        if table is None:
+    x, y = math.sin(lean) * float(normal[0]), math.sin(lean) * float(normal[1])
+    z = math.cos(lean)
+    # Tool axis (x, y, z): first the carrying axis turns it, so the carried one is undone last.
+    if axes.order.startswith("A"):
+        a, b = math.atan2(-y, z), math.asin(x)
+    else:
+        a, b = math.asin(-y), math.atan2(x, z)
+    out = {}
+    for letter, angle, sign in (("A", a, axes.a_sign), ("B", b, axes.b_sign)):
+        degrees = round(sign * math.degrees(angle), axes.decimals) + 0.0
+        if letter in axes.order:
+            out[letter] = degrees
+        elif degrees != 0.0:
             raise RefusedError(
-                "tilt: the machine has no [tilt] table that names its A and B axes: the angles are reported only, and "
-                "nothing is written"
+                f"tilt: a wall with the normal ({normal[0]:.3f}, {normal[1]:.3f}) needs {letter}{degrees:g}, and "
+                f"the machine has no axis {letter}: nothing is written"
             )
-        for key in table:
-            if key not in _KEYS:
-                raise FormatError(f"[tilt] {key} is unknown: {', '.join(sorted(_KEYS))} are known", source or None)
-        if "order" not in table:
-            raise FormatError("[tilt] order is missing: A, B, AB (A carries B) or BA", source or None)
-        try:
-            return TiltAxes(**table)
-        except FormatError as error:
-            raise FormatError(str(error), source or None) from error
-
-    def words(self, normal: Floats, lean: float) -> dict[str, float]:
-        """Angles in degrees that lean the tool's upper end along a normal.
-
-        Parameters
-        ----------
-        normal : (2,) float64
-            Unit normal out of the part.
-        lean : float
-            rad, positive out of the part.
-
-        Returns
-        -------
-        dict
-            Of the axes that the machine has, rounded.
-
-        Raises
-        ------
-        RefusedError
-            If the machine lacks the axis, or its limit is exceeded.
-        """
-        x, y = math.sin(lean) * float(normal[0]), math.sin(lean) * float(normal[1])
-        z = math.cos(lean)
-        # Tool axis (x, y, z): first the carrying axis turns it, so the carried one is undone last.
-        if self.order.startswith("A"):
-            a, b = math.atan2(-y, z), math.asin(x)
-        else:
-            a, b = math.asin(-y), math.atan2(x, z)
-        out = {}
-        for letter, angle, sign in (("A", a, self.a_sign), ("B", b, self.b_sign)):
-            degrees = round(sign * math.degrees(angle), self.decimals) + 0.0
-            if letter in self.order:
-                out[letter] = degrees
-            elif degrees != 0.0:
-                raise RefusedError(
-                    f"tilt: a wall with the normal ({normal[0]:.3f}, {normal[1]:.3f}) needs {letter}{degrees:g}, and "
-                    f"the machine has no axis {letter}: nothing is written"
-                )
-            if abs(degrees) > self.limit_deg:
-                raise RefusedError(
-                    f"tilt: {letter}{degrees:g} is beyond [tilt] limit_deg {self.limit_deg:g}: nothing is written"
-                )
-        return out
+        if abs(degrees) > axes.limit_deg:
+            raise RefusedError(
+                f"tilt: {letter}{degrees:g} is beyond [tilt] limit_deg {axes.limit_deg:g}: nothing is written"
+            )
+    return out
 
 
-def tilted(program: Program, error: HeightError, remedy: Remedy, axes: TiltAxes) -> bytes:
+def tilted(program: Program, error: HeightError, remedy: Remedy, axes: Tilt | None) -> bytes:
     """Program with the words that tilt the tool before every wall, and stand it upright behind.
 
     The shift of the contour is not in it: it is a correction like any other (`tilt.mean_shift`), and comes first;
@@ -159,7 +85,7 @@ def tilted(program: Program, error: HeightError, remedy: Remedy, axes: TiltAxes)
     error : HeightError
         Of this program.
     remedy : Remedy
-    axes : TiltAxes
+    axes : Tilt or None
 
     Returns
     -------
@@ -169,11 +95,16 @@ def tilted(program: Program, error: HeightError, remedy: Remedy, axes: TiltAxes)
     Raises
     ------
     RefusedError
-        If the control does not keep the tip, a wall is made by an arc or a spline, no move comes before a wall, the
-        machine lacks an axis, or a line has rotary words already.
+        If the machine has no `[tilt]` table, the control does not keep the tip, a wall is made by an arc or a spline,
+        no move comes before a wall, the machine lacks an axis, or a line has rotary words already.
     FormatError
         If a line to be changed cannot be, as `Program.require_plain`.
     """
+    if axes is None:
+        raise RefusedError(
+            "tilt: the setup has no [tilt] table that names the machine's A and B axes: the angles are reported only, "
+            "and nothing is written"
+        )
     if not axes.tool_centre_point:
         raise RefusedError(
             "tilt: turning A or B swings the tip away unless the control keeps it: run with tool centre point control "
@@ -214,7 +145,7 @@ def _goes_on(at: dict[int, dict[str, float]], now: dict[str, float], move: int, 
     return False
 
 
-def _angles(program: Program, error: HeightError, remedy: Remedy, axes: TiltAxes) -> dict[int, dict[str, float]]:
+def _angles(program: Program, error: HeightError, remedy: Remedy, axes: Tilt) -> dict[int, dict[str, float]]:
     """Words of every move that makes a wall of the nominal."""
     model, toolpath = error.model, program.toolpath
     move = model.path.move[model.engagement.move]
@@ -234,7 +165,7 @@ def _angles(program: Program, error: HeightError, remedy: Remedy, axes: TiltAxes
         normal = np.array([-along[1], along[0]]) / np.hypot(*along)
         normal = normal * np.sign(model.wall[rows].sum(axis=0) @ normal)
         row = int(np.bincount(remedy.step[rows]).argmax())
-        out[int(k)] = axes.words(normal, float(remedy.lean[row]))
+        out[int(k)] = words(axes, normal, float(remedy.lean[row]))
     return out
 
 

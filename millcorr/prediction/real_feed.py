@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.errors import FormatError
-from millcorr.kinematics import AxisDynamics, Control, Motion
+from millcorr.kinematics import AxisDynamics, ContourControl, Control, Motion
 from millcorr.read_only import ReadOnlyArrays
 from millcorr.setup_file import Setup
 from millcorr.toolpath import Kind, Plane, Toolpath
@@ -157,8 +157,8 @@ def _at(moves: Toolpath, rows: Ints, share: Floats) -> Floats:
     return out
 
 
-def control_of(setup: Setup) -> tuple[Control | None, tuple[str, ...]]:
-    """Control and drives of a setup's machine, None where it names none; and what is left out.
+def control_of(setup: Setup) -> Control | None:
+    """Control and drives of a setup's machine; None where it names neither inertia nor contour control.
 
     Raises
     ------
@@ -175,13 +175,19 @@ def control_of(setup: Setup) -> tuple[Control | None, tuple[str, ...]]:
         raise FormatError(f"[machine] position_gain_per_s {kv:g} is above 1000 (1/s)", setup.source or None)
     tx, ty = machine.acceleration_time_x_ms / 1000.0, machine.acceleration_time_y_ms / 1000.0
     gain = np.inf if kv is None else kv
-    cautions: tuple[str, ...] = ()
+    contour: ContourControl | None = None
     if machine.contour_control:
-        cautions = (
-            "[machine] contour_control is set, but a setup does not say how fast corners are taken: feeds are those of "
-            "the axes' acceleration alone",
-        )
-    if not (tx or ty or kv is not None):
-        return None, cautions
-    x, y = AxisDynamics(tx, kv=gain), AxisDynamics(ty, kv=gain)
-    return Control(x, y, AxisDynamics(max(tx, ty), kv=gain)), cautions
+        slope, offset = machine.contour_time_slope_ms_per_mm_min, machine.contour_time_offset_ms
+        if not (slope or offset):
+            raise FormatError(
+                "[machine] contour_time_offset_ms and contour_time_slope_ms_per_mm_min are both 0: contour control "
+                "takes its time",
+                setup.source or None,
+            )
+        change = machine.contour_speed_change_mm_min
+        assert change is not None
+        contour = ContourControl(change / 60.0, slope * 0.06, offset / 1000.0)
+    if not (tx or ty or kv is not None or contour):
+        return None
+    x, y = (AxisDynamics(t, machine.acceleration_shape, gain) for t in (tx, ty))
+    return Control(x, y, AxisDynamics(max(tx, ty), machine.acceleration_shape, gain), contour)

@@ -161,7 +161,7 @@ def simulate(
         As `elastic_pass` and `kinematics.motion`: no stiffness, no feed, a cut stiffer than the machine.
     """
     stock = stock_of(setup, nominal) if stock is None else stock
-    control, cautions = control_of(setup)
+    control = control_of(setup)
     feed, moved, notes = _at_real_feed(program, control)
     toolpath = feed.toolpath
     if earlier is not None:
@@ -169,13 +169,13 @@ def simulate(
     elastic = elastic_pass(toolpath, setup, stock)
     found = predicted_deviation(elastic, nominal, spacing=_spacing(setup.tool.radius))
     caution = setup.material.caution()
-    cautions = (*((caution,) if caution else ()), *cautions, *notes)
+    cautions = (*((caution,) if caution else ()), *notes)
     return Simulation(setup, nominal, stock, feed, moved, elastic, found, cautions)
 
 
 def at_real_feed(program: gcode.Program, setup: Setup) -> Toolpath:
     """Path of a program at the feeds that the setup's machine really runs."""
-    return _at_real_feed(program, control_of(setup)[0])[0].toolpath
+    return _at_real_feed(program, control_of(setup))[0].toolpath
 
 
 def one_after_another(first: Toolpath, second: Toolpath) -> Toolpath:

@@ -137,7 +137,7 @@ def wall_of(program: Program, simulation: Simulation, heights: Floats) -> Wall:
         If the elastic loop does not settle.
     """
     setup = simulation.setup
-    control, _ = control_of(setup)
+    control = control_of(setup)
     halts = None if control is None else halts_and_notes(program)[0]
     spacing = EVEN_SPACING if control is None else SPACING
     path = real_path(program.toolpath, control, halts=halts, spacing=spacing, name=program.name)

@@ -240,10 +240,27 @@ def test_side_must_be_known():
         pipeline.correct(pipeline.Request(program(), RADIUS, None, None, Settings(method="predicted"), setup=setup()))
 
 
-def test_contour_control_without_corner_feed_is_said():
+def test_contour_control_of_a_setup():
+    """slope in ms per mm/min is 0.06 s per mm/s; the corner feed keeps each axis within the speed change allowed."""
     its = setup()
-    its = replace(its, machine=replace(its.machine, contour_control=True))
-    assert "contour_control" in control_of(its)[1][0]
+    its = replace(its, machine=replace(its.machine, contour_control=True, contour_speed_change_mm_min=120.0))
+    control = control_of(its)
+    assert control is not None and control.contour is not None
+    # dat-2025, eq. 1: 0.0062 * 300 + 39.226 ms.
+    assert control.contour.time(300.0 / 60.0) == pytest.approx(41.086e-3, rel=1e-12)
+    square = gcode.parse("G21 G90 G17\nG0 X0 Y0\nG1 X20 F1200\nG1 Y20\n")
+    moved = motion(square.toolpath, control)
+    corner = np.argmin(np.hypot(moved.x - 20.0, moved.y))
+    # Both axes change by the whole feed at a right angle: 120 mm/min of 1200; within a sample of 1 ms of the ramp.
+    assert moved.feed[corner] == pytest.approx(2.0, abs=18.0 / (0.0062 * 1200 + 39.226))
+    assert moved.feed.max() == pytest.approx(20.0, rel=1e-9)
+
+
+def test_exponential_acceleration_of_a_setup():
+    its = setup()
+    its = replace(its, machine=replace(its.machine, acceleration_time_x_ms=20.0, acceleration_shape="exponential"))
+    control = control_of(its)
+    assert control is not None and control.x.shape == "exponential" and control.x.delay == pytest.approx(0.02)
 
 
 def test_loop_of_the_simulation_is_the_elastic_pass():

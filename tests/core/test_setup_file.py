@@ -48,6 +48,13 @@ def test_examples_are_read_and_name_their_origin(path):
     assert isinstance(setup, Setup) and setup.source == str(path) and setup.material.origin
 
 
+def test_tilt_is_optional():
+    assert from_dict(tables()).tilt is None
+    tilt = from_dict(tables(tilt={"order": "BA", "b_sign": -1, "limit_deg": 3})).tilt
+    assert tilt is not None and (tilt.order, tilt.a_sign, tilt.b_sign, tilt.limit_deg) == ("BA", 1, -1, 3.0)
+    assert not tilt.tool_centre_point
+
+
 def test_examples_are_there():
     assert len(list(SETUPS.glob("*.toml"))) >= 2
 
@@ -98,6 +105,17 @@ BAD = [
     ({"stock__axial_depth_mm": None}, "[stock] top_z_mm or axial_depth_mm is needed"),
     ({"stock__top_z_mm": 0.0}, "[stock] top_z_mm or axial_depth_mm is needed"),
     ({"stock__program_tool_diameter_mm": 12.0}, "[stock] program_tool_diameter_mm goes with program"),
+    ({"machine__acceleration_shape": "bell"}, "[machine] acceleration_shape 'bell' is none of linear, exponential"),
+    ({"machine__contour_control": True}, "[machine] contour_speed_change_mm_min is missing"),
+    ({"machine__contour_speed_change_mm_min": 0.0}, "[machine] contour_speed_change_mm_min 0.0 is not above 0"),
+    ({"tilt": {}}, "[tilt] order is missing"),
+    ({"tilt": {"order": "C"}}, "[tilt] order 'C' is none of A, B, AB, BA"),
+    ({"tilt": {"order": "B", "a_sign": 0}}, "[tilt] a_sign 0 is none of 1, -1"),
+    ({"tilt": {"order": "B", "b_sign": "-"}}, "[tilt] b_sign '-' is not a whole number"),
+    ({"tilt": {"order": "B", "limit_deg": 45}}, "[tilt] limit_deg 45.0 is not above 0 and at most 30"),
+    ({"tilt": {"order": "B", "decimals": 7}}, "[tilt] decimals 7 is not at least 1 and at most 6"),
+    ({"tilt": {"order": "B", "tool_centre_point": 1}}, "[tilt] tool_centre_point 1 is not true or false"),
+    ({"tilt": {"order": "B", "limit": 2.0}}, "[tilt] limit is unknown: is it limit_deg?"),
     ({"tools": {}}, "[tools] is unknown: is it tool?"),
     ({"tool": 3}, "[tool] is a table"),
 ]

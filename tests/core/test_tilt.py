@@ -14,13 +14,13 @@ from millcorr import gcode
 from millcorr.deflection.height_error import WallModel
 from millcorr.deflection.real_path import real_path
 from millcorr.deflection.tilt import mean_shift, remedies
-from millcorr.deflection.tilt_axes import TiltAxes, tilted
+from millcorr.deflection.tilt_axes import tilted, words
 from millcorr.engagement import stock_of
-from millcorr.errors import FormatError, InputError, LimitError, RefusedError
+from millcorr.errors import InputError, LimitError, RefusedError
 from millcorr.kinematics import AxisDynamics, Control
 from millcorr.nurbs import NurbsCurve
 from millcorr.profile import Contour, Profile
-from millcorr.setup_file import load
+from millcorr.setup_file import Tilt, load
 
 PAPER = load(Path(__file__).resolve().parents[2] / "resources" / "setups" / "dat-2025.toml")
 HEIGHTS = np.array([0.5, 1.0, 1.5, 2.0])
@@ -33,7 +33,7 @@ APART = (
     "%\nG90 G17 G21 F300\nG0 X-25 Y0 Z5\nG1 Z0\nG1 X-4 (first wall)\nG0 Z5\n"
     "G0 X0 Y6\nG1 Z0\nG1 Y25 ; second\nG0 Z5\nM2\n%\n"
 )
-BOTH = TiltAxes("AB", tool_centre_point=True)
+BOTH = Tilt("AB", tool_centre_point=True)
 
 
 def error_of(text, control=None, heights=HEIGHTS):
@@ -104,8 +104,8 @@ def turned(axis, degrees):
 def test_words_turn_the_tool_along_the_normal(order, direction, lean):
     """Rotations multiplied out: the carrying one on the left."""
     normal = np.array([np.cos(direction), np.sin(direction)])
-    words = TiltAxes(order, limit_deg=30.0, decimals=6).words(normal, lean)
-    axis = turned(order[0], words[order[0]]) @ turned(order[1], words[order[1]]) @ [0.0, 0.0, 1.0]
+    angles = words(Tilt(order, limit_deg=30.0, decimals=6), normal, lean)
+    axis = turned(order[0], angles[order[0]]) @ turned(order[1], angles[order[1]]) @ [0.0, 0.0, 1.0]
     assert axis == pytest.approx([*(np.sin(lean) * normal), np.cos(lean)], abs=2e-8)
 
 
@@ -128,7 +128,7 @@ def test_words_in_the_program():
 def test_a_b_axis_alone_tilts_walls_along_y_only():
     second = APART.replace("G1 X-4 (first wall)\n", "")
     error = error_of(second)
-    only_b = TiltAxes("B", b_sign=-1, tool_centre_point=True)
+    only_b = Tilt("B", b_sign=-1, tool_centre_point=True)
     text = tilted(gcode.parse(second), error, remedies(error, HOLLOW), only_b).decode()
     assert "G1 Z0 B0.9" in text and " A" not in text
     first = error_of(APART)
@@ -140,19 +140,13 @@ def test_refusals():
     error = error_of(CORNER)
     remedy = remedies(error, HOLLOW)
     with pytest.raises(RefusedError, match=r"no \[tilt\] table"):
-        TiltAxes.of(None)
-    with pytest.raises(FormatError, match="s.toml: .*colour is unknown"):
-        TiltAxes.of({"colour": 1}, "s.toml")
-    with pytest.raises(FormatError, match="order is missing"):
-        TiltAxes.of({})
-    with pytest.raises(FormatError, match="a_sign"):
-        TiltAxes.of({"order": "B", "a_sign": 2})
+        tilted(gcode.parse(CORNER), error, remedy, None)
     with pytest.raises(RefusedError, match="tool centre point"):
-        tilted(gcode.parse(CORNER), error, remedy, TiltAxes("AB"))
+        tilted(gcode.parse(CORNER), error, remedy, Tilt("AB"))
     with pytest.raises(RefusedError, match="line 5: the tool has to turn before this wall"):
         tilted(gcode.parse(CORNER), error, remedy, BOTH)
     with pytest.raises(RefusedError, match="beyond"):
-        tilted(gcode.parse(CORNER), error, remedy, TiltAxes("AB", limit_deg=0.5, tool_centre_point=True))
+        tilted(gcode.parse(CORNER), error, remedy, Tilt("AB", limit_deg=0.5, tool_centre_point=True))
 
 
 def test_a_wall_that_bends_is_not_tilted():
