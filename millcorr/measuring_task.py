@@ -15,9 +15,10 @@ from .errors import UsageError
 from .probing import Placement, TouchProbe
 from .probing.heights import Cleared
 from .profile import Profile
-from .session import read_nominal, refuse_places, replaced_whole
+from .session import read_nominal
 from .settings import Settings
 from .toolpath import Compensation
+from .whole_file import refuse_places, replaced_whole
 
 POINTS = 40
 """So many points where nothing is said."""
@@ -84,7 +85,7 @@ def measuring_program(
     """
     first = None if nominal is None else Path(nominal.partition("#")[0])
     inputs = {"program": program, "document": document, "nominal": first}
-    refuse_places({"--output": output}, None, inputs)
+    refuse_places({"--output": output}, inputs)
     settings = Settings(side=side, cutter_compensation=cutter_compensation)
     profile, cleared = _contour(program, document, operation, nominal, tool_diameter, settings)
     suggested = None if cleared is None else measuring_programs.heights(cleared, profile, placement.get("contour"))
@@ -139,7 +140,7 @@ def save(
 def _refuse_beside(output: Path, place: Path, text: str, inputs: Mapping[str, Path | None]) -> None:
     """UsageError where a file that the program needs beside it would replace what does not belong to the program."""
     try:
-        refuse_places({f"--output {output} needs a file beside it:": place}, None, {"output": output, **inputs})
+        refuse_places({f"--output {output} needs a file beside it:": place}, {"output": output, **inputs})
     except UsageError as error:
         raise UsageError(f"{error}; choose another name for --output") from error
     if not place.exists() or place.read_bytes() == text.encode("ascii"):

@@ -4,8 +4,6 @@
 from __future__ import annotations
 
 import json
-import os
-import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict, replace
@@ -16,15 +14,19 @@ import numpy as np
 
 from . import distrust, freecad_process, pipeline, setup_file
 from . import gcode as nc
+from . import report as reports
 from .deviation import statistics
 from .errors import InputError, UsageError
 from .measurement import Measurement
 from .profile import Profile
 from .readers import Reading, text
+from .report import history as report_history
+from .report import simulation as report_simulation
 from .series import history as histories
 from .series import journal as journals
 from .series import production as serial
 from .series.process_control import Control
+from .whole_file import refuse_places, replaced_whole, write_whole
 
 UNSAID = Reading()
 """Everything is as the measured file says."""
@@ -93,7 +95,7 @@ def correct_program(
     rules = serial.control_from(control, chosen.dead_band, journal=journal is not None, **limits)
     book = None if journal is None else Path(journal) if journal else serial.default_journal(program, nominal)
     outside = {"--output": output, "--journal": book}
-    refuse_places(outside, report, {"program": program, "nominal": first, "setup": setup, **inputs})
+    refuse_places(outside, {"program": program, "nominal": first, "setup": setup, **inputs}, report, reports.FILES)
     request = program_request(program, measured, reading, nominal, tool_diameter, chosen, setup)
     outputs: dict[str, str] = {}
     if output is not None:
@@ -102,8 +104,6 @@ def correct_program(
         if book is not None:
             outputs["journal"] = f"{book}, part {part}"
         if report is not None:
-            from . import report as reports
-
             reports.write(result, report, outputs=outputs, notes=notes)
             outputs["report"] = str(report / "report.html")
     words = in_words(result.summary(), outputs, checked_only=output is None)
@@ -179,19 +179,19 @@ def history(journal: Path | None = None, *, csv: Path | None = None, report: Pat
     MillcorrError
         If the journal cannot be read, or a place cannot be written to.
     """
-    from .report import history as report_history
-
     if journal is None:
         found = sorted(Path().glob("*.journal"))
         if len(found) != 1:
             there = ", ".join(path.name for path in found) or "none"
             raise UsageError(f"name the journal: in this directory there is {there}")
         journal = found[0]
-    refuse_places({"--csv": csv}, report, {"journal": journal})
+    refuse_places({"--csv": csv}, {"journal": journal}, report, report_history.FILES)
+    if csv is not None:
+        histories.refuse_other_file(csv)
     chains = journals.read(journal)
     lines = [histories.table(chains)]
     if csv is not None:
-        report_history.write_whole(csv, "".join(histories.csv_lines(chains)))
+        write_whole(csv, "".join(histories.csv_lines(chains)))
         lines.append(f"csv         {csv}")
     if report is not None:
         lines.append(f"report      {report_history.write(chains, journal, report)[0]}")
@@ -242,7 +242,7 @@ def correct_document(
         raise UsageError(f"--output {output}: a corrected document is an .FCStd file; its program goes to --gcode")
     first = None if nominal is None or nominal.startswith("#") else Path(nominal.partition("#")[0])
     inputs = {"document": document, "nominal": first, "setup": setup, **_named_inputs(measured, reading)}
-    refuse_places({"--output": output, "--gcode": gcode}, report, inputs)
+    refuse_places({"--output": output, "--gcode": gcode}, inputs, report, reports.FILES)
     places = {"output": output, "gcode": gcode, "report": report}
     summary = freecad_process.call(
         "correct",
@@ -318,7 +318,7 @@ def split_program(
     from . import split
 
     first = None if nominal is None else Path(nominal.partition("#")[0])
-    refuse_places({"--output": output}, None, {"program": program, "nominal": first})
+    refuse_places({"--output": output}, {"program": program, "nominal": first})
     chosen, radius = settings or pipeline.Settings(), tool_diameter / 2
     profile = None if nominal is None else read_nominal(nominal, radius, chosen, None)
     done = split.split(nc.read(program), radius, depth, at, settings=chosen, nominal=profile)
@@ -373,10 +373,9 @@ def simulate_program(
     MillcorrError
         If program or setup cannot be used.
     """
-    from .report import simulation as report_simulation
-
     first = None if nominal is None else Path(nominal.partition("#")[0])
-    refuse_places({}, report, {"program": program, "nominal": first, "setup": setup})
+    inputs = {"program": program, "nominal": first, "setup": setup}
+    refuse_places({}, inputs, report, report_simulation.FILES)
     request = program_request(program, (), UNSAID, nominal, None, settings, setup)
     return report_simulation.write(request, report, heights=heights)
 
@@ -449,7 +448,7 @@ def convert(measured: Path, output: Path, reading: Reading = UNSAID) -> str:
     MillcorrError
         If the file cannot be read, or `output` is the file itself.
     """
-    refuse_places({"--output": output}, None, {"file": measured, **_named_inputs((), reading)})
+    refuse_places({"--output": output}, {"file": measured, **_named_inputs((), reading)})
     measurement = reading.read(measured)
     text.write(output, measurement)
     ball = measurement.ball_radius
@@ -488,66 +487,6 @@ def _nominal_in_json(path: Path) -> Profile:
             "nominal.json beside it"
         )
     return profile
-
-
-def refuse_places(outputs: Mapping[str, Path | None], report: Path | None, inputs: Mapping[str, Path | None]) -> None:
-    """UsageError where an output would take the place of an input, of a directory or of another output.
-
-    Also where it would lie in a directory that does not exist; a report makes its own.
-    """
-    taken = {place.resolve(): what for what, place in inputs.items() if place is not None}
-    for option, place in outputs.items():
-        if place is None:
-            continue
-        what = taken.get(place.resolve())
-        if what is not None:
-            raise UsageError(f"{option} {place} is the {what} itself; the original must stay untouched")
-        if place.is_dir():
-            raise UsageError(f"{option} {place} is a directory; name the file to write")
-        if not place.absolute().parent.is_dir():
-            raise UsageError(f"{option} {place}: there is no directory {place.parent}")
-        taken[place.resolve()] = f"file of {option}"
-    if report is not None and (report.resolve() in taken or (report.exists() and not report.is_dir())):
-        raise UsageError(f"--report {report} is a file; name a directory")
-    if report is not None:
-        from .report import FILES
-
-        for place, what in taken.items():
-            if place.parent == report.resolve() and place.name in FILES:
-                raise UsageError(f"--report {report} would replace the {what}, {place.name}: name another directory")
-
-
-@contextmanager
-def replaced_whole(path: Path | None, data: bytes) -> Iterator[None]:
-    """Have a file appear, or replace the old one, when it is complete and all that is done meanwhile succeeded."""
-    if path is None:
-        yield
-        return
-    # A link stays a link; the file it names is replaced.
-    path = path.resolve()
-    if not path.parent.is_dir():
-        raise UsageError(f"--output {path}: there is no directory {path.parent}")
-    try:
-        handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-    except OSError as error:
-        raise UsageError(f"--output {path}: cannot be written: {error.strerror}") from error
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        os.chmod(temporary, path.stat().st_mode & 0o777 if path.exists() else 0o666 & ~_umask())
-        yield
-        os.replace(temporary, path)
-    except BaseException:
-        os.unlink(temporary)
-        raise
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
 
 
 def in_words(summary: Mapping[str, Any], outputs: Mapping[str, str], *, checked_only: bool) -> str:

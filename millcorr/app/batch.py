@@ -22,9 +22,11 @@ from uuid import uuid4
 import FreeCAD
 
 from millcorr import gcode as nc
-from millcorr import pipeline, session, verification
+from millcorr import pipeline, verification
+from millcorr import report as reports
 from millcorr.errors import InputError, MillcorrError, RefusedError, UsageError
 from millcorr.readers import Reading
+from millcorr.whole_file import refuse_places
 
 from . import base_geometry, compat, correction, documents, dressup, measurement_object, sources, views
 
@@ -135,7 +137,7 @@ def _refuse_inputs(source: Path | None, measured: Sequence[Any], output: Any, gc
     """UsageError where something to write would replace what is read."""
     inputs = {f"measured file {n}": Path(file) for n, file in enumerate(measured, 1)}
     written = {what: None if place is None else Path(place) for what, place in (("output", output), ("gcode", gcode))}
-    session.refuse_places(written, None if report is None else Path(report), {"document": source, **inputs})
+    refuse_places(written, {"document": source, **inputs}, None if report is None else Path(report), reports.FILES)
 
 
 @contextmanager
@@ -299,13 +301,10 @@ def _write(
             ready.append((beside, Path(gcode)))
             written["program"] = str(gcode)
         if directory is not None:
-            # Imported when it is wanted: the plots take their time to load.
-            from millcorr import report
-
             notes = [] if written else ["Check only: no program was written."]
             if text is not None:
                 notes.append("The path error is that of the program as FreeCAD posted it, read back.")
-            report.write(corrected.result, directory, outputs=written, notes=notes)
+            reports.write(corrected.result, directory, outputs=written, notes=notes)
         for beside, place in ready:
             os.replace(beside, place)
 

@@ -12,9 +12,9 @@ from pathlib import Path
 from typing import Any
 
 from millcorr.errors import FormatError
+from millcorr.whole_file import write_whole
 
 from .source import KINDS, LARGEST_BALL, shown
-from .text import replace_whole
 from .toml_table import toml_table
 
 COLUMNS = ("x", "y", "z", "i", "j", "k", "nominal_x", "nominal_y", "nominal_z", "deviation", "id")
@@ -105,7 +105,6 @@ def load(path: str | Path) -> TextMapping:
 
 def save(path: str | Path, mapping: TextMapping) -> Path:
     """Write a mapping as TOML that `load` takes back; the file is replaced as a whole."""
-    path = Path(path)
     head, tables = ["# SPDX-License-Identifier: LGPL-2.1-or-later"], []
     for item in fields(mapping):
         value = getattr(mapping, item.name)
@@ -116,8 +115,7 @@ def save(path: str | Path, mapping: TextMapping) -> Path:
             tables += ["", f"[{item.name}]", *rows] if rows else []
         else:
             head.append(f"{item.name} = {_in_toml(value)}")
-    replace_whole(path, "\n".join([*head, *tables, ""]))
-    return path
+    return write_whole(Path(path), "\n".join([*head, *tables, ""]))
 
 
 def _in_toml(value: object) -> str:

@@ -7,9 +7,7 @@ line, to name the line.
 
 from __future__ import annotations
 
-import os
 import re
-import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -18,6 +16,7 @@ from numpy.typing import NDArray
 
 from millcorr.errors import FormatError, UsageError
 from millcorr.measurement import Measurement, Probe
+from millcorr.whole_file import write_whole
 
 from .decimal_columns import decimal_tables
 from .decoding import decode
@@ -109,7 +108,6 @@ def write(path: str | Path, measurement: Measurement, *, comments: Sequence[str]
             f"a text file cannot keep the {lost} of {probe.source or 'the probe'}, and the points are wrong "
             "without: say --probe-radius in its place here, and --probe with the written file"
         )
-    path = Path(path)
     columns, formats = ["x", "y"], ["%.9f", "%.9f"]
     table = measurement.points[:, :2]
     if measurement.has_z:
@@ -124,8 +122,7 @@ def write(path: str | Path, measurement: Measurement, *, comments: Sequence[str]
     head = [f"# {line}".rstrip() for line in notes]
     row = ",".join(formats)
     body = [row % tuple(values) for values in table.tolist()]
-    replace_whole(path, "\n".join([*head, ",".join(columns), *body, ""]))
-    return path
+    return write_whole(Path(path), "\n".join([*head, ",".join(columns), *body, ""]))
 
 
 def _lost(probe: Probe | None) -> str:
@@ -134,25 +131,6 @@ def _lost(probe: Probe | None) -> str:
         return ""
     kept = {"offset": any(probe.offset), "radii by direction": probe.directions is not None}
     return " and ".join(what for what, there in kept.items() if there)
-
-
-def replace_whole(path: Path, content: str) -> None:
-    """Write a text file that is never there in part: the old one stays until the new one is complete."""
-    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
-            stream.write(content)
-        os.chmod(temporary, 0o666 & ~_umask())
-        os.replace(temporary, path)
-    except BaseException:
-        Path(temporary).unlink(missing_ok=True)
-        raise
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
 
 
 _QUOTED_COMMA = r'"\s*[+-]?\d+,\d+[^"\n]*"'

@@ -5,9 +5,6 @@ from __future__ import annotations
 
 import datetime
 import json
-import os
-import shutil
-import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -15,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from millcorr import contour_check, step
-from millcorr.errors import UsageError
 from millcorr.pipeline import Result
+from millcorr.whole_file import write_together
 
 from .page import page
 
@@ -78,57 +75,23 @@ def write(
     OSError
         If it cannot be written to.
     """
-    directory = Path(directory)
-    if directory.exists() and not directory.is_dir():
-        raise UsageError(f"{directory}: the report needs a directory, this is a file")
-    new = not directory.exists()
-    home = directory.parent if new else directory
-    home.mkdir(parents=True, exist_ok=True)
-    stage = Path(tempfile.mkdtemp(prefix=".millcorr-report-", dir=home))
-    try:
-        _write_files(result, stage, dict(outputs or {}), tuple(notes), date or datetime.date.today())
-        names = sorted(file.name for file in stage.iterdir())
-        if new:
-            # mkdtemp makes a private directory; the report is as readable as any other.
-            stage.chmod(0o777 & ~_umask())
-            stage.rename(directory)
-        else:
-            for name in names:
-                os.replace(stage / name, directory / name)
-    finally:
-        shutil.rmtree(stage, ignore_errors=True)
-    return [directory / name for name in names]
-
-
-def _write_files(
-    result: Result, stage: Path, outputs: Mapping[str, str], notes: Sequence[str], date: datetime.date
-) -> None:
-    with open(stage / "deviations.csv", "w", encoding="utf-8", newline="\n") as file:
-        file.writelines(deviation_lines(result))
-    for name, lines in (
-        ("contour.csv", contour_check.path_lines(contour_check.path_stations(result))),
-        ("points.csv", contour_check.point_lines(contour_check.touched_points(result))),
-    ):
-        with open(stage / name, "w", encoding="utf-8", newline="\n") as file:
-            file.writelines(lines)
-    _write_text(stage / "report.json", _json(summary(result, outputs=outputs, notes=notes)))
+    outputs, notes, day = dict(outputs or {}), tuple(notes), date or datetime.date.today()
     moved = {"compensated": True} if result.correction.largest else {}
-    _write_text(stage / "profile.json", _json(result.compensated.as_dict() | moved))
-    _write_text(stage / "nominal.json", _json(result.nominal.as_dict()))
-    midnight = datetime.datetime.combine(date, datetime.time())
+    midnight = datetime.datetime.combine(day, datetime.time())
     name = Path(result.request.program.name).stem + " compensated"
-    _write_text(stage / "profile.step", step.text(result.compensated, name, date=midnight))
-    _write_text(stage / "report.html", page(result, outputs=outputs, notes=notes, date=date))
-
-
-def _write_text(path: Path, text: str) -> None:
-    path.write_text(text, encoding="utf-8", newline="\n")
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
+    return write_together(
+        Path(directory),
+        {
+            "report.html": [page(result, outputs=outputs, notes=notes, date=day)],
+            "report.json": [_json(summary(result, outputs=outputs, notes=notes))],
+            "deviations.csv": deviation_lines(result),
+            "contour.csv": contour_check.path_lines(contour_check.path_stations(result)),
+            "points.csv": contour_check.point_lines(contour_check.touched_points(result)),
+            "profile.json": [_json(result.compensated.as_dict() | moved)],
+            "profile.step": [step.text(result.compensated, name, date=midnight)],
+            "nominal.json": [_json(result.nominal.as_dict())],
+        },
+    )
 
 
 def summary(result: Result, *, outputs: Mapping[str, str] | None = None, notes: Sequence[str] = ()) -> dict[str, Any]:

@@ -4,8 +4,6 @@
 from __future__ import annotations
 
 import datetime
-import os
-import tempfile
 from collections.abc import Sequence
 from html import escape
 from pathlib import Path
@@ -14,15 +12,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr import __version__
-from millcorr.errors import UsageError
 from millcorr.series import history, trend
 from millcorr.series.journal import Chain, Entry
+from millcorr.whole_file import write_together
 
 from .html import html_facts, html_table, page_style
 from .plots import MICRO, UM, WIDTH, Plot, frame, value_axis
 from .svg import MARKERS, Axis, Canvas, bars, markers, polyline
 
 Floats = NDArray[np.float64]
+
+FILES = ("history.html", "history.csv")
+"""What a report consists of."""
 
 HEIGHT = 190.0
 
@@ -31,39 +32,9 @@ _SHAPES = {"mean": ("filtered", 0), "place X": ("excess", 1), "place Y": ("under
 
 
 def write(chains: Sequence[Chain], journal: Path, directory: Path, *, date: datetime.date | None = None) -> list[Path]:
-    """Write history.html and history.csv; files of these names are replaced as a whole.
-
-    Raises
-    ------
-    UsageError
-        If `directory` is a file.
-    OSError
-        If it cannot be written to.
-    """
-    if directory.exists() and not directory.is_dir():
-        raise UsageError(f"{directory}: the report needs a directory, this is a file")
-    directory.mkdir(parents=True, exist_ok=True)
-    texts = {
-        "history.html": page(chains, journal.name, date=date),
-        "history.csv": "".join(history.csv_lines(chains)),
-    }
-    return [write_whole(directory / name, text) for name, text in texts.items()]
-
-
-def write_whole(path: Path, text: str) -> Path:
-    """Write a text file, or replace the old one, as a whole."""
-    handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(temporary, 0o666 & ~mask)
-        os.replace(temporary, path)
-    except BaseException:
-        os.unlink(temporary)
-        raise
-    return path
+    """Write `FILES`; those that are there are replaced when all are complete. Errors as `write_together`."""
+    html = page(chains, journal.name, date=date)
+    return write_together(directory, {"history.html": [html], "history.csv": history.csv_lines(chains)})
 
 
 def page(chains: Sequence[Chain], name: str, *, date: datetime.date | None = None) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import datetime
 import json
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -18,14 +18,27 @@ from millcorr.errors import RefusedError
 from millcorr.prediction import Simulation, simulate
 from millcorr.prediction.foreseen import require_setup
 from millcorr.prediction.signals import Signals, csv_lines
+from millcorr.whole_file import write_together
 
 from . import simulation_view
 from . import wall as report_wall
-from .history import write_whole
 from .plots import MICRO, UM, standalone
 from .simulation_page import page
 
 Floats = NDArray[np.float64]
+
+FILES = (
+    "simulation.html",
+    "simulation.json",
+    "signals.csv",
+    "predicted.csv",
+    "wall.csv",
+    "load.svg",
+    "axes.svg",
+    "contour.svg",
+    "wall.svg",
+)
+"""What a report may consist of."""
 
 
 def write(
@@ -43,7 +56,7 @@ def write(
         With a setup and method ``predicted``.
     directory : Path
         Made if it is not there. Gets simulation.html, signals.csv, predicted.csv, simulation.json and the plots as
-        SVG; with heights also wall.csv. Each is replaced as a whole.
+        SVG; with heights also wall.csv: see `FILES`. All are replaced together.
     date : datetime.date, optional
         Date on the page; today by default.
     heights : sequence of float
@@ -87,19 +100,17 @@ def write(
     if wall is not None:
         plots["wall"] = report_wall.curves(wall)
         sections.append(report_wall.section(wall, plots["wall"]))
-    texts = {
-        "signals.csv": "".join(csv_lines(signals)),
-        "predicted.csv": "".join(_predicted_lines(before, after)),
-        "simulation.json": json.dumps(figures, indent=1, ensure_ascii=False, allow_nan=False) + "\n",
-        **({} if wall is None else {"wall.csv": "".join(report_wall.csv_lines(wall))}),
-        **{f"{name}.svg": standalone(plot) for name, plot in plots.items()},
-        "simulation.html": page(
-            request, before, after, signals, plots, figures, notes, date or datetime.date.today(), sections
-        ),
+    texts: dict[str, Iterable[str]] = {
+        "signals.csv": csv_lines(signals),
+        "predicted.csv": _predicted_lines(before, after),
+        "simulation.json": [json.dumps(figures, indent=1, ensure_ascii=False, allow_nan=False) + "\n"],
+        **({} if wall is None else {"wall.csv": report_wall.csv_lines(wall)}),
+        **{f"{name}.svg": [standalone(plot)] for name, plot in plots.items()},
+        "simulation.html": [
+            page(request, before, after, signals, plots, figures, notes, date or datetime.date.today(), sections)
+        ],
     }
-    directory.mkdir(parents=True, exist_ok=True)
-    for name, text in texts.items():
-        write_whole(directory / name, text)
+    write_together(directory, texts)
     return "\n".join(
         [
             f"steps       {len(signals)} on {figures['path_length_mm']:.1f} mm of path, {figures['time_s']:.1f} s",

@@ -7,8 +7,11 @@ import csv
 import io
 import math
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 import numpy as np
+
+from millcorr.errors import UsageError
 
 from . import trend
 from .journal import Chain, Entry
@@ -112,6 +115,17 @@ def csv_lines(chains: Sequence[Chain]) -> Iterator[str]:
             out = io.StringIO()
             csv.writer(out, lineterminator="\n").writerow(cells)
             yield out.getvalue()
+
+
+def refuse_other_file(path: Path) -> None:
+    """UsageError where a CSV export would replace anything but an older one: a program, a journal, measured points."""
+    if not path.is_file():
+        return
+    header = ",".join(COLUMNS[:3]).encode("ascii")
+    with open(path, "rb") as file:
+        begin = file.read(len(header))
+    if begin not in (header, b""):
+        raise UsageError(f"--csv {path} is no table of a journal and stays untouched: name another file")
 
 
 def changes(entries: Sequence[Entry]) -> list[tuple[str, Change]]:

@@ -450,7 +450,20 @@ def test_series_from_first_part_to_history(shop):
     assert shop.run("history part.nc.journal --csv all.csv --report shown") == DONE
     assert len((shop.directory / "all.csv").read_text().splitlines()) == 3
     assert (shop.directory / "shown" / "history.html").exists()
+    assert shop.run("history part.nc.journal --csv all.csv") == DONE
     (shop.directory / "other.journal").write_text("no journal at all" * 99)
+    before = snapshot(shop.directory)
+    for name, why in {
+        "part.nc.journal": "is the journal itself",
+        "other.journal": "is no table of a journal",
+        "p1.nc": "is no table of a journal",
+        "cmm.csv": "is no table of a journal",
+        "shown": "is a directory",
+        "none/all.csv": "there is no directory none",
+    }.items():
+        assert shop.run(f"history part.nc.journal --csv {name}") == USAGE and why in shop.err
+    assert shop.run("history part.nc.journal --csv shown/history.csv --report shown") == USAGE
+    assert "would replace the file of --csv" in shop.err and snapshot(shop.directory) == before
     assert shop.run("history") == USAGE
     assert "other.journal, part.nc.journal" in shop.err
     assert shop.run("history other.journal") == INPUT

@@ -177,10 +177,11 @@ def test_a_failure_leaves_no_half_report(disc, tmp_path, monkeypatch, there):
         place.mkdir()
         (place / "report.json").write_text("old")
 
-    def fail(*args, **kwargs):
+    def fail(result):
+        yield "s,x,y\n"
         raise OSError("disk full")
 
-    monkeypatch.setattr(report.files, "page", fail)
+    monkeypatch.setattr(report.files, "deviation_lines", fail)
     with pytest.raises(OSError, match="disk full"):
         report.write(disc, place)
     if there:

@@ -16,7 +16,7 @@ from millcorr.errors import InputError, LimitError, RefusedError, UsageError
 from millcorr.series import history, journal
 from millcorr.series import production as serial
 from millcorr.series.process_control import Control
-from millcorr.session import replaced_whole
+from millcorr.whole_file import replaced_whole
 from tests.core import loop_programs as programs
 
 UM = 1e-3

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Files that are never there in part, and the places that may be written to."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+
+from .errors import UsageError
+
+
+def refuse_places(
+    outputs: Mapping[str, Path | None],
+    inputs: Mapping[str, Path | None],
+    report: Path | None = None,
+    files: Collection[str] = (),
+) -> None:
+    """Refuse outputs that would take the place of an input, of a directory or of another output.
+
+    Parameters
+    ----------
+    outputs : mapping of str to Path
+        Files to write, by the option that names them; None where it was not given.
+    inputs : mapping of str to Path
+        Files to read, by what they are.
+    report : Path, optional
+        Directory of the report; it need not exist.
+    files : collection of str
+        Names of the files that the report consists of.
+
+    Raises
+    ------
+    UsageError
+        Also where an output would lie in a directory that does not exist; a report makes its own.
+    """
+    taken = {place.resolve(): what for what, place in inputs.items() if place is not None}
+    for option, place in outputs.items():
+        if place is None:
+            continue
+        what = taken.get(place.resolve())
+        if what is not None:
+            raise UsageError(f"{option} {place} is the {what} itself; the original must stay untouched")
+        if place.is_dir():
+            raise UsageError(f"{option} {place} is a directory; name the file to write")
+        if not place.absolute().parent.is_dir():
+            raise UsageError(f"{option} {place}: there is no directory {place.parent}")
+        taken[place.resolve()] = f"file of {option}"
+    if report is None:
+        return
+    if report.resolve() in taken or (report.exists() and not report.is_dir()):
+        raise UsageError(f"--report {report} is a file; name a directory")
+    for place, what in taken.items():
+        if place.parent == report.resolve() and place.name in files:
+            raise UsageError(f"--report {report} would replace the {what}, {place.name}: name another directory")
+
+
+def write_whole(path: Path, text: str) -> Path:
+    """Write a text file in UTF-8, or replace the old one, as a whole; errors as `replaced_whole`."""
+    with replaced_whole(path, text.encode("utf-8")):
+        pass
+    return path
+
+
+@contextmanager
+def replaced_whole(path: Path | None, data: bytes) -> Iterator[None]:
+    """Have a file appear, or replace the old one, when it is complete and all that is done meanwhile succeeded.
+
+    Parameters
+    ----------
+    path : Path or None
+        A link stays a link: the file it names is replaced. None writes nothing.
+    data : bytes
+
+    Raises
+    ------
+    UsageError
+        If there is no such directory, or nothing may be written to it.
+    OSError
+        If the disk is full or fails.
+    """
+    if path is None:
+        yield
+        return
+    path = path.resolve()
+    if not path.parent.is_dir():
+        raise UsageError(f"{path}: there is no directory {path.parent}")
+    try:
+        handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+    except OSError as error:
+        raise UsageError(f"{path}: cannot be written: {error.strerror}") from error
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        os.chmod(temporary, path.stat().st_mode & 0o777 if path.exists() else 0o666 & ~_umask())
+        yield
+        os.replace(temporary, path)
+    except BaseException:
+        os.unlink(temporary)
+        raise
+
+
+def write_together(directory: Path, files: Mapping[str, Iterable[str]]) -> list[Path]:
+    """Write text files in UTF-8 that appear in a directory when all of them are complete; others there stay.
+
+    Parameters
+    ----------
+    directory : Path
+        Made where it does not exist.
+    files : mapping of str to iterable of str
+        Pieces of the text of each file, by its name; lines end as in the text, whatever the system.
+
+    Returns
+    -------
+    list of Path
+
+    Raises
+    ------
+    UsageError
+        If `directory` is a file.
+    OSError
+        If it cannot be written to.
+    """
+    if directory.exists() and not directory.is_dir():
+        raise UsageError(f"{directory}: the report needs a directory, this is a file")
+    new = not directory.exists()
+    home = directory.parent if new else directory
+    home.mkdir(parents=True, exist_ok=True)
+    stage = Path(tempfile.mkdtemp(prefix=".millcorr-report-", dir=home))
+    try:
+        for name, text in files.items():
+            with open(stage / name, "w", encoding="utf-8", newline="\n") as file:
+                file.writelines(text)
+        if new:
+            # mkdtemp makes a private directory; this one is as readable as any other.
+            stage.chmod(0o777 & ~_umask())
+            stage.rename(directory)
+        else:
+            for name in files:
+                os.replace(stage / name, directory / name)
+    finally:
+        shutil.rmtree(stage, ignore_errors=True)
+    return [directory / name for name in files]
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
