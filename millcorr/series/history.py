@@ -7,6 +7,7 @@ import csv
 import io
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -129,12 +130,21 @@ def refuse_other_file(path: Path) -> None:
 
 
 def changes(entries: Sequence[Entry]) -> list[tuple[str, Change]]:
-    """Trends and jumps of what the machine does, as (component, change), in the order in which they were seen."""
+    """Trends and jumps of what the machine does, as (component, change), in the order in which they were seen.
+
+    Parts of the uncorrected program are not compared with later ones: of their correction, the largest of all, an
+    elastic machine gives back most.
+    """
+    first = next((k for k, entry in enumerate(entries, 1) if entry.corrected), len(entries))
     out = []
-    for component in trend.COMPONENTS:
-        value = np.array([float(e.statistics["components"][component]) for e in entries])
-        found = trend.changes(value, false_alarms=trend.FALSE_ALARMS / len(trend.COMPONENTS))
-        out += [(component, change) for change in found]
+    for begin, end in ((0, first), (first, len(entries))):
+        for component in trend.COMPONENTS:
+            value, commanded = (
+                np.array([float(e.statistics[of][component]) for e in entries[begin:end]])
+                for of in ("components", "commanded")
+            )
+            found = trend.changes(value, commanded, false_alarms=trend.FALSE_ALARMS / len(trend.COMPONENTS))
+            out += [(component, replace(c, part=c.part + begin, last=c.last + begin)) for c in found]
     return sorted(out, key=lambda pair: pair[1].last)
 
 

@@ -257,7 +257,8 @@ def _entry(
     settings: dict[str, Any] = {"correction": result.request.settings.in_words()}
     if control is not None:
         settings["control"] = control.numbers()
-    machine = trend.components(seen - commanded, places.normals(result.nominal))
+    normals = places.normals(result.nominal)
+    machine, program_own = (trend.components(field, normals) for field in (seen - commanded, commanded))
     numbers: dict[str, Any] = {
         "points": len(own.deviation),
         "deviation": statistics(own.deviation.value),
@@ -265,6 +266,7 @@ def _entry(
         "random_std": own.random_std,
         "correction": result.correction.largest,
         "components": dict(zip(trend.COMPONENTS, machine.tolist(), strict=True)),
+        "commanded": dict(zip(trend.COMPONENTS, program_own.tolist(), strict=True)),
     }
     state = np.zeros(len(places))
     if decision is not None:

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Trend and jump in a series of parts told apart, with a fixed rate of false alarms.
 
-What is looked at is what the machine does: the measured deviation less what the program commands. Corrections do
-not show in it, wear and a new tool do.
+What is looked at is what the machine does: the measured deviation less what the program commands. A correction of
+e shows in it only by the share ``-b e`` that an elastic machine gives back, ``b = MS / (1 + MS)``, which is not known:
+a change counts as one only if it is significant whatever b is, from 0 to `MOST_GIVEN_BACK`. Wear and a new tool are.
 """
 
 from __future__ import annotations
@@ -12,6 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy.special import stdtr
+
+from millcorr.transfer_function import IMPLAUSIBLE
 
 Floats = NDArray[np.float64]
 
@@ -26,6 +29,9 @@ LEAST_PARTS = 5
 
 RESOLUTION = 1e-4
 """Scatter in mm below which no series is believed to be: the last digit of measured files."""
+
+MOST_GIVEN_BACK = IMPLAUSIBLE / (1 + IMPLAUSIBLE)
+"""Largest share of a correction that an elastic machine may give back."""
 
 COMPONENTS = ("mean", "place X", "place Y")
 """What a deviation is taken apart into: size of the part, and displacement of the part."""
@@ -90,7 +96,9 @@ def components(deviation: Floats, normal: Floats) -> Floats:
     return out
 
 
-def examine(value: Floats, *, trending: bool = False, false_alarms: float = FALSE_ALARMS) -> Change | None:
+def examine(
+    value: Floats, commanded: Floats | None = None, *, trending: bool = False, false_alarms: float = FALSE_ALARMS
+) -> Change | None:
     """Trend or jump in one quantity of consecutive parts, or None.
 
     Student's test of the slope, and of the difference of means before and after every possible place of a jump,
@@ -102,6 +110,9 @@ def examine(value: Floats, *, trending: bool = False, false_alarms: float = FALS
     ----------
     value : (n,) float64
         mm; a part is left out where it is NaN.
+    commanded : (n,) float64, optional
+        The same quantity of what the program of each part commanded, mm; a share of up to `MOST_GIVEN_BACK` of it may
+        have come back. By default the same on all parts.
     trending : bool
         A trend is known; only a jump away from its line is looked for.
     false_alarms : float
@@ -111,11 +122,12 @@ def examine(value: Floats, *, trending: bool = False, false_alarms: float = FALS
     y, n = value[rows], len(rows)
     if n < LEAST_PARTS:
         return None
+    given = np.zeros(n) if commanded is None else commanded[rows]
     time = rows.astype(np.float64)
     line = np.column_stack([np.ones(n), time - time.mean()])
     after = np.arange(1, n)
     steps = (np.arange(n)[:, None] >= after).astype(np.float64)
-    jumps = _Added.of(line if trending else line[:, :1], steps, y)
+    jumps = _Added.of(line if trending else line[:, :1], steps, y, given)
     best = int(np.argmin(jumps.probability))
     jump = Change(
         "jump",
@@ -127,7 +139,7 @@ def examine(value: Floats, *, trending: bool = False, false_alarms: float = FALS
     )
     if trending:
         return jump if jump.probability <= false_alarms else None
-    slope = _Added.of(line[:, :1], line[:, 1:], y)
+    slope = _Added.of(line[:, :1], line[:, 1:], y, given)
     trend = Change(
         "trend",
         int(rows[0]),
@@ -144,7 +156,9 @@ def examine(value: Floats, *, trending: bool = False, false_alarms: float = FALS
     return trend if score[0] <= score[1] else jump
 
 
-def changes(value: Floats, *, false_alarms: float = FALSE_ALARMS) -> tuple[Change, ...]:
+def changes(
+    value: Floats, commanded: Floats | None = None, *, false_alarms: float = FALSE_ALARMS
+) -> tuple[Change, ...]:
     """Follow one quantity from part to part, as it would have been seen at the time.
 
     After a jump that two parts show, what was before is forgotten. A trend is stated once, with the last part
@@ -152,22 +166,23 @@ def changes(value: Floats, *, false_alarms: float = FALSE_ALARMS) -> tuple[Chang
 
     Parameters
     ----------
-    value : (n,) float64
-        mm.
+    value, commanded : (n,) float64
+        mm; see `examine`.
     false_alarms : float
         For each part; see `examine`.
     """
+    commanded = np.zeros(len(value)) if commanded is None else commanded
     out: list[Change] = []
     first, trend = 0, False
     for end in range(1, len(value) + 1):
         begin = max(first, end - WINDOW)
-        found = examine(value[begin:end], trending=trend, false_alarms=false_alarms)
+        found = examine(value[begin:end], commanded[begin:end], trending=trend, false_alarms=false_alarms)
         if out and not out[-1].settled:
             # A single part far off: the next one has shown whether it was a jump.
             out.pop()
         if found is None:
             if trend:
-                out[-1] = _with_last(out[-1], value, end - 1)
+                out[-1] = _with_last(out[-1], value, commanded, end - 1)
             continue
         found = Change(found.kind, found.part + begin, found.last + begin, found.size, found.error, found.probability)
         out.append(found)
@@ -177,19 +192,22 @@ def changes(value: Floats, *, false_alarms: float = FALSE_ALARMS) -> tuple[Chang
     return tuple(out)
 
 
-def _with_last(change: Change, value: Floats, last: int) -> Change:
+def _with_last(change: Change, value: Floats, commanded: Floats, last: int) -> Change:
     """The trend with its slope through all parts up to the last one."""
     if change.kind != "trend":
         return change
     rows = np.arange(change.part, last + 1)[np.isfinite(value[change.part : last + 1])]
     time = rows - rows.mean()
-    slope = _Added.of(np.ones((len(rows), 1)), time[:, None], value[rows])
+    slope = _Added.of(np.ones((len(rows), 1)), time[:, None], value[rows], commanded[rows])
     return Change("trend", change.part, last, float(slope.size[0]), float(slope.error[0]), float(slope.probability[0]))
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Added:
-    """One more column in a regression, tried one at a time: its coefficient, and what is left over."""
+    """One more column in a regression, tried one at a time: its coefficient, and what is left over.
+
+    The probability, and what is left, are those of the share of `commanded` that makes the column least significant.
+    """
 
     size: Floats
     error: Floats
@@ -197,18 +215,34 @@ class _Added:
     rest: Floats
 
     @staticmethod
-    def of(base: Floats, columns: Floats, y: Floats) -> _Added:
+    def of(base: Floats, columns: Floats, y: Floats, commanded: Floats) -> _Added:
         """Regress y on `base` and each of the columns; Student's test of the column, two-sided."""
         q, _ = np.linalg.qr(base)
-        y = y - q @ (q.T @ y)
-        columns = columns - q @ (q.T @ columns)
+        y, given, columns = (v - q @ (q.T @ v) for v in (y, commanded, columns))
         square = (columns**2).sum(axis=0)
-        size = (columns * y[:, None]).sum(axis=0) / square
-        rest = ((y[:, None] - columns * size) ** 2).sum(axis=0)
+        # For y + b given the coefficient is size + b own, and the sum of squares left r0 + 2 r1 b + r2 b^2.
+        size, own = columns.T @ y / square, columns.T @ given / square
+        r0, r1, r2 = y @ y - square * size**2, y @ given - square * size * own, given @ given - square * own**2
         freedom = len(y) - base.shape[1] - 1
-        error = np.sqrt(np.maximum(rest / freedom, RESOLUTION**2) / square)
-        probability = 2 * stdtr(freedom, -np.abs(size / error))
-        return _Added(size, error, probability, rest)
+
+        def rest(b: Floats) -> Floats:
+            out: Floats = np.maximum(r0 + 2 * r1 * b + r2 * b**2, 0.0)
+            return out
+
+        def error(b: Floats) -> Floats:
+            out: Floats = np.sqrt(np.maximum(rest(b) / freedom, RESOLUTION**2) / square)
+            return out
+
+        # Their quotient squared has its extremes at the ends of the range, where the coefficient is 0, and at one more.
+        with np.errstate(divide="ignore", invalid="ignore"):
+            inner = [-size / own, (size * r1 - own * r0) / (own * r1 - size * r2)]
+        tried = np.array([np.zeros(len(size)), np.full(len(size), MOST_GIVEN_BACK), *inner])
+        tried = np.clip(np.nan_to_num(tried), 0.0, MOST_GIVEN_BACK)
+        quotient = np.array([np.abs((size + b * own) / error(b)) for b in tried])
+        least = np.argmin(quotient, axis=0)
+        each = np.arange(len(size))
+        probability = 2 * stdtr(freedom, -quotient[least, each])
+        return _Added(size, error(np.zeros(len(size))), probability, rest(tried[least, each]))
 
 
 def _akaike(rest: float, n: int, parameters: int) -> float:

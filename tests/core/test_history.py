@@ -34,6 +34,7 @@ def entry(part: int, mean: float, *, corrected: bool, smoothed: float = math.nan
         "determined": abs(mean) / 1000,
         "correction": 0.012,
         "components": {"mean": mean / 1000, "place X": place / 1000, "place Y": math.nan},
+        "commanded": {"mean": 0.0, "place X": 0.0, "place Y": math.nan},
     }
     if math.isfinite(smoothed):
         statistics["smoothed"] = smoothed / 1000

@@ -58,6 +58,48 @@ def test_false_alarms_are_no_more_than_promised(n, trending):
     assert alarms >= 40
 
 
+@pytest.mark.parametrize("share", [0.0, 0.04, 0.2, 1 / 3])
+@pytest.mark.parametrize("trending", [False, True])
+def test_what_comes_back_of_corrections_raises_no_alarm(share, trending):
+    """As above, with corrections of 5 and 40 um of which a share comes back."""
+    commanded = -5 * UM * (np.arange(15) >= 4) - 40 * UM * (np.arange(15) >= 9)
+    values = np.random.default_rng(1).normal(0.0, UM, (1000, 15)) - share * commanded
+    alarms = sum(trend.examine(row, commanded, trending=trending, false_alarms=0.05) is not None for row in values)
+    # At most 50 are expected: 5 standard deviations of a count are 35.
+    assert alarms <= 50 + 35
+
+
+def test_more_comes_back_than_any_machine_gives_is_a_jump():
+    commanded = -30 * UM * (np.arange(12) >= 6)
+    back = noise(4, 12, 0.5 * UM) - 0.5 * commanded
+    change = trend.examine(back, commanded)
+    assert change.kind == "jump" and change.part == 6 and change.size == pytest.approx(15 * UM, abs=UM)
+    # Student's test of what a third of the correction does not explain.
+    left = back + commanded / 3
+    assert change.probability == pytest.approx(11 * stats.ttest_ind(left[:6], left[6:]).pvalue, rel=1e-9)
+
+
+def test_wear_that_is_corrected_all_the_time_is_a_trend():
+    """1 um a part, each corrected on the next: a tenth of it comes back, which the wear outweighs."""
+    wear = UM * np.arange(14)
+    commanded = np.concatenate([[0.0], -wear[:-1]])
+    change = trend.examine(wear - 0.1 * commanded + noise(6, 14, 0.3 * UM), commanded)
+    assert change.kind == "trend" and change.size == pytest.approx(1.1 * UM, abs=0.1 * UM)
+
+
+def test_the_least_favourable_share_is_found():
+    """Against a fine grid of shares."""
+    random = np.random.default_rng(8)
+    for _ in range(10):
+        commanded = random.normal(0.0, 8 * UM, 10).cumsum()
+        value = random.normal(0.0, UM, 10) - random.uniform(0, 0.4) * commanded + 3 * UM * (np.arange(10) >= 5)
+        shares = np.linspace(0, 1 / 3, 401)
+        grid = max(stats.linregress(np.arange(10), value + b * commanded).pvalue for b in shares)
+        base, time = np.ones((10, 1)), np.arange(10.0)[:, None]
+        found = trend._Added.of(base, time, value, commanded).probability[0]
+        assert found == pytest.approx(grid, rel=0.02) and found >= grid * (1 - 1e-9)
+
+
 def test_false_alarms_from_part_to_part():
     """100 series of 40 parts at 1 % a part, only parts from the fifth on are tested: at most 36 expected."""
     seen = 0
