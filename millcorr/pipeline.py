@@ -328,6 +328,9 @@ def correct(request: Request, *, check: bool = False) -> Result:
         sources: list[str] = []
         filter_ = Filter.parse(settings.filter)
         heights = distrust.CutHeights.of(toolpath, commanded.following, nominal)
+        if setup is not None and not settings.depths and setup.stock.allowance_mm is not None:
+            # What an elastic machine may leave of this depth is no mistake.
+            depths = tuple(max(setup.stock.allowance_mm - allowance, 0.0) for allowance in allowances)
         for read, part, depth, allowance in zip(request.measurements, surfaces, depths, allowances, strict=True):
             naming = partial(distrust.named, read.source if len(surfaces) > 1 else "")
             alone = distrust.refuse_dangerous(distrust.examine_file(read), settings.accept, read.source)

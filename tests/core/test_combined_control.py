@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from millcorr import gcode, pipeline, split
 from millcorr.engagement import engagement, stock_of
 from millcorr.engagement.contact_steps import Contacts
-from millcorr.errors import InputError, RefusedError, UsageError
+from millcorr.errors import DistrustError, InputError, RefusedError, UsageError
 from millcorr.prediction import simulate
 from millcorr.prediction.combined_control import identify, identify_machine
 from millcorr.settings import Settings
@@ -211,3 +211,15 @@ def test_what_is_missing_is_named():
         Settings(iterate=0.01)
     with pytest.raises(UsageError, match="neither --gain"):
         Settings(method="predicted", iterate=0.01, gain=0.5)
+
+
+def test_what_an_elastic_machine_leaves_of_the_allowance_is_no_mistake():
+    """Touches 0.28 mm off all along: no ball of 0.28 mm, but MS 0.1 of 3 mm; the whole of it must be believable."""
+    along = [(x, -10.0) for x in (-5.0, 0.0, 5.0, 10.0)]
+    soft = simulate(program(), softer(350.0, 350.0), nominal())
+    result = corrected(touched(soft, *along), gain=0.5)
+    assert any("transfer function of 0.10" in text for text in result.warnings)
+    m = touched(soft, *along)
+    far = replace(m, points=m.points + [0.0, 0.2, 0.0])
+    with pytest.raises(DistrustError, match="ball-not-compensated"):
+        corrected(far, gain=0.5)
