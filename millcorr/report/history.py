@@ -11,12 +11,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from millcorr import __version__
 from millcorr.series import history, trend
 from millcorr.series.journal import Chain, Entry
 from millcorr.whole_file import write_together
 
-from .html import html_facts, html_table, page_style
+from .html import figure, html_facts, html_page, html_table
 from .plots import MICRO, UM, WIDTH, Plot, frame, value_axis
 from .svg import MARKERS, Axis, Canvas, bars, markers, polyline
 
@@ -48,21 +47,13 @@ def page(chains: Sequence[Chain], name: str, *, date: datetime.date | None = Non
     date : datetime.date, optional
         Today by default.
     """
-    day = (date or datetime.date.today()).isoformat()
-    body = [
-        f"<header><p class=kind>Serial production</p><h1>{escape(name)}</h1>"
-        f"<p class=meta>{day}, millcorr {escape(__version__)}</p></header>",
-        *(_chain(chain) for chain in chains),
-        "" if chains else "<p class=verdict>The journal has no part yet.</p>",
-    ]
-    return (
-        "<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8>"
-        "<meta http-equiv=Content-Security-Policy content=\"default-src 'none'; style-src 'unsafe-inline'\">"
-        "<meta name=viewport content='width=device-width,initial-scale=1'>"
-        f"<meta name=color-scheme content='light dark'><title>{escape(name)}: serial production</title>"
-        f"<style>{page_style()}</style></head>\n<body><main>\n"
-        + "\n".join(part for part in body if part)
-        + "\n</main></body></html>\n"
+    return html_page(
+        "Serial production",
+        name,
+        [_chain(chain) for chain in chains] or ["<p class=verdict>The journal has no part yet.</p>"],
+        about="serial production",
+        files="Every entry is in <b>history.csv</b>.",
+        date=date,
     )
 
 
@@ -77,8 +68,7 @@ def _chain(chain: Chain) -> str:
         f"corrected, after {len(entries) - corrected} it stayed as it was.</p>",
         f"<div class=warnings><b>What the machine does</b><ul>{found}</ul></div>" if said else "",
     ]
-    for plot in (deviations(entries), machine(entries)):
-        out.append(f"<figure class=plot>{plot.svg}<figcaption>{escape(plot.caption)}</figcaption></figure>")
+    out += [figure(deviations(entries)), figure(machine(entries))]
     rows = []
     for e in entries:
         d = e.statistics["deviation"]

@@ -3,16 +3,70 @@
 
 from __future__ import annotations
 
+import datetime
 import math
 from collections.abc import Iterable, Sequence
 from html import escape
 
+from millcorr import __version__
+
 from .plots import COLOURS, STYLE, UM, Plot
 
-MINUS, DASH = "\N{MINUS SIGN}", "\N{EN DASH}"
+MINUS, DASH, DOT = "\N{MINUS SIGN}", "\N{EN DASH}", "\N{MIDDLE DOT}"
 
 
-def page_style() -> str:
+def html_page(
+    kind: str,
+    name: str,
+    parts: Iterable[str],
+    *,
+    about: str,
+    files: str,
+    date: datetime.date | None = None,
+    style: str = "",
+    scripts: str = "",
+) -> str:
+    """A page that needs nothing but itself: no font, no network, and no script but its own.
+
+    Parameters
+    ----------
+    kind : str
+        What kind of report it is, above the name.
+    name : str
+        Of what is reported.
+    parts : iterable of str
+        Parts of the page as HTML, in order; empty ones are left out.
+    about : str
+        Behind the name in the window's title.
+    files : str
+        What the files beside the page hold, as HTML, for its foot.
+    date : datetime.date, optional
+        Today by default.
+    style : str
+        Rules of its own.
+    scripts : str
+        Elements with scripts and their data; without, the page forbids scripts.
+    """
+    version = f"millcorr {escape(__version__)}"
+    allowed = "default-src 'none'; style-src 'unsafe-inline'" + ("; script-src 'unsafe-inline'" if scripts else "")
+    body = [
+        f"<header><p class=kind>{kind}</p><h1>{escape(name)}</h1>"
+        f"<p class=meta>{(date or datetime.date.today()).isoformat()} {DOT} {version}</p></header>",
+        *parts,
+        f"<footer><p>{files} Made by {version}.</p></footer>",
+    ]
+    return (
+        "<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8>"
+        f'<meta http-equiv=Content-Security-Policy content="{allowed}">'
+        "<meta name=viewport content='width=device-width,initial-scale=1'>"
+        f"<meta name=color-scheme content='light dark'><title>{escape(name)}: {about}</title>"
+        f"<style>{_style()}{style}</style></head>\n<body><main>\n"
+        + "\n".join(part for part in body if part)
+        + f"\n</main>{scripts}</body></html>\n"
+    )
+
+
+def _style() -> str:
     """Style sheet of a page: light, dark and paper."""
 
     def variables(theme: str) -> str:
@@ -105,6 +159,17 @@ def html_table(head: Sequence[str], rows: Iterable[Sequence[str]], css: str = "n
     )
     header = f"<thead><tr>{top}</tr></thead>" if head else ""
     return f"<table class={css}>{header}<tbody>{body}</tbody></table>"
+
+
+def html_notes(notes: Iterable[str]) -> str:
+    """Statements for the top of a page."""
+    return "".join(f"<p class=note>{escape(note)}</p>" for note in notes)
+
+
+def html_tiles(tiles: Iterable[tuple[str, str]]) -> str:
+    """Figures to see at once, each with what it is."""
+    inner = "".join(f"<div class=tile><b>{escape(v)}</b><span>{escape(what)}</span></div>" for v, what in tiles)
+    return f"<div class=tiles>{inner}</div>"
 
 
 def html_facts(rows: Iterable[tuple[str, str]]) -> str:

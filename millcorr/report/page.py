@@ -12,24 +12,33 @@ from pathlib import PurePath
 import numpy as np
 from numpy.typing import NDArray
 
-from millcorr import __version__, provenance
+from millcorr import provenance
 from millcorr.deviation import statistics
 from millcorr.largest import LargestCorrection, largest_correction
 from millcorr.pipeline import Result
 
-from .html import MINUS, coordinates, figure, grouped, html_facts, html_table, mm, page_style, plural, um
+from .html import (
+    DOT,
+    MINUS,
+    coordinates,
+    figure,
+    grouped,
+    html_facts,
+    html_notes,
+    html_page,
+    html_table,
+    html_tiles,
+    mm,
+    plural,
+    um,
+)
 from .plots import COVERAGE, MICRO, Plot, along_contour, histogram
 from .transfer import transfer_section
 from .view import on_contour, path_and_contour
 
 Floats = NDArray[np.float64]
 
-ARROW, SIGMA, DOT, ELLIPSIS = (
-    "\N{RIGHTWARDS ARROW}",
-    "\N{GREEK SMALL LETTER SIGMA}",
-    "\N{MIDDLE DOT}",
-    "\N{HORIZONTAL ELLIPSIS}",
-)
+ARROW, SIGMA, ELLIPSIS = "\N{RIGHTWARDS ARROW}", "\N{GREEK SMALL LETTER SIGMA}", "\N{HORIZONTAL ELLIPSIS}"
 
 PATH_ERROR_WORTH_SAYING = 1e-3
 """A program that is farther than this, in mm, from the exact path gets a section of its own."""
@@ -57,13 +66,9 @@ def page(
     date : datetime.date, optional
         Today by default.
     """
-    name = PurePath(result.request.program.name).name
     largest = largest_correction(result.correction, result.nominal)
-    day = (date or datetime.date.today()).isoformat()
-    body = [
-        f"<header><p class=kind>Toolpath correction report</p><h1>{escape(name)}</h1>"
-        f"<p class=meta>{day} {DOT} millcorr {escape(__version__)}</p></header>",
-        "".join(f"<p class=note>{escape(note)}</p>" for note in notes),
+    parts = [
+        html_notes(notes),
         _verdict(result, largest),
         _tiles(result, largest),
         _warnings(result),
@@ -75,18 +80,16 @@ def page(
         _correction(result, largest),
         _settings(result),
         _files(result, outputs or {}),
-        "<footer><p>Every measured point is in <b>deviations.csv</b>, the contour check in <b>contour.csv</b> and "
-        "<b>points.csv</b>, every number in <b>report.json</b>, the compensated profile as NURBS in "
-        f"<b>profile.json</b> and <b>profile.step</b>. Made by millcorr {escape(__version__)}.</p></footer>",
     ]
-    return (
-        "<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8>"
-        "<meta http-equiv=Content-Security-Policy content=\"default-src 'none'; style-src 'unsafe-inline'\">"
-        "<meta name=viewport content='width=device-width,initial-scale=1'>"
-        f"<meta name=color-scheme content='light dark'><title>{escape(name)}: toolpath correction</title>"
-        f"<style>{page_style()}</style></head>\n<body><main>\n"
-        + "\n".join(part for part in body if part)
-        + "\n</main></body></html>\n"
+    return html_page(
+        "Toolpath correction report",
+        PurePath(result.request.program.name).name,
+        parts,
+        about="toolpath correction",
+        files="Every measured point is in <b>deviations.csv</b>, the contour check in <b>contour.csv</b> and "
+        "<b>points.csv</b>, every number in <b>report.json</b>, the compensated profile as NURBS in "
+        "<b>profile.json</b> and <b>profile.step</b>.",
+        date=date,
     )
 
 
@@ -158,8 +161,7 @@ def _tiles(result: Result, largest: LargestCorrection) -> str:
     if len(result.deviation) == 0:
         tiles.append((plural(result.regeneration.changed, "move"), "changed in the program"))
     tiles.append((f"{um(result.verification.path_error_max)} {MICRO}", "largest path error of the program, read back"))
-    inner = "".join(f"<div class=tile><b>{escape(v)}</b><span>{escape(what)}</span></div>" for v, what in tiles)
-    return f"<div class=tiles>{inner}</div>"
+    return html_tiles(tiles)
 
 
 def _warnings(result: Result) -> str:

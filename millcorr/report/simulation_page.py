@@ -16,12 +16,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from millcorr import __version__
 from millcorr.pipeline import Request
 from millcorr.prediction import Simulation
 from millcorr.prediction.signals import Signals
 
-from .html import figure, html_facts, page_style, um
+from .html import figure, html_facts, html_notes, html_page, html_tiles, um
 from .plots import MICRO, Plot
 from .simulation_script import LOOKS, SCRIPT
 from .simulation_view import magnification, outlines, stock_rings, surface_of, thinned
@@ -60,7 +59,6 @@ def page(
     sections : sequence of str
         Further parts of the page as HTML.
     """
-    name = PurePath(request.program.name).name
     setup = PurePath(before.setup.source).name or "setup"
     cautions = "".join(f"<li>{escape(text)}</li>" for text in before.cautions)
     tiles = [
@@ -75,12 +73,9 @@ def page(
         ),
         (f"{um(before.largest)} {MICRO}", "largest predicted error" + _corrected(after)),
     ]
-    body = [
-        f"<header><p class=kind>Simulated, not measured</p><h1>{escape(name)}</h1>"
-        f"<p class=meta>{date.isoformat()}, millcorr {escape(__version__)}</p></header>",
-        "".join(f"<p class=note>{escape(note)}</p>" for note in notes),
-        "<div class=tiles>" + "".join(f"<div class=tile><b>{v}</b><span>{escape(w)}</span></div>" for v, w in tiles),
-        "</div>",
+    parts = [
+        html_notes(notes),
+        html_tiles(tiles),
         f"<section class=warnings><b>How far to trust it</b><ul>{cautions}</ul></section>" if cautions else "",
         _STAGE,
         "<h2>Force, engaged arc and feed</h2>" + figure(plots["load"]),
@@ -88,20 +83,18 @@ def page(
         "<h2>Contours and paths</h2>" + figure(plots["contour"]),
         *sections,
         "<h2>Setup</h2>" + html_facts(_facts(before, setup)),
-        "<footer><p>Every signal at every step is in <b>signals.csv</b>, the predicted surface in "
-        "<b>predicted.csv</b>, "
-        f"figures in <b>simulation.json</b>. Made by millcorr {escape(__version__)}.</p></footer>",
     ]
     data = json.dumps(animation(before, after, signals), separators=(",", ":"), allow_nan=False)
-    return (
-        "<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8>"
-        "<meta http-equiv=Content-Security-Policy content=\"default-src 'none'; style-src 'unsafe-inline'; "
-        "script-src 'unsafe-inline'\">"
-        "<meta name=viewport content='width=device-width,initial-scale=1'>"
-        f"<meta name=color-scheme content='light dark'><title>{escape(name)}: simulated</title>"
-        f"<style>{page_style()}{LOOKS}</style></head>\n<body><main>\n"
-        + "\n".join(part for part in body if part)
-        + f"\n</main><script type=application/json id=data>{data}</script><script>{SCRIPT}</script></body></html>\n"
+    return html_page(
+        "Simulated, not measured",
+        PurePath(request.program.name).name,
+        parts,
+        about="simulated",
+        files="Every signal at every step is in <b>signals.csv</b>, the predicted surface in <b>predicted.csv</b>, "
+        "figures in <b>simulation.json</b>.",
+        date=date,
+        style=LOOKS,
+        scripts=f"<script type=application/json id=data>{data}</script><script>{SCRIPT}</script>",
     )
 
 
