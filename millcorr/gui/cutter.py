@@ -7,10 +7,10 @@ from typing import Any
 
 from pivy import coin
 
-from .picture import view_of
+from .layer import Layer, scene_of
 
 
-class Cutter:
+class Cutter(Layer):
     """A cylinder that stands on its tip; where the document has no view nothing is drawn.
 
     Parameters
@@ -19,8 +19,7 @@ class Cutter:
     """
 
     def __init__(self, document: Any) -> None:
-        self.node = coin.SoSwitch()
-        self.node.whichChild = coin.SO_SWITCH_NONE
+        super().__init__()
         group = coin.SoSeparator()
         look, upright, lift, pick = coin.SoMaterial(), coin.SoRotationXYZ(), coin.SoTranslation(), coin.SoPickStyle()
         look.diffuseColor = (0.85, 0.7, 0.1)
@@ -32,11 +31,7 @@ class Cutter:
         for child in (pick, look, self._place, lift, upright, self._body):
             group.addChild(child)
         self.node.addChild(group)
-        # The root lives as long as it is held here; the view may be half gone when this is removed.
-        view = view_of(document)
-        self._root: Any = None if view is None else view.getSceneGraph()
-        if self._root is not None:
-            self._root.addChild(self.node)
+        self.hang(scene_of(document))
 
     def size(self, radius: float, height: float) -> None:
         """Size in mm."""
@@ -46,16 +41,10 @@ class Cutter:
     def move(self, x: float, y: float, z: float) -> None:
         """Place of the tip's centre in mm."""
         self._place.translation = (x, y, z)
-        self.node.whichChild = coin.SO_SWITCH_ALL
+        self.unhide()
 
     @property
     def place(self) -> tuple[float, float, float]:
         """Where it stands."""
         where = self._place.translation.getValue()
         return float(where[0]), float(where[1]), float(where[2])
-
-    def remove(self) -> None:
-        """Take it out of the view."""
-        if self._root is not None:
-            self._root.removeChild(self.node)
-            self._root = None

@@ -14,6 +14,7 @@ from millcorr.errors import MillcorrError, RefusedError
 from . import picture, picture_properties, preferences
 from .figures import COLUMNS, figures_of
 from .hover import Hover
+from .layer import view_of
 from .panel import Panel, clear, narrow
 from .qt import QtCore, QtWidgets
 from .remedies import Remedy, accepted_by, first_field, remedies_in, worded
@@ -48,17 +49,18 @@ class DressupPanel(Panel):
         shown = obj is not None or preferences.get("ShowPicture")
         self.draft, self.look = draft.Draft(label, values), draft.Draft(label, look | {"ShowPicture": shown})
         self.outcome: picture.Drawn | None = None
+        self._taken = False
         self._make_choice()
         self._make_figures()
         self._make_settings()
         self.layout.addStretch()
         self._show_values()
         self.picture = picture.Picture()
-        self._view = picture.view_of(self.document)
+        view = view_of(self.document)
         self._hover = None
-        if self._view is not None:
-            self._view.getSceneGraph().addChild(self.picture.node)
-            self._hover = Hover(self._view, self.picture, self._picked)
+        if view is not None:
+            self.picture.hang(view.getSceneGraph())
+            self._hover = Hover(view, self.picture, self._picked)
         if obj is not None:
             obj.ViewObject.Proxy.pause(True)
         self.start()
@@ -310,16 +312,20 @@ class DressupPanel(Panel):
                 setattr(obj.ViewObject, name, value)
         if self.outcome is not None:
             obj.ViewObject.Proxy.take(self.picture)
+            self._taken = True
 
     def close(self) -> None:
         """Take the preview away."""
         if self.closed:
             return
         super().close()
+        if not self._taken:
+            self.picture.remove()
+        if self.document is None:
+            # Nor may its view be touched: it is half gone.
+            return
         if self._hover is not None:
             self._hover.end()
-        if self._view is not None:
-            picture.remove(self._view, self.picture)
         if self.obj is not None:
             self.obj.ViewObject.Proxy.pause(False)
 

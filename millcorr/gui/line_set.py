@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Coloured polylines in the 3-D view, beside everything that belongs to the document."""
+"""Coloured polylines in the 3-D view."""
 
 from __future__ import annotations
 
@@ -9,10 +9,52 @@ from pivy import coin
 
 from millcorr.scene.correction import Lines
 
-from .picture import view_of
+from .layer import Layer, over_everything, scene_of
+
+AT_ONCE = 5000
+"""So many rows of an array become a list in one call, during which the window cannot run."""
+
+Lists = tuple[list[Any], list[int], list[int]]
+"""Vertices, colours and indices in the form that the scene graph takes ten times faster than arrays."""
+
+
+def lists_of(lines: Lines) -> Lists:
+    """Polylines for the scene graph; in a thread where they are many."""
+    vertices: list[Any] = []
+    for at in range(0, len(lines.vertices), AT_ONCE):
+        # Tuples: lists would be looked through again and again by the collector of garbage.
+        vertices.extend(zip(*lines.vertices[at : at + AT_ONCE].T.tolist(), strict=True))
+    return vertices, lines.colours.tolist(), lines.index.tolist()
 
 
 class LineSet:
+    """A node that draws polylines.
+
+    Parameters
+    ----------
+    width : float
+        Pixels.
+    """
+
+    def __init__(self, width: float = 2.0) -> None:
+        self.node, style = coin.SoSeparator(), coin.SoDrawStyle()
+        style.lineWidth = width
+        self.lines, self._vertices = coin.SoIndexedLineSet(), coin.SoVertexProperty()
+        self._vertices.materialBinding = coin.SoVertexProperty.PER_VERTEX_INDEXED
+        self.lines.vertexProperty = self._vertices
+        self.node.addChild(style)
+        self.node.addChild(self.lines)
+
+    def fill(self, lists: Lists) -> None:
+        """Draw polylines in place of those before."""
+        fields = (self._vertices.vertex, self._vertices.orderedRGBA, self.lines.coordIndex)
+        for field, numbers in zip(fields, lists, strict=True):
+            field.setNum(len(numbers))
+            if numbers:
+                field.setValues(0, len(numbers), numbers)
+
+
+class LineLayer(Layer):
     """Polylines drawn over everything in a view of a document; where it has none nothing is drawn.
 
     Parameters
@@ -23,50 +65,14 @@ class LineSet:
     """
 
     def __init__(self, document: Any, width: float = 2.0) -> None:
-        self.node = coin.SoSwitch()
-        self.node.whichChild = coin.SO_SWITCH_NONE
-        front = coin.SoAnnotation()
-        light, pick, style = coin.SoLightModel(), coin.SoPickStyle(), coin.SoDrawStyle()
-        light.model = coin.SoLightModel.BASE_COLOR
-        pick.style = coin.SoPickStyle.UNPICKABLE
-        style.lineWidth = width
-        self._vertices, self._lines = coin.SoVertexProperty(), coin.SoIndexedLineSet()
-        self._vertices.materialBinding = coin.SoVertexProperty.PER_VERTEX_INDEXED
-        self._lines.vertexProperty = self._vertices
-        for child in (light, pick, style, self._lines):
-            front.addChild(child)
+        super().__init__()
+        self._set = LineSet(width)
+        front = over_everything()
+        front.addChild(self._set.node)
         self.node.addChild(front)
-        # The root lives as long as it is held here; the view may be half gone when this is removed.
-        view = view_of(document)
-        self._root: Any = None if view is None else view.getSceneGraph()
-        if self._root is not None:
-            self._root.addChild(self.node)
+        self.hang(scene_of(document))
 
-    def fill(self, drawn: Lines) -> None:
+    def fill(self, lines: Lines) -> None:
         """Show polylines in place of those before."""
-        # Lists, not arrays: pivy takes them ten times faster.
-        for field, values in (
-            (self._vertices.vertex, drawn.vertices),
-            (self._vertices.orderedRGBA, drawn.colours),
-            (self._lines.coordIndex, drawn.index),
-        ):
-            field.setNum(len(values))
-            if len(values):
-                field.setValues(0, len(values), values.tolist())
-        self.node.whichChild = coin.SO_SWITCH_ALL
-
-    def hide(self) -> None:
-        """Show nothing."""
-        self.node.whichChild = coin.SO_SWITCH_NONE
-
-    @property
-    def shown(self) -> bool:
-        """Whether anything is shown."""
-        return bool(self.node.whichChild.getValue() == coin.SO_SWITCH_ALL)
-
-    def remove(self) -> None:
-        """Take it out of the view."""
-        self.hide()
-        if self._root is not None:
-            self._root.removeChild(self.node)
-            self._root = None
+        self._set.fill(lists_of(lines))
+        self.unhide()

@@ -14,7 +14,7 @@ from millcorr.probing import TOUCHES
 from millcorr.scene.probing import overlay_of
 
 from . import file_task, preferences
-from .line_set import LineSet
+from .line_set import LineLayer
 from .options import Expression, call
 from .program_task import PROGRAMS
 from .qt import QtWidgets
@@ -105,7 +105,7 @@ class MeasuringTask(file_task.FileTask):
     def __init__(self, operation: Any) -> None:
         super().__init__(translate("Millcorr", "Measuring program"), "Millcorr_Probe", "measuring-programs.md")
         self.operation, self.home = operation, operation.Document.Name
-        self.picture = LineSet(operation.Document)
+        self.picture = LineLayer(operation.Document)
         warned = QtWidgets.QLabel(
             translate(
                 "Millcorr",

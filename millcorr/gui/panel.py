@@ -41,6 +41,7 @@ class Panel:
 
     def __init__(self, document: Any, title: str, icon_name: str) -> None:
         self.document, self.title = document, title
+        self._home = "" if document is None else document.Name
         self.form = QtWidgets.QWidget()
         self.form.setObjectName("MillcorrPanel")
         self.form.setWindowTitle(title)
@@ -242,6 +243,31 @@ class Panel:
         self.closed = True
         self._pause.stop()
         self.worker.cancel()
+        if _shown and _shown[0] is self:
+            _shown.clear()
+
+    def forsake(self, name: str) -> None:
+        """A document was closed: without its own the panel ends, and touches nothing of it."""
+        if name == self._home:
+            self.document = None
+            self.close()
+            FreeCADGui.Control.closeDialog()
+
+
+_shown: list[Panel] = []
+"""The panel in the task view."""
+
+
+class _Documents:
+    """What FreeCAD tells of documents."""
+
+    def slotDeletedDocument(self, document: Any) -> None:
+        """Close the panel that is about a document when it is closed."""
+        for panel in list(_shown):
+            panel.forsake(document.Name)
+
+
+_documents: list[_Documents] = []
 
 
 def narrow(label: Any) -> Any:
@@ -293,5 +319,9 @@ def show(panel: Any) -> bool:
     if FreeCADGui.Control.activeDialog():
         FreeCAD.Console.PrintWarning(translate("Millcorr", "Close the open task first") + "\n")
         return False
+    if not _documents:
+        _documents.append(_Documents())
+        FreeCAD.addDocumentObserver(_documents[0])
     FreeCADGui.Control.showDialog(panel)
+    _shown[:] = [panel]
     return True

@@ -9,7 +9,7 @@ from pivy import coin
 
 from millcorr.scene import plots as plot_arrays
 
-from .picture import view_of
+from .layer import view_of
 from .qt import QtCore
 
 LOOK = 150

@@ -19,7 +19,7 @@ from millcorr.report import plots as report_plots
 from millcorr.scene import plots as plot_arrays
 
 from . import preferences
-from .line_set import LineSet
+from .line_set import LineLayer
 from .plot_link import PlotLink
 from .qt import QtCore, QtWidgets
 from .text import translate
@@ -95,7 +95,7 @@ class Plots(QtWidgets.QDockWidget):
         self.obj: Any = None
         self.result: Any = None
         self.along: Any = None
-        self._mark: LineSet | None = None
+        self._mark: LineLayer | None = None
         inner = QtWidgets.QWidget()
         layout = QtWidgets.QVBoxLayout(inner)
         layout.setContentsMargins(2, 2, 2, 2)
@@ -187,7 +187,7 @@ class Plots(QtWidgets.QDockWidget):
             distribution,
             lambda: report_plots.histogram(d.value, result.predicted, result.random_std),
         )
-        self._mark = LineSet(self.obj.Document, 3.0)
+        self._mark = LineLayer(self.obj.Document, 3.0)
         self.link.start()
 
     def _failed(self, error: BaseException) -> None:

@@ -15,7 +15,7 @@ from millcorr.scene.simulation import Played
 
 from . import file_task, plots
 from .cutter import Cutter
-from .line_set import LineSet
+from .line_set import LineLayer
 from .options import Expression, call
 from .qt import QtCore, QtWidgets
 from .text import translate
@@ -68,7 +68,7 @@ class SimulateTask(file_task.FileTask):
         self.operation, self.home = operation, operation.Document.Name
         self.played: Played | None = None
         self.time = 0.0
-        self.contours, self.cutter = LineSet(operation.Document), Cutter(operation.Document)
+        self.contours, self.cutter = LineLayer(operation.Document), Cutter(operation.Document)
         self.group(operation.Label, _ROWS, self.changed)
         self.fields["Magnification"].show_value(100.0)
         self.found = QtWidgets.QLabel(

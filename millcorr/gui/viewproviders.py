@@ -134,12 +134,11 @@ class DressupView(View):
         self.refresh_soon()
 
     def _place(self, made: Any) -> None:
-        root = self.Object.ViewObject.RootNode
         if self._picture is not None:
             self._end_hover()
-            root.removeChild(self._picture.node)
+            self._picture.remove()
         self._picture = made
-        root.addChild(made.node)
+        made.hang(self.Object.ViewObject.RootNode)
 
     def refresh_soon(self) -> None:
         """Draw anew once FreeCAD is done with what it does now; several wishes are one."""
@@ -210,7 +209,7 @@ class DressupView(View):
 
     def _begin_hover(self) -> None:
         from .hover import Hover
-        from .picture import view_of
+        from .layer import view_of
 
         view = view_of(self.Object.Document) if self._hover is None else None
         if view is not None:

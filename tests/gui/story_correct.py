@@ -305,6 +305,36 @@ def kept(document, obj):
     return document
 
 
+def closed(document):
+    """A document is closed while a panel and its picture are open: the panel goes with it, FreeCAD stays."""
+    from millcorr.gui import panel, plots
+
+    for over in (document.getObject("DressupMillcorr"), None):
+        made = over.ViewObject.Proxy.panel() if over else dressup_panel_of(document)
+        panel.show(made)
+        settled(made)
+        check(made.picture.shown, "no picture in the panel")
+        select(document.getObject("DressupMillcorr"))
+        FreeCADGui.runCommand("Millcorr_Plots", 0)
+        until(lambda: plots.dock().result is not None, "plots")
+        FreeCAD.closeDocument(document.Name)
+        wait(500)
+        check(made.closed and not FreeCADGui.Control.activeDialog(), "the panel outlives its document")
+        check(plots.dock().result is None, "the plots outlive their document")
+        plots.dock().hide()
+        document = FreeCAD.openDocument(path("story.FCStd"))
+        wait(500)
+    until(lambda: document.getObject("DressupMillcorr").ViewObject.Proxy._picture is not None, "picture at the end")
+    FreeCAD.closeDocument(document.Name)
+    wait(500)
+
+
+def dressup_panel_of(document):
+    from millcorr.gui import dressup_panel
+
+    return dressup_panel.new(document.getObject("Profile"))
+
+
 def story():
     record()
     document = FreeCAD.openDocument(path("demo.FCStd"))
@@ -316,7 +346,7 @@ def story():
     obj = accepted(document)
     if obj is not None:
         edited(document, obj)
-        kept(document, obj)
+        closed(kept(document, obj))
     found["figures"]["version"] = VERSION
 
 
