@@ -68,6 +68,8 @@ class Request:
         place of what was measured: smoothed over the parts of a series.
     setup : Setup, optional
         Tool, material, machine and stock, for the methods that simulate.
+    shift : Correction, optional
+        Displacement of the nominal that is known beforehand, in place of one from a measurement.
     """
 
     program: gcode.Program
@@ -78,6 +80,7 @@ class Request:
     further: tuple[Measurement, ...] = ()
     smoothed: Correction | None = None
     setup: Setup | None = None
+    shift: Correction | None = None
 
     @property
     def measurements(self) -> tuple[Measurement, ...]:
@@ -322,7 +325,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
         work = predicted_target(as_cut, nominal, before.setup, settings, bool(carried), warnings)
         aim = aim_of(work)
     elif measurement is None:
-        correction, work = Correction.even(nominal, settings.leave_stock), Target.empty()
+        correction, work = request.shift or Correction.even(nominal, settings.leave_stock), Target.empty()
     else:
         parts: list[Part] = []
         sources: list[str] = []
@@ -352,7 +355,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
             if settings.method != "combined":
                 findings += distrust.examine_sampling(deviation, nominal, filter_)
             if carried and not cut_by_another:
-                findings += distrust.examine_program(deviation.value, offset, provenance.gain(program.comments()))
+                findings += distrust.examine_program(deviation, offset, provenance.gain(program.comments()))
             if len(surfaces) > 1:
                 # One part without a deviation is a warning; among several it would take its share of the others'.
                 same = "identical-to-nominal"
@@ -378,7 +381,10 @@ def correct(request: Request, *, check: bool = False) -> Result:
             warnings += distrust.refuse_dangerous(made, settings.accept, sources[0])
         if request.smoothed is not None:
             left = request.smoothed.at(work.deviation.stretch, work.deviation.s, nominal)
-            work = replace(work, wanted=work.commanded - settings.gain * dead_band(left, settings.dead_band))
+            # Of a path moved by e an elastic machine leaves e / (1 + MS).
+            yields = 1.0 if work.elastic is None else 1.0 + work.elastic.transfer.ms
+            wanted = work.commanded - settings.gain * yields * dead_band(left, settings.dead_band)
+            work = replace(work, wanted=wanted)
         if aim is None:
             correction = correction_through(work, nominal, settings, warnings)
 
@@ -616,6 +622,8 @@ def _header(request: Request) -> tuple[str, ...]:
     program, left = request.program, request.settings.leave_stock
     if left:
         return (f"millcorr {__version__} first cut, leaves {left:g} mm", f"of {PurePath(program.name).name}")
+    if request.shift is not None:
+        return (f"millcorr {__version__} contour moved for a tilted tool, by at most {request.shift.largest:.4f} mm",)
     if request.measurement is None:
         return (f"millcorr {__version__} path laid on the exact nominal, no correction",)
     return provenance.header(

@@ -23,7 +23,7 @@ from millcorr import pipeline, provenance
 from millcorr.compensation import Correction
 from millcorr.deviation import statistics
 from millcorr.errors import InputError, UsageError
-from millcorr.pipeline import Request, Result
+from millcorr.pipeline import Request, Result, Settings
 from millcorr.reconstruction import CompensatedContour
 from millcorr.verification import verify
 
@@ -139,8 +139,8 @@ def corrected(
     """
     if request.measurement is None:
         raise UsageError("--journal keeps measured parts: nothing was measured")
-    if control is not None and request.settings.method != "mirror":
-        raise UsageError(f"--control goes with --method mirror, not with --method {request.settings.method}")
+    if control is not None:
+        _require_whole_series(request.settings)
     accepted = process_control.ACCEPTED in request.settings.accept
     others = tuple(name for name in request.settings.accept if name != process_control.ACCEPTED)
     request = replace(request, settings=replace(request.settings, accept=others))
@@ -234,10 +234,27 @@ def _refuse_other(chain: Chain, request: Request, carried: tuple[str, ...], plac
         )
 
 
+def _require_whole_series(settings: Settings) -> None:
+    """UsageError where the settings make what one part shows no measure of the next one."""
+    if settings.method not in ("mirror", "transfer"):
+        raise UsageError(
+            f"--control goes with --method mirror or transfer, not with --method {settings.method}: it smooths what "
+            "whole contours have shown over the parts, not what a model expects"
+        )
+    if any(settings.allowances):
+        raise UsageError("--control watches a series of finished parts: it does not go with --allowance")
+    following = () if settings.next_depth is None else (settings.next_depth,)
+    if len({*settings.depths, *following}) > 1:
+        raise UsageError(
+            "--control smooths over parts that are cut alike: give one --depth and no other --next-depth; for a new "
+            "depth correct once without --control"
+        )
+
+
 def _refuse_steps(control: Control, result: Result, corrected_before: bool) -> None:
-    applied = result.predicted - result.deviation.value + result.commanded
     if not result.regeneration.changed:
         return
+    applied = result.correction.at(result.deviation.stretch, result.deviation.s, result.nominal)
     step = applied - result.commanded if corrected_before else applied
     process_control.refuse_beyond(control, step, result.correction.largest)
 

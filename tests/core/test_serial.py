@@ -294,6 +294,52 @@ def test_a_new_tool_on_an_elastic_machine_is_the_only_jump(tmp_path: Path) -> No
     assert found and float(found[1]) == pytest.approx(-12.0, abs=1.5)
 
 
+@pytest.mark.parametrize(("method", "back"), [("transfer", 0.0), ("mirror", 0.12 / 1.12)])
+def test_the_transfer_function_under_control(tmp_path: Path, method: str, back: float) -> None:
+    """MS 0.12 and depth 0.3 mm; then 6 and 7 um more excess of which K = 2 smooths to 6/4 + 7/2 = 5 um.
+
+    What is smoothed is taken out as an elastic machine needs it, (1 + MS)-fold; mirrored, the share b of it stays.
+    """
+    depth = {"depth": 0.3} if method == "transfer" else {}
+    shop = Shop(tmp_path, Control(2, 4 * UM), method=method, tolerance=0.1 * UM, **depth)
+
+    def cut(excess):
+        machine = SimulatedMachine(ErrorField(constant=excess * UM), allowance=0.3, transfer=0.12)
+        part = machine.cut(shop.programs[-1].toolpath, programs.RADIUS, shop.nominal, seed=1)
+        points = part.measure(150, z=-3.0 - 1e-3 * len(shop.programs), seed=len(shop.programs))
+        return shop.next(dataclasses.replace(points, source=f"part-{len(shop.programs)}.csv"))
+
+    first = cut(0.0)
+    left = 300 * 0.12 / 1.12
+    assert first.decision.kind == "direct" and first.result.deviation.value.mean() / UM == pytest.approx(left, abs=0.01)
+    stays = back * left
+    assert cut(6.0 - stays).result.deviation.value.mean() / UM == pytest.approx(6.0, abs=0.1)
+    second = cut(7.0 - stays)
+    smoothed = float(np.abs(second.decision.smoothed).max())
+    assert second.decision.kind == "smoothed" and smoothed / UM == pytest.approx(5.0, abs=0.1)
+    seen = second.result.deviation.value.mean()
+    third = cut(7.0 - stays)
+    gone = seen - third.result.deviation.value.mean()
+    # One depth takes the further excess for elastic, too. Two programs with a tolerance of 0.1 um are compared.
+    elastic = second.result.elastic
+    gain = 1.0 if elastic is None else float(1.0 + elastic.transfer.ms.mean())
+    assert gone / smoothed == pytest.approx(gain / 1.12, abs=0.2 / 5)
+    assert (elastic is None) == (method == "mirror") and gain < 1.15
+
+
+def test_control_refuses_what_is_no_series(tmp_path: Path) -> None:
+    shop = Shop(tmp_path, Control(2, 4 * UM))
+    for changed, said in (
+        ({"method": "transfer", "depth": 0.3, "next_depth": 0.5}, "cut alike"),
+        ({"method": "transfer", "depth": 0.3, "allowance": 0.2}, "does not go with --allowance"),
+        ({"method": "combined"}, "not with --method combined"),
+    ):
+        with pytest.raises(UsageError, match=said):
+            shop.next(shop.measure(20), **changed)
+    assert not shop.journal.exists()
+    assert shop.next(shop.measure(20), method="transfer", depth=0.3, next_depth=0.3).part == 1
+
+
 def test_a_displaced_part_shows_as_a_jump_of_the_place(tmp_path: Path) -> None:
     shop = Shop(tmp_path, Control(4, 40 * UM))
     x = np.array([1.0, 0.0])
