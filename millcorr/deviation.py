@@ -124,7 +124,7 @@ def deviations(
         )
     points = measurement.points[:, :2]
     search = FootPointSearch(profile, margin=max(reach, 1.0) + measurement.ball_radius)
-    feet = search.find(points)
+    feet = search.find(points, rivals=True)
     normals = None if measurement.normals is None else measurement.normals[:, :2]
     if normals is not None:
         feet = search.on_the_side_of(points, normals, feet)

@@ -75,7 +75,8 @@ class FootPoints:
         `Place` of the foot.
     rival : (n,) float64
         How much farther, in mm, the nearest other branch of the profile is; inf where that is more than the
-        point's own distance from the profile or the search's margin, and more than `RIVAL`.
+        point's own distance from the profile or the search's margin, and more than `RIVAL`, and where it was not
+        asked for.
     """
 
     span: Ints
@@ -139,13 +140,16 @@ class FootPointSearch:
         self._grid: _Grid | None = None
         self._make_groups()
 
-    def find(self, points: Floats) -> FootPoints:
+    def find(self, points: Floats, *, rivals: bool = False) -> FootPoints:
         """Foot points of the given points.
 
         Parameters
         ----------
         points : (n, 2) or (n, 3) float64
             mm; a third coordinate is ignored.
+        rivals : bool
+            Whether `FootPoints.rival` is wanted: it takes comparing with more of the profile, several times as long
+            for points far from it. Else it is inf throughout.
 
         Returns
         -------
@@ -163,7 +167,7 @@ class FootPointSearch:
         else:
             rest = self._by_grid(x, y, span, t, out)
         if len(rest):
-            span[rest], t[rest], rival[rest], exact = self._compare(x[rest], y[rest])
+            span[rest], t[rest], rival[rest], exact = self._compare(x[rest], y[rest], rivals=rivals)
             for target, value in zip(out, exact, strict=True):
                 target[rest] = value
         cx, cy, nx, ny, distance = out
@@ -315,12 +319,14 @@ class FootPointSearch:
         away = np.hypot(all_x - self._group_x[:, None], all_y - self._group_y[:, None])
         self._group_r = away.max(axis=1)
 
-    def _compare(self, x: Floats, y: Floats, extra: float = 0.0) -> tuple[Ints, Floats, Floats, tuple[Floats, ...]]:
+    def _compare(
+        self, x: Floats, y: Floats, extra: float = 0.0, *, rivals: bool = True
+    ) -> tuple[Ints, Floats, Floats, tuple[Floats, ...]]:
         """Foot points by comparing with all groups of samples: the nearest branch, and the gap to the next one.
 
         Other branches are seen up to twice the distance (at least `RIVAL` and at most the search's margin
-        beyond it), and `extra` farther. With `extra`, the values end with the sharpest bends to the left and to
-        the right so far.
+        beyond it), and `extra` farther; without `rivals` none is. With `extra`, the values end with the sharpest
+        bends to the left and to the right so far.
         """
         n, groups = len(x), len(self._group_x)
         span = np.zeros(n, dtype=np.int64)
@@ -330,9 +336,10 @@ class FootPointSearch:
         for a in range(0, n, chunk):
             rows = slice(a, min(a + chunk, n))
             px, py = x[rows], y[rows]
-            away = np.hypot(px[:, None] - self._group_x, py[:, None] - self._group_y)
+            # Several times as fast as np.hypot, whose care about overflow is not needed.
+            away = np.sqrt((px[:, None] - self._group_x) ** 2 + (py[:, None] - self._group_y) ** 2)
             nearest = (away + self._group_r).min(axis=1) + 2 * self._spacing
-            limit = nearest + np.clip(nearest, RIVAL, max(RIVAL, self._margin)) + extra
+            limit = self._window(nearest, extra, rivals)
             point, group = np.nonzero(away - self._group_r <= limit[:, None])
             first = np.searchsorted(point, np.arange(len(px) + 1))
             # Points far away meet every group: take as many at a time as fit the cache.
@@ -342,15 +349,22 @@ class FootPointSearch:
                 pairs = slice(first[cut], first[end])
                 part = slice(a + cut, a + end)
                 span[part], t[part], rival[part], best = self._compare_groups(
-                    x[part], y[part], point[pairs] - cut, group[pairs], extra
+                    x[part], y[part], point[pairs] - cut, group[pairs], extra, rivals
                 )
                 for target, value in zip(values, best, strict=True):
                     target[part] = value
                 cut = end
         return span, t, rival, values
 
+    def _window(self, nearest: Floats, extra: float, rivals: bool) -> Floats:
+        """How far samples are looked at by points whose nearest one is so far."""
+        if not rivals:
+            return nearest + extra
+        out: Floats = nearest + np.clip(nearest, RIVAL, max(RIVAL, self._margin)) + extra
+        return out
+
     def _compare_groups(
-        self, x: Floats, y: Floats, point: Ints, group: Ints, extra: float
+        self, x: Floats, y: Floats, point: Ints, group: Ints, extra: float, rivals: bool
     ) -> tuple[Ints, Floats, Floats, tuple[Floats, ...]]:
         """The same for pairs of a point and a group, sorted by point, at least one pair a point.
 
@@ -361,8 +375,7 @@ class FootPointSearch:
         first = np.searchsorted(point, np.arange(len(x)))
         nearest = np.sqrt(np.minimum.reduceat(d2.min(axis=1), first))
         # A branch whose sample is this much farther may still come nearest between samples.
-        slack = nearest + 2 * self._spacing
-        window = slack + np.clip(slack, RIVAL, max(RIVAL, self._margin)) + extra
+        window = self._window(nearest + 2 * self._spacing, extra, rivals)
         pair, column = np.nonzero((d2 <= (window**2)[point, None]) & self._filled[group])
         step = self._member[group[pair], column]
         curved = self._bends_at(step, point[pair], len(x)) if extra else None
@@ -389,8 +402,8 @@ class FootPointSearch:
         # Another branch: a foot at a different place whose way there leads over farther points.
         main = head[point]
         contour = self.profile.contour[span]
-        several = np.flatnonzero(np.bincount(point, minlength=len(x))[point] > 1)
         rival = np.full(len(x), np.inf)
+        several = np.flatnonzero(np.bincount(point, minlength=len(x))[point] > 1) if rivals else ()
         if len(several):
             s = np.zeros(len(span))
             s[several] = self.profile.arc_length(span[several], t[several])

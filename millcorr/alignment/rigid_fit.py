@@ -137,7 +137,7 @@ class RigidFit:
         transform = self.transform(q)
         points = self.points if rows is None else self.points[rows]
         xy = transform.points(points)
-        feet = self.search.find(xy)
+        feet = self.search.find(xy, rivals=True)
         if self.normals is not None:
             normals = transform.directions(self.normals if rows is None else self.normals[rows])
             feet = self.search.on_the_side_of(xy, normals, feet)

@@ -404,7 +404,7 @@ def _starts(
 
 def _too_tight(search: FootPointSearch, centre: Floats, probe: TouchProbe) -> Bools:
     """Whether a ball that should touch the nominal in one place overlaps it, or nearly, in another."""
-    feet = search.find(centre)
+    feet = search.find(centre, rivals=True)
     out: Bools = (feet.distance < probe.ball_radius - REACHED) | (feet.rival < probe.margin / 2)
     return out
 

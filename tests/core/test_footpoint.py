@@ -48,19 +48,20 @@ def random_spline(seed, count=9, size=40.0, weights=False):
 
 
 def find_both_ways(profile, points):
-    """Foot points as found for few points and, the same, among many."""
+    """Foot points as found for few points and, the same, among many and without a look at other branches."""
     points = np.asarray(points, dtype=float)
-    few = FootPointSearch(profile).find(points)
+    few = FootPointSearch(profile).find(points, rivals=True)
     n = len(points)
     fill = np.tile(points, (FILL // n + 10, 1))
     fill += np.random.default_rng(0).normal(0, 0.03, fill.shape)
     search = FootPointSearch(profile)
-    many = search.find(np.vstack([points, fill]))
+    many = search.find(np.vstack([points, fill]), rivals=True)
     assert search._grid is not None and search._grid.known.sum() > 1
-    np.testing.assert_allclose(many.distance[:n], few.distance, atol=EXACT)
     certain = few.rival > 1e-6
-    np.testing.assert_allclose(many.foot[:n][certain], few.foot[certain], atol=1e-7)
-    np.testing.assert_array_equal(many.place[:n][certain], few.place[certain])
+    for same in (many, FootPointSearch(profile).find(points)):
+        np.testing.assert_allclose(same.distance[:n], few.distance, atol=EXACT)
+        np.testing.assert_allclose(same.foot[:n][certain], few.foot[certain], atol=1e-7)
+        np.testing.assert_array_equal(same.place[:n][certain], few.place[certain])
     return few
 
 
@@ -226,7 +227,7 @@ def test_deviations_put_on_come_back():
     s = rng.uniform(0, profile.total[0], 200_000)
     d = rng.normal(0, 0.01, len(s))
     point, normal = profile.at(0, s)
-    feet = FootPointSearch(profile).find(point + d[:, None] * normal)
+    feet = FootPointSearch(profile).find(point + d[:, None] * normal, rivals=True)
     np.testing.assert_allclose(feet.distance, d, atol=1e-12)
     gap = profile.arc_length(feet.span, feet.t) - s
     gap -= profile.total[0] * np.round(gap / profile.total[0])
@@ -272,7 +273,7 @@ def test_thin_wall_with_measured_normals():
     points = np.stack([x, np.full(40, 0.25)], axis=1)
     down = np.tile([0.0, -1.0], (40, 1))
     search = FootPointSearch(profile)
-    feet = search.find(points)
+    feet = search.find(points, rivals=True)
     np.testing.assert_allclose(feet.distance, -0.15, atol=EXACT)
     np.testing.assert_allclose(feet.rival, 0.1, atol=EXACT)
     right = search.on_the_side_of(points, down, feet)
@@ -356,14 +357,14 @@ def test_sharp_corners_hide_nothing(seed, closed, spread):
     s = rng.uniform(0, profile.total[0], 6000)
     point, normal = profile.at(0, s)
     points = point + rng.normal(0, spread, (6000, 1)) * normal
-    many = FootPointSearch(profile).find(points)
+    many = FootPointSearch(profile).find(points, rivals=True)
     line = shapely.LinearRing(corners) if closed else shapely.LineString(corners)
     wanted = shapely.distance(line, shapely.points(points))
     np.testing.assert_allclose(np.abs(many.distance)[many.place != Place.END],
                                wanted[many.place != Place.END], atol=EXACT)  # fmt: skip
     np.testing.assert_allclose(np.hypot(*(points - many.foot).T), wanted, atol=EXACT)
     search = FootPointSearch(profile)
-    few = [search.find(points[a : a + 1500]) for a in range(0, 6000, 1500)]
+    few = [search.find(points[a : a + 1500], rivals=True) for a in range(0, 6000, 1500)]
     rival = np.concatenate([f.rival for f in few])
     limit = np.clip(wanted, 0.02, 2.0)
     np.testing.assert_array_equal(many.rival < limit, rival < limit)
