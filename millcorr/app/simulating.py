@@ -14,11 +14,10 @@ from pathlib import Path
 from typing import Any
 
 from millcorr import pipeline, setup_file
-from millcorr.errors import RefusedError
-from millcorr.prediction import simulate
 from millcorr.prediction.signals import Signals
 from millcorr.scene.simulation import Played
 from millcorr.settings import Settings
+from millcorr.simulation import simulated
 
 from . import base_geometry, compat, measuring
 
@@ -70,14 +69,8 @@ def prepared(operation: Any, setup: str | Path) -> Callable[[], Played]:
     request = request_of(operation, setup)
 
     def finish() -> Played:
-        assert request.setup is not None and request.nominal is not None
-        try:
-            foreseen = pipeline.correct(request).foreseen
-        except RefusedError as error:
-            before = simulate(request.program, request.setup, request.nominal)
-            return Played(Signals.of(before, request.program), before, None, str(error))
-        assert foreseen is not None
-        return Played(Signals.of(foreseen.before, request.program), foreseen.before, foreseen.after[-1], "")
+        before, after, refused = simulated(request)
+        return Played(Signals.of(before, request.program), before, after, refused)
 
     return finish
 

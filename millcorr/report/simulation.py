@@ -14,10 +14,9 @@ from numpy.typing import NDArray
 
 from millcorr import pipeline
 from millcorr.engagement import Engagement, engagement
-from millcorr.errors import RefusedError
-from millcorr.prediction import Simulation, simulate
-from millcorr.prediction.foreseen import require_setup
+from millcorr.prediction import Simulation
 from millcorr.prediction.signals import Signals, csv_lines
+from millcorr.simulation import simulated
 from millcorr.whole_file import write_together
 
 from . import simulation_view
@@ -72,27 +71,16 @@ def write(
     MillcorrError
         If program or setup cannot be used; nothing is written then. A correction that is refused is only not shown.
     """
-    setup = require_setup(request.setup, request.settings, request.radius)
     wanted = report_wall.heights_of(heights)
-    after: Simulation | None = None
-    notes: list[str] = []
-    try:
-        foreseen = pipeline.correct(request).foreseen
-        assert foreseen is not None
-        before, after = foreseen.before, foreseen.after[-1]
-    except RefusedError as error:
-        nominal = request.nominal
-        if nominal is None:
-            nominal = pipeline.nominal_from_program(request.program, request.radius, request.settings, None)
-        before = simulate(request.program, setup, nominal)
-        notes.append(f"No corrected path is shown: {error}")
+    before, after, refused = simulated(request)
+    notes = [f"No corrected path is shown: {refused}"] if refused else []
     signals = Signals.of(before, request.program)
     plots = {
         "load": simulation_view.load_plot(signals),
         "axes": simulation_view.axis_plot(signals),
         "contour": simulation_view.contour_plot(before, after),
     }
-    rigid = engagement(before.feed.toolpath, setup, before.stock)
+    rigid = engagement(before.feed.toolpath, before.setup, before.stock)
     figures = summary(before, after, signals, rigid)
     wall = report_wall.wall_of(request.program, before, wanted) if len(wanted) else None
     figures["wall"] = None if wall is None else report_wall.summary(wall)

@@ -35,6 +35,7 @@ FRONTS = {
     "scene",
     "series.production",
     "session",
+    "simulation",
     "split",
 }
 """What calls the steps; no step calls them. A package stands for all its modules."""

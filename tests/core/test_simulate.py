@@ -79,6 +79,18 @@ def test_predicted_surface_is_written(report):
     assert np.nanmax(np.abs(left)) <= 0.09
 
 
+def test_a_refused_correction_is_only_not_shown(directory, capsys):
+    """0.3 mm of predicted error are more than a limit of 0.05: the program as it is, and why there is no other."""
+    arguments = ["--program", str(directory / "part.nc"), "--setup", str(SETUP), "--side", "left", "--limit", "0.05"]
+    assert main(["simulate", *arguments, "--report", str(directory / "limited")]) == 0
+    told = capsys.readouterr().out
+    assert "No corrected path is shown: " in told and "--limit" in told and "corrected at most" not in told
+    figures = json.loads((directory / "limited" / "simulation.json").read_text(encoding="utf-8"))
+    assert figures["predicted_error_after_mm"] is None
+    assert figures["predicted_error_mm"]["max"] == pytest.approx(0.3, abs=0.005)
+    assert {row["deviation_corrected"] for row in rows(directory / "limited" / "predicted.csv")} == {""}
+
+
 def test_page_needs_nothing_but_itself(report):
     page = (report / "simulation.html").read_text(encoding="utf-8")
     assert "default-src 'none'" in page
