@@ -364,7 +364,8 @@ def correct(request: Request, *, check: bool = False) -> Result:
             warnings += [note for note in naming(notes) if note not in warnings]
             parts.append(Part(deviation, offset, machine, allowance))
         if settings.method != "combined":
-            together = distrust.examine_parts([(s, p.deviation) for s, p in zip(sources, parts, strict=True)], nominal)
+            with_points = [(m, p.deviation) for m, p in zip(request.measurements, parts, strict=True)]
+            together = distrust.examine_parts(with_points, nominal)
             together += distrust.examine_coverage(parts[0].deviation, nominal, filter_)
             warnings += distrust.refuse_dangerous(together, settings.accept, sources[0])
         if setup is not None:

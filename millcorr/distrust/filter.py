@@ -68,7 +68,7 @@ def examine_determined(
         if len(believed) < 3:
             continue
         low, high = float(machine[believed].min()), float(machine[believed].max())
-        noise = NOISES * _from_point_to_point(machine[rows[np.argsort(deviation.s[rows], kind="stable")]])
+        noise = NOISES * point_to_point(machine[rows[np.argsort(deviation.s[rows], kind="stable")]])
         beyond = np.maximum(determined[rows] - high, low - determined[rows])
         at = int(np.argmax(beyond))
         if beyond[at] > max(OVER, OF_RANGE * (high - low), noise):
@@ -102,7 +102,7 @@ def _place(deviation: Deviation, row: int) -> str:
     return f"X{x:.3f} Y{y:.3f}"
 
 
-def _from_point_to_point(value: Floats) -> float:
+def point_to_point(value: Floats) -> float:
     """Standard deviation in mm of values in order, from second differences: what is smooth drops out."""
     if len(value) < 5:
         return 0.0

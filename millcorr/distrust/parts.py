@@ -9,9 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.deviation import Deviation
+from millcorr.measurement import Measurement
 from millcorr.parts import interpolated
 from millcorr.profile import Profile
 
+from .file import resolution
+from .filter import point_to_point
 from .findings import Finding
 
 Floats = NDArray[np.float64]
@@ -22,27 +25,36 @@ SAME = 5e-4
 MOST = 0.8
 """A larger share of equal points is one part."""
 
+REPRINTED = 0.98
+"""... and a larger share of points that are equal in the digits of the coarser file: ties may round either way."""
+
 UNUSED = 0.1
 """A larger share of a further part's points at places that the first says nothing of is worth another order."""
 
-LEAST_OFFSET = 0.002
-"""A program whose own offset varies by less than this along the part, in mm, shows nothing: a constant alone may as
-well be another tool."""
+LEAST_OFFSET = 5e-4
+"""A program whose own offset varies by less than this along the part, in mm, shows nothing: paths are written to 1 um,
+and a constant alone may as well be another tool."""
 
-SLOPE = (0.85, 1.15)
-"""What is measured, over what the program takes away: 1 before it did so, MS / (1 + MS) and less after."""
+SLOPE = 0.15
+"""What is measured, over what the program takes away, is 1 within this before it did so, MS / (1 + MS) after."""
 
-EXPLAINED = 0.7
-"""Share of the squared deviations that the earlier error must explain."""
+CERTAIN = 5.0
+"""So many standard deviations the slope must be from 0: by chance once in a million parts."""
+
+EXPLAINED = 0.5
+"""Share of the squared deviations, less those of the noise, that the earlier error must explain."""
+
+LEAST_SIGNAL = 0.3
+"""Where noise makes up all but this share of what the program takes away, its shape is not known."""
 
 
-def examine_parts(parts: Sequence[tuple[str, Deviation]], profile: Profile) -> tuple[Finding, ...]:
+def examine_parts(parts: Sequence[tuple[Measurement, Deviation]], profile: Profile) -> tuple[Finding, ...]:
     """Parts that are one part measured, or exported, twice; parts that reach farther than the first.
 
     Parameters
     ----------
-    parts : sequence of (str, Deviation)
-        Name of the file and used points of each part; the first one's places are used.
+    parts : sequence of (Measurement, Deviation)
+        Each part as read, and its used points, numbered as read; the first one's places are used.
     profile : Profile
 
     Returns
@@ -56,18 +68,21 @@ def examine_parts(parts: Sequence[tuple[str, Deviation]], profile: Profile) -> t
     trees = [cKDTree(p) for p in points]
     for later in range(1, len(parts)):
         for earlier in range(later):
-            few, tree = (earlier, later) if len(points[earlier]) < len(points[later]) else (later, earlier)
+            few, many = (earlier, later) if len(points[earlier]) < len(points[later]) else (later, earlier)
             if not len(points[few]):
                 continue
-            share = float((trees[tree].query(points[few])[0] < SAME).mean())
-            if share > MOST:
+            share, within = float((trees[many].query(points[few])[0] < SAME).mean()), SAME
+            if share <= MOST:
+                share, within = _in_coarser_digits(parts[few], parts[many])
+            if share > (MOST if within == SAME else REPRINTED):
                 text = (
-                    f"{100 * share:.0f} % of the points of {parts[few][0]} lie within {SAME * 1000:g} um of those of "
-                    f"{parts[earlier + later - few][0]}: the same part again, and no mean of two; give each part once"
+                    f"{100 * share:.0f} % of the points of {parts[few][0].source} lie within {within * 1000:.2g} um of "
+                    f"those of {parts[many][0].source}: the same part again, and no mean of two; give each part once"
                 )
                 found.append(Finding("same-part", text, True))
-    name, first = parts[0]
-    for source, other in parts[1:]:
+    name, first = parts[0][0].source, parts[0][1]
+    for read, other in parts[1:]:
+        source = read.source
         ahead = interpolated(other, first, first.value, profile)
         unused = float((~np.isfinite(ahead)).mean()) if len(other) else 0.0
         # Where nothing at all is shared, averaging says so.
@@ -80,13 +95,27 @@ def examine_parts(parts: Sequence[tuple[str, Deviation]], profile: Profile) -> t
     return tuple(found)
 
 
-def examine_program(value: Floats, offset: Floats, gain: float = 1.0) -> tuple[Finding, ...]:
+def _in_coarser_digits(few: tuple[Measurement, Deviation], many: tuple[Measurement, Deviation]) -> tuple[float, float]:
+    """Share of the points of one file that another gives with more or fewer digits, and how far they then lie, mm."""
+    from scipy.spatial import cKDTree
+
+    coarse, fine = sorted((resolution(few[0]), resolution(many[0])), reverse=True)
+    if fine == coarse:
+        return 0.0, 0.0
+    # What was rounded twice is off by half of either step in each coordinate, and not only by the coarser one's.
+    within = 0.5 * (coarse + fine) + 1e-9
+    one, other = (read.points[deviation.index, :2] for read, deviation in (few, many))
+    near = cKDTree(other).query(one, p=np.inf)[0] <= within
+    return float(near.mean()), within
+
+
+def examine_program(deviation: Deviation, offset: Floats, gain: float = 1.0) -> tuple[Finding, ...]:
     """Whether a part was cut by an earlier program than the one to correct.
 
     Parameters
     ----------
-    value : (n,) float64
-        Deviations from the nominal, mm.
+    deviation : Deviation
+        Used points.
     offset : (n,) float64
         The program's own offset from the nominal, mm: less what it takes away.
     gain : float
@@ -101,15 +130,29 @@ def examine_program(value: Floats, offset: Floats, gain: float = 1.0) -> tuple[F
     A program that commands -m to take an error m away leaves next to nothing of m. A part that still shows m all
     along was cut before: adding m to -m again would take twice what is there.
     """
-    if len(value) < 3 or gain <= 0 or float(offset.std()) < LEAST_OFFSET:
+    if len(deviation) < 8 or gain <= 0:
         return ()
+    order = np.lexsort((deviation.s, deviation.stretch, deviation.level))
+    value, offset = deviation.value[order], offset[order]
     shape, seen = offset - offset.mean(), value - value.mean()
-    if not seen.any():
+    noise, of_offset = point_to_point(value) ** 2, point_to_point(offset) ** 2
+    variance = float(shape @ shape) / len(shape)
+    if variance - of_offset < max(LEAST_OFFSET**2, LEAST_SIGNAL * variance):
         return ()
-    slope = -gain * float(seen @ shape) / float(shape @ shape)
+    # Noise of the part that was corrected from is in the offset, too, and would make the slope too small.
+    slope = -gain * float((seen * shape).mean()) / (variance - of_offset)
     left = value + slope / gain * offset
-    explained = 1.0 - max(float(left @ left) / float(value @ value), float(left.var()) / float(value.var()))
-    if not SLOPE[0] <= slope <= SLOPE[1] or explained < EXPLAINED:
+    of_slope = gain * float(left.std()) / np.sqrt(len(left) * (variance - of_offset))
+    if abs(slope - 1.0) > SLOPE + 2.0 * of_slope or slope < CERTAIN * of_slope:
+        return ()
+    # What two parts differ by at random says nothing of their programs.
+    random = noise + of_offset * (slope / gain) ** 2
+    unexplained = max(
+        (float((left**2).mean()) - random) / max(float((value**2).mean()) - noise, 1e-12),
+        (float(left.var()) - random) / max(float(value.var()) - noise, 1e-12),
+    )
+    explained = min(1.0, 1.0 - unexplained)
+    if explained < EXPLAINED:
         return ()
     text = (
         f"the part shows {100 * slope:.0f} % of just the errors (up to {np.abs(offset).max() * 1000:.0f} um) that the "
