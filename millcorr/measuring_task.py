@@ -4,14 +4,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import ExitStack
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from . import freecad_process, measuring_programs, pipeline
 from . import gcode as nc
 from .errors import UsageError
+from .measuring_programs import MeasuringProgram
 from .probing import Placement, TouchProbe
 from .probing.heights import Cleared
 from .profile import Profile
@@ -37,12 +39,7 @@ def measuring_program(
     tool_diameter: float | None = None,
     side: str = "auto",
     cutter_compensation: str = "contour",
-    z: float | None = None,
-    safe_z: float | None = None,
-    feed: float = 100.0,
-    positioning: float = 1000.0,
-    tool: int | None = None,
-    log: str | None = None,
+    **options: Any,
 ) -> str:
     """Write a program that measures a contour on the machine.
 
@@ -62,14 +59,8 @@ def measuring_program(
         Cutter in mm, with `program`.
     side, cutter_compensation : str
         As in `settings.Settings`.
-    z, safe_z : float, optional
-        Heights in mm; by default what program or operation suggest.
-    feed, positioning : float
-        mm/min.
-    tool : int, optional
-        Number of the probe in the magazine.
-    log : str, optional
-        Name of the file that the control writes; by default after `output`, as the program's own name.
+    **options
+        ``z, safe_z, feed, positioning, tool, log`` as in `prepared`.
 
     Returns
     -------
@@ -88,37 +79,78 @@ def measuring_program(
     refuse_places({"--output": output}, inputs)
     settings = Settings(side=side, cutter_compensation=cutter_compensation)
     profile, cleared = _contour(program, document, operation, nominal, tool_diameter, settings)
+    source = next(path.name for path in (program, document, first) if path is not None)
+    plan = prepared(
+        profile, cleared, output, dialect=dialect, probe=probe, placement=placement, source=source, **options
+    )
+    return save(plan(), output, inputs)
+
+
+def prepared(
+    profile: Profile,
+    cleared: Cleared | None,
+    output: Path,
+    *,
+    dialect: str,
+    probe: Mapping[str, Any],
+    placement: Mapping[str, Any],
+    source: str,
+    z: float | None = None,
+    safe_z: float | None = None,
+    **options: Any,
+) -> Callable[[], MeasuringProgram]:
+    """Look at what is asked now, and give what plans and writes.
+
+    Parameters
+    ----------
+    profile : Profile
+        The contour to measure.
+    cleared : Cleared or None
+        What cuts it.
+    output : Path
+        File that it will be written to; program and log are named after it.
+    dialect, source : str
+    probe, placement : mapping
+        As in `measuring_program`; `POINTS` points where nothing is said.
+    z, safe_z : float, optional
+        Heights in mm; by default what `cleared` suggests.
+    **options
+        ``feed, positioning, tool, log, name`` of `measuring_programs.measuring_program`; None leaves one as it is.
+
+    Returns
+    -------
+    callable
+        Gives the program; raises MillcorrError where nothing can be touched.
+
+    Raises
+    ------
+    UsageError
+        If an option has no such value or one is missing.
+    """
     suggested = None if cleared is None else measuring_programs.heights(cleared, profile, placement.get("contour"))
-    z = z if z is not None or suggested is None else suggested[0]
-    safe_z = safe_z if safe_z is not None or suggested is None else suggested[1]
+    low, high = suggested or (z, safe_z)
+    z, safe_z = low if z is None else z, high if safe_z is None else safe_z
     if z is None or safe_z is None:
         raise UsageError("say --z and --safe-z: what the contour comes from shows no cut beside it, or no rapid above")
     where = dict(placement)
     if where.get("count") is None and where.get("spacing") is None:
         where["count"] = POINTS
     names = measuring_programs.names_of(dialect, output.stem)
-    source = next(path.name for path in (program, document, first) if path is not None)
-    made = measuring_programs.measuring_program(
+    return partial(
+        measuring_programs.measuring_program,
         profile,
         dialect=dialect,
         probe=TouchProbe(**probe),
         placement=Placement(**where),
         z=z,
         safe_z=safe_z,
-        feed=feed,
-        positioning=positioning,
-        name=names.name,
-        log=names.log if log is None else log,
-        tool=tool,
         source=source,
         cleared=cleared,
+        **{"name": names.name, "log": names.log} | {k: v for k, v in options.items() if v is not None},
     )
-    return save(made, output, inputs)
 
 
-def save(
-    made: measuring_programs.MeasuringProgram, output: Path, inputs: Mapping[str, Path | None] | None = None
-) -> str:
+def save(made: MeasuringProgram, output: Path, inputs: Mapping[str, Path | None] | None = None) -> str:
     """Write a measuring program and what it needs beside it, as a whole; says what was written.
 
     Raises

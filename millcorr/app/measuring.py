@@ -14,13 +14,11 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from millcorr import measuring_programs
+from millcorr import measuring_programs, measuring_task
 from millcorr.errors import UsageError
 from millcorr.gcode import Program
 from millcorr.measuring_programs import MeasuringProgram
-from millcorr.measuring_task import POINTS
 from millcorr.measuring_task import save as written
-from millcorr.probing import Placement, TouchProbe
 from millcorr.probing.heights import Cleared
 from millcorr.profile import Profile
 
@@ -80,8 +78,6 @@ def prepared(
     placement: Mapping[str, Any] | None = None,
     nominal: Any = None,
     output: str | Path = "PROBE.nc",
-    z: float | None = None,
-    safe_z: float | None = None,
     **options: Any,
 ) -> Callable[[], MeasuringProgram]:
     """Do now what needs FreeCAD, and give what plans and writes: it needs none and may be called in any thread.
@@ -98,10 +94,8 @@ def prepared(
         What to measure instead of the operation's own contour.
     output : str or Path
         File that it will be written to; program and log are named after it.
-    z, safe_z : float, optional
-        Heights in mm; by default what the operation suggests.
     **options
-        ``feed, positioning, tool, log, name`` of `millcorr.measuring_programs.measuring_program`.
+        ``z, safe_z, feed, positioning, tool, log, name`` as in `millcorr.measuring_task.prepared`.
 
     Returns
     -------
@@ -114,31 +108,16 @@ def prepared(
         If the operation or an option cannot be used.
     """
     profile, program, radius = contour_of(operation, nominal)
-    where = dict(placement or {})
-    cleared = Cleared(program.toolpath, radius, True)
-    suggested = measuring_programs.heights(cleared, profile, where.get("contour"))
-    if suggested is None and (z is None or safe_z is None):
-        raise UsageError("say --z and --safe-z: the operation shows no cut beside the contour, or no rapid above")
-    low, high = suggested or (0.0, 0.0)
-    names = measuring_programs.names_of(dialect, Path(output).stem)
-    if where.get("count") is None and where.get("spacing") is None:
-        where["count"] = POINTS
-    chosen_probe, chosen_places, source = TouchProbe(**probe), Placement(**where), operation.Label
-
-    def finish() -> MeasuringProgram:
-        return measuring_programs.measuring_program(
-            profile,
-            dialect=dialect,
-            probe=chosen_probe,
-            placement=chosen_places,
-            z=low if z is None else z,
-            safe_z=high if safe_z is None else safe_z,
-            source=source,
-            cleared=cleared,
-            **{"name": names.name, "log": names.log} | {k: v for k, v in options.items() if v is not None},
-        )
-
-    return finish
+    return measuring_task.prepared(
+        profile,
+        Cleared(program.toolpath, radius, True),
+        Path(output),
+        dialect=dialect,
+        probe=probe,
+        placement=placement or {},
+        source=operation.Label,
+        **options,
+    )
 
 
 def write(operation: Any, output: str | Path, **options: Any) -> str:
