@@ -208,10 +208,9 @@ def _run(arguments: argparse.Namespace, output: Path | None) -> None:
 
 def _series(arguments: argparse.Namespace) -> dict[str, Any]:
     """What was said about the series: journal and rules; empty without."""
-    names = ("journal", "control", "step_limit", "sum_limit")
-    limits = ("limit", "tolerance", "alarm", "abort")
-    given = {name: getattr(arguments, name, None) for name in names}
-    given |= {name: getattr(arguments, f"control_{name}", None) for name in limits}
+    from .series.process_control import LIMITS
+
+    given = {name: getattr(arguments, name, None) for name in ("journal", "control", *LIMITS)}
     return {name: value for name, value in given.items() if value is not None}
 
 

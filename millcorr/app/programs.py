@@ -18,6 +18,7 @@ from typing import Any
 from millcorr import pipeline, session
 from millcorr.errors import UsageError
 from millcorr.readers import Reading
+from millcorr.series.process_control import LIMITS
 from millcorr.settings import Settings
 
 _MEASURED = str | Path | Sequence[str | Path]
@@ -50,8 +51,8 @@ def correct(
     journal : str, optional
         Journal of the series; '' for the one beside the nominal or the program.
     **options
-        Fields of `millcorr.readers.Reading` and of `millcorr.settings.Settings`, and limits of the process control
-        as `millcorr.session.correct_program` has them.
+        Fields of `millcorr.readers.Reading` and of `millcorr.settings.Settings`, and the process
+        control: ``control`` and `millcorr.series.process_control.LIMITS`.
 
     Returns
     -------
@@ -63,7 +64,7 @@ def correct(
     MillcorrError
         If an option is unknown, a file cannot be used, or the correction is refused; nothing is written then.
     """
-    series = {name: options.pop(name) for name in list(options) if name.startswith("control") or name in _LIMITS}
+    series = {name: options.pop(name) for name in ("control", *LIMITS) if name in options}
     reading, settings = _said(options)
     return session.correct_program(
         Path(program),
@@ -77,9 +78,6 @@ def correct(
         journal=journal,
         **series,
     )
-
-
-_LIMITS = ("step_limit", "sum_limit")
 
 
 def check(

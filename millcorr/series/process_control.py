@@ -21,6 +21,16 @@ Floats = NDArray[np.float64]
 ACCEPTED = "difference"
 """Name by which a part beyond the difference alarm is accepted."""
 
+LIMITS = {
+    "control_limit": "limit",
+    "control_tolerance": "tolerance",
+    "control_alarm": "alarm",
+    "control_abort": "abort",
+    "step_limit": "step_limit",
+    "sum_limit": "sum_limit",
+}
+"""Fields of `Control` by the option that says them."""
+
 
 @dataclass(frozen=True, slots=True)
 class Control:

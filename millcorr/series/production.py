@@ -83,7 +83,7 @@ def control_from(kind: str | None, dead_band: float, *, journal: bool, **limits:
     journal : bool
         True where there is a journal to keep the state in.
     **limits
-        Fields of `Control`, mm, None where not given.
+        Options of `process_control.LIMITS`, mm, None where not given.
 
     Raises
     ------
@@ -93,15 +93,14 @@ def control_from(kind: str | None, dead_band: float, *, journal: bool, **limits:
     given = {name: value for name, value in limits.items() if value is not None}
     if kind is None:
         if given:
-            name = next(iter(given)).replace("_", "-")
-            option = f"--{name}" if name.startswith(("step", "sum")) else f"--control-{name}"
-            raise UsageError(f"{option} belongs to --control ewma:K")
+            raise UsageError(f"--{next(iter(given)).replace('_', '-')} belongs to --control ewma:K")
         return None
     if not journal:
         raise UsageError("--control needs --journal: what earlier parts have shown is kept there")
-    if "limit" not in given:
+    if "control_limit" not in given:
         raise UsageError("--control needs --control-limit MM: the program stays as it is within it")
-    return Control(Control.parse(kind), dead_band=dead_band, **given)
+    rules = {process_control.LIMITS[name]: value for name, value in given.items()}
+    return Control(Control.parse(kind), dead_band=dead_band, **rules)
 
 
 @contextmanager

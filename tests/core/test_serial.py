@@ -15,7 +15,7 @@ from millcorr import gcode, pipeline, provenance
 from millcorr.errors import InputError, LimitError, RefusedError, UsageError
 from millcorr.series import history, journal
 from millcorr.series import production as serial
-from millcorr.series.process_control import Control
+from millcorr.series.process_control import LIMITS, Control
 from millcorr.simulated_machine import ErrorField, SimulatedMachine
 from millcorr.whole_file import replaced_whole
 from tests.core import loop_programs as programs
@@ -386,14 +386,15 @@ def test_what_goes_wrong_while_writing_leaves_no_entry(tmp_path: Path) -> None:
 
 
 def test_options(tmp_path: Path) -> None:
-    nothing = dict.fromkeys(("limit", "tolerance", "alarm", "abort", "step_limit", "sum_limit"))
+    nothing = dict.fromkeys(LIMITS)
     assert serial.control_from(None, 0.0, journal=True, **nothing) is None
-    chosen = serial.control_from("ewma:3", 0.001, journal=True, **(nothing | {"limit": 0.004, "step_limit": 0.02}))
+    given = nothing | {"control_limit": 0.004, "step_limit": 0.02}
+    chosen = serial.control_from("ewma:3", 0.001, journal=True, **given)
     assert (chosen.weight, chosen.limit, chosen.dead_band, chosen.step_limit) == (3, 0.004, 0.001, 0.02)
     for kind, with_journal, given, said in (
-        ("ewma:3", False, {"limit": 0.004}, "--control needs --journal"),
+        ("ewma:3", False, {"control_limit": 0.004}, "--control needs --journal"),
         ("ewma:3", True, {}, "--control needs --control-limit"),
-        (None, True, {"limit": 0.004}, "--control-limit belongs to --control"),
+        (None, True, {"control_limit": 0.004}, "--control-limit belongs to --control"),
         (None, True, {"sum_limit": 0.004}, "--sum-limit belongs to --control"),
     ):
         with pytest.raises(UsageError, match=said):

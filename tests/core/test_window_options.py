@@ -63,12 +63,17 @@ def test_a_call_is_python_that_says_the_same():
     assert seen == {"given": ("a'b.nc", ["x", "y"]), "depth": (0.1, 0.2), "obj": 7}
 
 
-def test_a_program_is_corrected_and_split_by_one_call(tmp_path):
-    program, measured = tmp_path / "disc.nc", tmp_path / "disc.csv"
-    program.write_text(DISC, encoding="utf-8")
+def measured_disc(path, radius):
+    """90 points of a disc of this radius in mm."""
     angle = np.linspace(0, 2 * np.pi, 90, endpoint=False)
-    rows = [f"{40.01 * c:.6f},{40.01 * s:.6f}" for c, s in zip(np.cos(angle), np.sin(angle), strict=True)]
-    measured.write_text("\n".join(["x,y", *rows, ""]), encoding="utf-8")
+    rows = [f"{radius * c:.6f},{radius * s:.6f}" for c, s in zip(np.cos(angle), np.sin(angle), strict=True)]
+    path.write_text("\n".join(["x,y", *rows, ""]), encoding="utf-8")
+    return path
+
+
+def test_a_program_is_corrected_and_split_by_one_call(tmp_path):
+    program, measured = tmp_path / "disc.nc", measured_disc(tmp_path / "disc.csv", 40.01)
+    program.write_text(DISC, encoding="utf-8")
     options = {"tool_diameter": 10.0, "points": "contact", "side": "left"}
     checked = programs.check(program, measured, **options)
     # Radius 40 in the program, 10 um of material left all round: the correction takes them off.
@@ -81,6 +86,30 @@ def test_a_program_is_corrected_and_split_by_one_call(tmp_path):
         programs.correct(program, measured, colour="red", **options)
     with pytest.raises(UsageError, match="before anything is measured"):
         programs.split(program, tool_diameter=10.0, depth=0.8, output=tmp_path / "x.nc", points="contact")
+
+
+def test_a_series_is_controlled_by_the_same_call(tmp_path):
+    """10 um are corrected; 3 um more are halved by ewma:2 and stay below the limit: the program stays as it is."""
+    program, p1, p2 = tmp_path / "disc.nc", tmp_path / "P1.nc", tmp_path / "P2.nc"
+    program.write_text(DISC, encoding="utf-8")
+    options = {"tool_diameter": 10.0, "points": "contact", "side": "left", "nominal": str(program), "journal": ""}
+    rules = {"control": "ewma:2", "control_limit": 0.002, "control_alarm": 0.1, "step_limit": 0.05}
+    first, second = measured_disc(tmp_path / "1.csv", 40.01), measured_disc(tmp_path / "2.csv", 40.003)
+    assert "part 1" in programs.correct(program, first, output=p1, **options, **rules)
+    assert p1.read_bytes() != program.read_bytes()
+    assert "NOT CORRECTED" in programs.correct(p1, second, output=p2, **options, **rules)
+    assert p2.read_bytes() == p1.read_bytes()
+    # Without the rules the same part is corrected.
+    del options["journal"]
+    programs.correct(p1, second, output=p2, **options)
+    assert p2.read_bytes() != p1.read_bytes()
+    for given, said in (
+        ({"control_limit": 0.002}, "--control-limit belongs to --control"),
+        ({"control": "ewma:2", "control_limit": 0.002}, "--control needs --journal"),
+        ({"control_colour": 1}, "unknown setting control_colour"),
+    ):
+        with pytest.raises(UsageError, match=said):
+            programs.correct(p1, second, **options, **given)
 
 
 NAMES = ("bracket", "bracket  with blanks", "cam disc")
