@@ -8,16 +8,20 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from millcorr import distrust
-from millcorr.deviation import deviations
+from millcorr import distrust, gcode, pipeline
+from millcorr.compensation import Correction
+from millcorr.deviation import Deviation, deviations
 from millcorr.distrust.findings import NAMES, Finding
+from millcorr.errors import DistrustError
 from millcorr.filtering import Filter
 from millcorr.measurement import Measurement
 from millcorr.nurbs import NurbsCurve
+from millcorr.probe import axis_residue, contact_known
 from millcorr.profile import Contour, Profile
-from millcorr.simulated_machine import ErrorField, SimulatedMachine, reference_contour
+from millcorr.simulated_machine import ErrorField, SimulatedMachine, SimulatedPart, reference_contour
+from millcorr.targets import Part, correction_through, target_of
 from tests.core.sweeps import seeds
-from tests.core.test_pipeline import nominal_of
+from tests.core.test_pipeline import PROGRAM, nominal_of
 
 
 def polygon(*corners: tuple[float, float], closed: bool = True) -> Profile:
@@ -53,8 +57,8 @@ def printed(measurement: Measurement, decimals: int = 4) -> Measurement:
     return replace(measurement, points=np.round(measurement.points, decimals))
 
 
-def sound(profile: Profile, seed: int, **how: object) -> Measurement:
-    """Part with determined errors up to some 20 um that no shift explains, and 0.5 to 5 um of noise."""
+def machine(seed: int, **more: object) -> tuple[SimulatedMachine, int]:
+    """Machine with determined errors up to some 20 um that no shift explains and 0.5 to 5 um of noise; points."""
     rng = np.random.default_rng([seed, 11])
     waves = tuple((int(k), rng.uniform(0.0, 0.004), rng.uniform(0.0, 6.3)) for k in rng.integers(3, 8, 3))
     errors = ErrorField(
@@ -64,16 +68,24 @@ def sound(profile: Profile, seed: int, **how: object) -> Measurement:
     )
     noise = rng.uniform(0.0005, 0.005)
     share = rng.uniform(0.0, 1.0)
-    machine = SimulatedMachine(errors=errors, process_noise=share * noise, measurement_noise=(1.0 - share) * noise)
-    count = int(np.exp(rng.uniform(np.log(30), np.log(2000))))
-    measured = printed(machine.follow(profile, seed=seed).measure(count, z=-3.0, seed=seed, **how))
-    # Nobody probes within a tenth of a millimetre of a sharp corner: the ball rolls off it.
+    made = SimulatedMachine(errors=errors, process_noise=share * noise, measurement_noise=(1.0 - share) * noise, **more)
+    return made, int(np.exp(rng.uniform(np.log(30), np.log(2000))))
+
+
+def away_from_corners(measured: Measurement, profile: Profile) -> Measurement:
+    """Nobody probes within a tenth of a millimetre of a sharp corner: the ball rolls off it."""
     joints = np.flatnonzero(np.abs(np.nan_to_num(profile.turn)) > 0.1)
     clear = np.full(len(measured), True)
     for k in joints:
         corner, _ = profile.at(int(profile.contour[k]), profile.begin[k : k + 1] + profile.length[k])
         clear &= np.hypot(*(measured.points[:, :2] - corner[0]).T) > measured.ball_radius + 0.1
     return kept(measured, clear)
+
+
+def sound(profile: Profile, seed: int, **how: object) -> Measurement:
+    """Measurement of a part of such a machine."""
+    made, count = machine(seed)
+    return away_from_corners(printed(made.follow(profile, seed=seed).measure(count, z=-3.0, seed=seed, **how)), profile)
 
 
 def examined(measurement: Measurement, profile: Profile, filter: str = "robust:500") -> tuple[Finding, ...]:
@@ -107,6 +119,16 @@ def test_enough_points_are_enough_for_every_filter(seed: int) -> None:
     spacing = float(profile.total[0]) / len(measurement)
     for text in ("none", "auto", "mean:5", f"gauss:{2.5 * spacing:g}", f"robust:{2.5 * spacing:g}"):
         assert examined(measurement, profile, text) == (), text
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+@pytest.mark.parametrize("filter", ["none", "auto", "mean:5", "gauss:10", "robust:10"])
+@pytest.mark.parametrize("seed", seeds(25, quick=2))
+def test_no_filter_goes_beyond_the_points_of_a_sound_part(profile: str, filter: str, seed: int) -> None:
+    d = deviations(sound(PROFILES[profile], seed), PROFILES[profile])
+    as_cut = Part(d, np.zeros(len(d)), d.value)
+    work = target_of([as_cut], PROFILES[profile], pipeline.Settings(filter=filter), False, [])
+    assert distrust.examine_determined(work.deviation, work.deviation.value, work.filtered, work.trust) == ()
 
 
 SPLINE = PROFILES["spline"]
@@ -242,6 +264,127 @@ def test_points_shifted_along_the_axes_are_found(seed: int) -> None:
     points[:, :2] -= 3.0 * axis * np.sign(d.normal)
     found = examined(replace(m, points=points, lines=m.lines[d.index]), SPLINE)
     assert names(found) == {"axis-compensated"}, [f.text for f in found]
+
+
+def as_a_control_reports(m: Measurement, profile: Profile, radius: float) -> Measurement:
+    """Contact points as a cycle gives them that takes the ball's radius off along the axis of travel."""
+    d = deviations(m, profile)
+    # Within a degree or two of 45 degrees nobody can tell along which axis a point was touched.
+    n = d.normal[(clear := np.abs(np.abs(d.normal[:, 0]) - np.abs(d.normal[:, 1])) > 0.06)]
+    travel = np.where(np.abs(n[:, :1]) > np.abs(n[:, 1:]), [1.0, 0.0], [0.0, 1.0]) * -np.sign(n)
+    points = m.points[d.index[clear]].copy()
+    points[:, :2] += radius * (n + travel)
+    return printed(replace(kept(m, d.index[clear]), points=points, axis_radii=(radius, radius)))
+
+
+SLOPED = ("spline", "small spline", "triangle", "two contours")
+"""Elsewhere nearly all normals lie along an axis, where the radius of a shift makes no difference."""
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+@pytest.mark.parametrize("seed", seeds(25, quick=3))
+def test_the_radius_of_a_shift_along_the_axis_is_judged(profile: str, seed: int) -> None:
+    nominal = PROFILES[profile]
+    m = sound(nominal, seed)
+    radius = float(np.random.default_rng([seed, 5]).choice([1.0, 1.5, 2.0, 3.0]))
+    if profile == "small spline":
+        # Half of its smallest radius of curvature, 4.6 mm: about a larger ball points change sides.
+        radius = min(radius, 2.0)
+    shifted = as_a_control_reports(m, nominal, radius)
+
+    def said(m: Measurement) -> str | None:
+        found = axis_residue(m, contact_known(m, nominal), nominal)
+        return found and found[0]
+
+    assert said(shifted) is None
+    if profile in SLOPED:
+        assert said(replace(shifted, axis_radii=(0.5 * radius, 0.5 * radius))) == "axis-radius"
+        assert said(replace(shifted, axis_radii=(2.0 * radius, 2.0 * radius))) == "axis-radius"
+        assert said(replace(m, axis_radii=(radius, radius))) == "not-axis-compensated"
+
+
+@pytest.mark.parametrize("filter", ["auto", "robust:15"])
+@pytest.mark.parametrize("seed", seeds(10, quick=2))
+def test_a_loop_of_sound_parts_goes_through_and_mixed_up_ones_do_not(filter: str, seed: int) -> None:
+    """Part, corrected program, its part; in place of that the first program's part, the same part again, half a one."""
+    made, count = machine(seed, transfer=0.04, allowance=0.3, wear_per_part=0.001)
+    # Fewer points than noise of this size needs say nothing of the program; the sweep below has them.
+    count = max(count, 200)
+    settings = pipeline.Settings(filter=filter, side="right")
+
+    def part(program: gcode.Program, number: int, count: int = count) -> Measurement:
+        cut = made.cut(program.toolpath, 5.0, SPLINE, worn=0.001 * number, seed=100 * seed + number)
+        found = printed(cut.measure(count, z=-3.0, seed=100 * seed + number))
+        return replace(found, source=f"part-{number}.csv", digest=f"{number:064x}")
+
+    def correct(program: gcode.Program, *parts: Measurement) -> pipeline.Result:
+        return pipeline.correct(pipeline.Request(program, 5.0, parts[0], SPLINE, settings, parts[1:]))
+
+    first, other = part(PROGRAM, 1), part(PROGRAM, 2, count=int(0.8 * count))
+    corrected = correct(PROGRAM, first)
+    second = gcode.parse(corrected.text, "second.nc")
+    assert correct(second, part(second, 3)).text
+    assert correct(PROGRAM, first, other).text
+    for again in (printed(first, 3), replace(kept(first, np.arange(1, count)), digest="9" * 64)):
+        with pytest.raises(DistrustError, match="--accept same-part"):
+            correct(PROGRAM, first, again)
+    half = kept(other, other.points[:, 0] < 52.0)
+    with pytest.raises(DistrustError, match="--accept first-part"):
+        correct(PROGRAM, half, first)
+    # With 160 points a slope of 1 is then certain to 8 standard deviations at least.
+    if corrected.filtered.std() > corrected.random_std:
+        with pytest.raises(DistrustError, match="--accept earlier-program"):
+            correct(second, other)
+
+
+def parts_and_correction(profile: Profile, seed: int) -> tuple[Deviation, Deviation, Deviation, Correction]:
+    """Used points of a part, of the next one and of one with other errors, and the correction made from the first."""
+    made, count = machine(seed, transfer=0.04, allowance=0.3, wear_per_part=0.001)
+    filter = ("auto", "none", "mean:5", "robust:15")[seed % 4]
+
+    def used(cut: SimulatedPart, seed: int) -> Deviation:
+        return deviations(away_from_corners(printed(cut.measure(count, z=-3.0, seed=seed)), profile), profile)
+
+    first = used(made.follow(profile, seed=seed), seed)
+    settings = pipeline.Settings(filter=filter, limit=2.0)
+    work = target_of([Part(first, np.zeros(len(first)), first.value)], profile, settings, False, [])
+    correction = correction_through(work, profile, settings, [])
+    stretches = profile.stretches()
+
+    def shift(contour: int, s: np.ndarray) -> np.ndarray:
+        own = [k for k, stretch in enumerate(stretches) if stretch.contour == contour]
+        begin = np.array([stretches[k].begin for k in own])
+        return correction.at(np.array(own)[np.searchsorted(begin, s, side="right") - 1], s, profile)
+
+    again = used(made.follow(profile, seed=seed + 1000), seed + 1000)
+    following = used(made.follow(profile, shift=shift, seed=seed + 2000), seed + 2000)
+    other, _ = machine(seed + 500)
+    drifted = replace(made, errors=replace(made.errors, harmonics=other.errors.harmonics))
+    elsewhere = used(drifted.follow(profile, shift=shift, seed=seed + 3000), seed + 3000)
+    return again, following, elsewhere, correction
+
+
+@pytest.mark.parametrize("profile", ["spline", "rectangle", "triangle", "two contours"])
+@pytest.mark.parametrize("seed", seeds(50, quick=5))
+def test_no_part_of_the_program_itself_is_taken_for_an_earlier_one(profile: str, seed: int) -> None:
+    nominal = PROFILES[profile]
+    _, following, elsewhere, correction = parts_and_correction(nominal, seed)
+    for d in (following, elsewhere):
+        assert distrust.examine_program(d, correction.at(d.stretch, d.s, nominal)) == ()
+
+
+@pytest.mark.slow
+def test_three_of_four_parts_of_an_earlier_program_are_seen_whatever_the_noise() -> None:
+    """Down to 30 points and up to noise larger than the errors; from two standard deviations on all of them."""
+    found, clear, clear_found = 0, 0, 0
+    for seed in range(60):
+        again, _, _, correction = parts_and_correction(SPLINE, seed)
+        offset = correction.at(again.stretch, again.s, SPLINE)
+        seen = distrust.examine_program(again, offset) != ()
+        found += seen
+        if offset.std() > 2.0 * (again.value + offset).std():
+            clear, clear_found = clear + 1, clear_found + seen
+    assert found >= 42 and clear > 5 and clear_found == clear
 
 
 def test_every_name_is_tested() -> None:
