@@ -337,3 +337,9 @@ def _read(digests: tuple[str, ...], at: _At, source: str) -> Measurement:
 def level_count(measurement: Measurement) -> int:
     """Number of Z levels of a measurement."""
     return int(measurement.levels().max(initial=-1)) + 1
+
+
+def described(measurement: Measurement) -> tuple[int, list[float], list[float]]:
+    """Number of Z levels of a measurement, its least and its greatest coordinates in mm; in any thread."""
+    points = measurement.points
+    return level_count(measurement), points.min(axis=0).tolist(), points.max(axis=0).tolist()

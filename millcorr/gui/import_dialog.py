@@ -243,11 +243,11 @@ class ImportDialog(QtWidgets.QDialog):
 
         def function() -> Any:
             measurement = read()
-            levels = measurement_object.level_count(measurement)
+            said = measurement_object.described(measurement)
             try:
-                return measurement, levels, look(measurement), ""
+                return measurement, said, look(measurement), ""
             except MillcorrError as error:
-                return measurement, levels, (), str(error)
+                return measurement, said, (), str(error)
 
         self._worker.start(function)
 
@@ -255,21 +255,19 @@ class ImportDialog(QtWidgets.QDialog):
         self._state(translate("Millcorr", stage or "Reading"), share)
 
     def _done(self, outcome: Any) -> None:
-        self.measurement, levels, findings, trouble = outcome
+        self.measurement, (levels, low, high), findings, trouble = outcome
         self._state()
-        self._show_found(levels)
+        self._show_found(levels, low, high)
         clear(self.findings)
         if trouble:
             self._show_finding(trouble, True)
         for finding in findings:
             self._show_finding(finding.text, finding.dangerous)
 
-    def _show_found(self, levels: int) -> None:
+    def _show_found(self, levels: int, low: list[float], high: list[float]) -> None:
         measurement = self.measurement
-        (left, bottom, low), (right, top, high) = measurement.points.min(axis=0), measurement.points.max(axis=0)
-        size = f"X {left:.3f} \u2026 {right:.3f}, Y {bottom:.3f} \u2026 {top:.3f}"
-        if measurement.has_z:
-            size += f", Z {low:.3f} \u2026 {high:.3f}"
+        axes = "XYZ" if measurement.has_z else "XY"
+        size = ", ".join(f"{a} {least:.3f} \u2026 {most:.3f}" for a, least, most in zip(axes, low, high, strict=False))
         text = translate("Millcorr", "Points: {}, heights: {}. {} mm. Format: {}, unit in the file: {}").format(
             len(measurement), levels, size, measurement.format, measurement.unit
         )
@@ -338,8 +336,8 @@ class ImportDialog(QtWidgets.QDialog):
         said = "".join(f", {name}={value!r}" for name, value in self.reading().as_dict().items())
         return [
             "from millcorr.app import measurement_object",
-            f"measurement_object.create(App.ActiveDocument, {path!r}{said})",
-            "App.ActiveDocument.recompute()",
+            # Not the whole document: an operation of FreeCAD that it would compute anew takes its time.
+            f"measurement_object.create(App.ActiveDocument, {path!r}{said}).recompute()",
         ]
 
     def accept(self) -> None:
