@@ -44,8 +44,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     except ModuleNotFoundError as error:
         remedy = "pip install numpy scipy shapely, or use build/venv/bin/python after `make demo`"
         return _failed(arguments, f"this Python lacks the package {error.name}: {remedy}", EXIT_USAGE)
-    except KeyboardInterrupt:
-        return _failed(arguments, "interrupted; nothing was written", 130)
+    except KeyboardInterrupt as error:
+        return _failed(arguments, str(error) or "interrupted; nothing was written", 130)
     except Exception as error:  # noqa: BLE001 - the contract: one line, never a traceback
         return _failed(arguments, f"internal fault ({error!r}); nothing was written, --debug shows where", EXIT_FAULT)
     return status or 0
@@ -116,6 +116,7 @@ def _split(arguments: argparse.Namespace) -> None:
 
 def _simulate(arguments: argparse.Namespace) -> None:
     from . import session
+    from .report.remedies import Asked
     from .settings import Settings
 
     names = ("side", "cutter_compensation", "tolerance", "output_moves", "limit", "iterate")
@@ -123,11 +124,20 @@ def _simulate(arguments: argparse.Namespace) -> None:
     _say(
         session.simulate_program(
             arguments.program,
+            document=arguments.document,
+            operation=arguments.operation,
             setup=arguments.setup,
             report=arguments.report,
             nominal=arguments.nominal,
             settings=chosen,
             heights=arguments.heights,
+            asked=Asked(
+                slowed=arguments.slowed,
+                corner_error=arguments.corner_error,
+                tilted=arguments.tilted,
+                trace=arguments.trace,
+                identify=tuple(arguments.identify),
+            ),
         )
     )
 
@@ -194,7 +204,8 @@ def _run(arguments: argparse.Namespace, output: Path | None) -> None:
         if arguments.operation is not None or getattr(arguments, "gcode", None) is not None:
             raise UsageError("--operation and --gcode belong to --document; with --program use --output")
         table = getattr(arguments, "table", False)
-        done = session.correct_program(arguments.program, **common, table=table, **_series(arguments))
+        once = getattr(arguments, "once", False)
+        done = session.correct_program(arguments.program, **common, table=table, once=once, **_series(arguments))
     else:
         if _series(arguments):
             raise UsageError("--journal and --control belong to --program: what a journal records are programs")

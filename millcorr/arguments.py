@@ -9,8 +9,16 @@ from typing import Any, NoReturn
 
 from . import __version__
 
-OUTPUTS = ("output", "gcode", "report")
+OUTPUTS = ("output", "gcode", "report", "slowed", "tilted")
 """Options that name what a verb writes."""
+
+MACHINE_KEYS = (
+    "acceleration_time_x_ms",
+    "acceleration_time_y_ms",
+    "position_gain_per_s",
+    "contour_speed_change_mm_min",
+)
+"""Keys of a setup that a log can tell."""
 
 
 class _Parser(argparse.ArgumentParser):
@@ -159,7 +167,10 @@ def _add_split(verb: argparse.ArgumentParser) -> None:
 
 
 def _add_simulate(verb: argparse.ArgumentParser) -> None:
-    verb.add_argument("--program", metavar="PART.nc", type=Path, required=True, help="NC program")
+    source = verb.add_mutually_exclusive_group(required=True)
+    source.add_argument("--program", metavar="PART.nc", type=Path, help="NC program")
+    source.add_argument("--document", metavar="JOB.FCStd", type=Path, help="FreeCAD document with a job")
+    verb.add_argument("--operation", metavar="LABEL", help="operation of the document (the only one by default)")
     what = "tool, material, machine and stock"
     verb.add_argument("--setup", metavar="SETUP.toml", type=Path, required=True, help=what)
     verb.add_argument("--report", metavar="DIR", type=Path, required=True, help="directory for plots, table, animation")
@@ -169,6 +180,16 @@ def _add_simulate(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("--iterate", metavar="MM", type=float, help=bound)
     wall = "height above the tool's tip at which the wall is wanted, with its shift and tilt; give several"
     verb.add_argument("--heights", metavar="MM", type=float, action="append", default=[], help=wall)
+    lean = "write the program with the tool tilted before each wall, for machines with a [tilt] table; needs --heights"
+    verb.add_argument("--tilted", metavar="OUT.nc", type=Path, help=lean)
+    slow = "write the program with lower feeds at corners that the machine rounds off by more than --corner-error"
+    verb.add_argument("--slowed", metavar="OUT.nc", type=Path, help=slow)
+    bound = "largest distance between a corner and the path of the tool"
+    verb.add_argument("--corner-error", metavar="MM", type=float, help=bound)
+    log = "log of the program (t,x,y or t,feed) from which keys of [machine] are identified"
+    verb.add_argument("--trace", metavar="TRACE.csv", type=Path, help=log)
+    key = "key of [machine] to identify; give several (default: times and gain that the setup does not state)"
+    verb.add_argument("--identify", metavar="KEY", choices=MACHINE_KEYS, action="append", default=[], help=key)
     _add_path(verb)
     verb.add_argument("--debug", action="store_true", help="show the traceback of an error")
 
@@ -232,6 +253,8 @@ def _add_path(verb: argparse.ArgumentParser) -> None:
 def _add_series(verb: argparse.ArgumentParser) -> None:
     journal = "record the part in a journal (default: beside the nominal, else the program, with .journal added)"
     verb.add_argument("--journal", metavar="FILE", nargs="?", const="", help=journal)
+    same = "with --journal: a run that it has already, with its output in place, is done and no error"
+    verb.add_argument("--once", action="store_true", help=same)
     verb.add_argument("--control", metavar="ewma:K", help="correct again only when the smoothed deviation demands it")
     for name, what in (
         ("control-limit", "smoothed deviation within which the program stays as it is"),

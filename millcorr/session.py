@@ -22,6 +22,8 @@ from .profile import Profile
 from .readers import Reading, text
 from .report import history as report_history
 from .report import simulation as report_simulation
+from .report.remedies import Asked
+from .report.simulation import NOTHING
 from .series import history as histories
 from .series import journal as journals
 from .series import production as serial
@@ -47,6 +49,7 @@ def correct_program(
     setup: Path | None = None,
     table: bool = False,
     journal: str | None = None,
+    once: bool = False,
     control: str | None = None,
     **limits: float | None,
 ) -> str:
@@ -75,6 +78,8 @@ def correct_program(
         Whether every used point is to be listed, see `contour_check.table`.
     journal : str, optional
         Journal of the series; '' for the one beside the nominal or the program.
+    once : bool
+        Whether the very run that the journal has already, with its output in place, is done and no error.
     control, **limits
         Process control: see `serial.control_from`.
 
@@ -100,12 +105,17 @@ def correct_program(
     outputs: dict[str, str] = {}
     if output is not None:
         outputs["program"] = str(output)
-    with _judged(request, output, book, rules) as (result, part, notes), replaced_whole(output, result.text):
-        if book is not None:
-            outputs["journal"] = f"{book}, part {part}"
-        if report is not None:
-            reports.write(result, report, outputs=outputs, notes=notes)
-            outputs["report"] = str(report / "report.html")
+    try:
+        with _judged(request, output, book, rules) as (result, part, notes), replaced_whole(output, result.text):
+            if book is not None:
+                outputs["journal"] = f"{book}, part {part}"
+            if report is not None:
+                reports.write(result, report, outputs=outputs, notes=notes)
+                outputs["report"] = str(report / "report.html")
+    except journals.RepeatedError as error:
+        if not (once and output is not None and error.is_same_run(request.program.digest, output)):
+            raise
+        return f"done before: {output} is in its place; {error}"
     words = in_words(result.summary(), outputs, checked_only=output is None)
     if not table:
         return words
@@ -339,19 +349,27 @@ def split_program(
 
 
 def simulate_program(
-    program: Path,
+    program: Path | None = None,
     *,
+    document: Path | None = None,
+    operation: str | None = None,
     setup: Path,
     report: Path,
     nominal: str | None = None,
     settings: pipeline.Settings,
     heights: Sequence[float] = (),
+    asked: Asked = NOTHING,
 ) -> str:
     """Cut a program in the model of a setup, and write what happens: table, plots and an animation.
 
     Parameters
     ----------
-    program : Path
+    program : Path, optional
+        NC program, or else
+    document : Path, optional
+        FreeCAD document with the operation.
+    operation : str, optional
+        Its label; may be left out where the document has one Profile.
     setup : Path
         Tool, material, machine and stock.
     report : Path
@@ -362,6 +380,8 @@ def simulate_program(
         For the corrected line.
     heights : sequence of float
         mm above the tool's tip at which the wall is wanted; none leaves it out.
+    asked : Asked, optional
+        Remedies to write as programs, and a log of the machine.
 
     Returns
     -------
@@ -371,13 +391,37 @@ def simulate_program(
     Raises
     ------
     MillcorrError
-        If program or setup cannot be used.
+        If program or setup cannot be used, or a remedy is refused; nothing is written then.
     """
-    first = None if nominal is None else Path(nominal.partition("#")[0])
-    inputs = {"program": program, "nominal": first, "setup": setup}
-    refuse_places({}, inputs, report, report_simulation.FILES)
-    request = program_request(program, (), UNSAID, nominal, None, settings, setup)
-    return report_simulation.write(request, report, heights=heights)
+    first = None if nominal is None or nominal.startswith("#") else Path(nominal.partition("#")[0])
+    inputs = {"program": program, "document": document, "nominal": first, "setup": setup, "log": asked.trace}
+    refuse_places({"--slowed": asked.slowed, "--tilted": asked.tilted}, inputs, report, report_simulation.FILES)
+    if program is not None:
+        if operation is not None:
+            raise UsageError("--operation belongs to --document")
+        request = program_request(program, (), UNSAID, nominal, None, settings, setup)
+    elif document is None:
+        raise UsageError("--program or --document is needed: what is to be cut")
+    else:
+        if asked.slowed is not None or asked.tilted is not None:
+            raise UsageError("--slowed and --tilted belong to --program: give the program that the job is posted as")
+        request = _operation_request(document, operation, nominal, settings, setup)
+    return report_simulation.write(request, report, heights=heights, asked=asked)
+
+
+def _operation_request(
+    document: Path, operation: str | None, nominal: str | None, settings: pipeline.Settings, setup: Path
+) -> pipeline.Request:
+    """What a simulation of an operation asks of the pipeline."""
+    known = setup_file.load(setup)
+    cut = freecad_process.call("operation_contour", {"document": str(document.resolve()), "operation": operation})
+    radius = cut["tool_diameter"] / 2
+    profile = Profile.from_dict(cut["profile"])
+    if nominal is not None:
+        source = f"{document}{nominal}" if nominal.startswith("#") else nominal
+        profile = read_nominal(source, radius, settings, None)
+    path = nc.parse(cut["path"], operation or document.name)
+    return pipeline.Request(path, radius, None, profile, settings, setup=known)
 
 
 def inspect(measured: Path, reading: Reading = UNSAID) -> str:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.compensation import Correction, correction_from
-from millcorr.errors import InputError
+from millcorr.errors import InputError, RefusedError
 from millcorr.footpoint import FootPointSearch
 from millcorr.profile import Profile, Stretch
 
@@ -29,6 +29,7 @@ NEAR = 0.1
 
 ROUNDS = 8
 
+_ONE_DEPTH = 1e-6
 _SETTLED = 1e-6
 
 
@@ -91,7 +92,7 @@ class Remedy:
         return out
 
 
-def remedies(error: HeightError, nominal: Profile) -> Remedy:
+def remedies(error: HeightError, nominal: Profile, *, near: float = NEAR) -> Remedy:
     """Mean shift and tilt of every stretch that the program cuts.
 
     Parameters
@@ -99,6 +100,8 @@ def remedies(error: HeightError, nominal: Profile) -> Remedy:
     error : HeightError
         At two heights at least.
     nominal : Profile
+    near : float
+        A place of the path whose contact is within this of the nominal, in mm, makes it.
 
     Returns
     -------
@@ -114,11 +117,11 @@ def remedies(error: HeightError, nominal: Profile) -> Remedy:
     model, heights = error.model, error.heights
     if len(heights) < 2:
         raise InputError("tilt: the slope of the wall needs two heights at least")
-    number, _ = _on_nominal(error, nominal)
+    number, _ = _on_nominal(error, nominal, near)
     made = number >= 0
     found, inverse = np.unique(number[made], return_inverse=True)
     if not len(found):
-        raise InputError(f"tilt: the program makes no wall within {NEAR:g} mm of the nominal: check --nominal")
+        raise InputError(f"tilt: the program makes no wall within {near:g} mm of the nominal: check --nominal")
     step = np.full(len(number), -1, dtype=np.int64)
     step[made] = inverse
     m, about = len(found), float(heights.mean())
@@ -205,7 +208,68 @@ def mean_shift(error: HeightError, nominal: Profile, *, limit: float) -> tuple[C
     return correction_from(nominal, number[rows], s[rows], offset[rows], limit=limit)
 
 
-def _on_nominal(error: HeightError, nominal: Profile) -> tuple[Ints, Floats]:
+def tip_shifts(error: HeightError, remedy: Remedy) -> Floats:
+    """How far the tip's path goes with a tilt on each stretch, for controls that keep the tip where it is programmed.
+
+    A tool that leans about its tip stands ``z tan(lean) - R (1 / cos(lean) - 1)`` farther out at the height z: what
+    it is farther out at `Remedy.about` has to be taken back.
+
+    Parameters
+    ----------
+    error : HeightError
+    remedy : Remedy
+        Of this error.
+
+    Returns
+    -------
+    (m,) float64
+        mm, positive out of the part.
+
+    Raises
+    ------
+    RefusedError
+        If walls are cut in passes of several depths: each would need its own.
+    """
+    tip = error.model.tip[remedy.step >= 0]
+    if np.ptp(tip) > _ONE_DEPTH:
+        raise RefusedError("tilt: the walls are cut in passes of several depths: only walls of one depth are tilted")
+    lean, radius = remedy.lean, error.model.engagement.radius
+    out: Floats = remedy.offset - (remedy.about - tip[0]) * np.tan(lean) + radius * (1 / np.cos(lean) - 1)
+    return out
+
+
+def even_shift(
+    error: HeightError, remedy: Remedy, nominal: Profile, shift: Floats, *, limit: float
+) -> tuple[Correction, tuple[str, ...]]:
+    """Correction that is even on each stretch of a remedy.
+
+    Parameters
+    ----------
+    error : HeightError
+    remedy : Remedy
+        Of this error.
+    nominal : Profile
+    shift : (m,) float64
+        mm, one a stretch, positive out of the part.
+    limit : float
+        Largest displacement allowed, mm.
+
+    Returns
+    -------
+    Correction
+    warnings : tuple of str
+
+    Raises
+    ------
+    LimitError
+        As `millcorr.compensation.correction_from`.
+    """
+    rows = np.flatnonzero(remedy.step >= 0)
+    number, s = _on_nominal(error, nominal)
+    return correction_from(nominal, number[rows], s[rows], shift[remedy.step[rows]], limit=limit)
+
+
+def _on_nominal(error: HeightError, nominal: Profile, near: float = NEAR) -> tuple[Ints, Floats]:
     """Stretch of the nominal that each step makes, -1 for none, and arc length in mm."""
     model = error.model
     e = model.engagement
@@ -216,8 +280,8 @@ def _on_nominal(error: HeightError, nominal: Profile) -> tuple[Ints, Floats]:
     rows, contact = rows[stands], contact[stands]
     feet = FootPointSearch(nominal, margin=2.0).find(contact)
     # At a corner both sides are near: the wall's normal tells them apart.
-    near = (np.abs(feet.distance) <= NEAR) & ((feet.normal * model.wall[rows]).sum(axis=1) > 0.9)
-    k = np.flatnonzero(near)
+    makes = (np.abs(feet.distance) <= near) & ((feet.normal * model.wall[rows]).sum(axis=1) > 0.9)
+    k = np.flatnonzero(makes)
     number[rows[k]] = nominal.stretch[feet.span[k]]
     s[rows[k]] = nominal.arc_length(feet.span[k], feet.t[k])
     return number, s

@@ -6,6 +6,8 @@ from __future__ import annotations
 import datetime
 import json
 from collections.abc import Iterable, Sequence
+from contextlib import ExitStack
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -14,14 +16,20 @@ from numpy.typing import NDArray
 
 from millcorr import pipeline
 from millcorr.engagement import Engagement, engagement
+from millcorr.errors import RefusedError, UsageError
+from millcorr.kinematics import read_trace
 from millcorr.prediction import Simulation
+from millcorr.prediction.corner_feed import CornerFeeds
+from millcorr.prediction.logged_machine import LoggedMachine, logged_machine
 from millcorr.prediction.signals import Signals, csv_lines
+from millcorr.remedy_programs import TiltedProgram, slowed, tilted_program
 from millcorr.simulation import simulated
-from millcorr.whole_file import write_together
+from millcorr.whole_file import replaced_whole, write_together
 
 from . import simulation_view
 from . import wall as report_wall
 from .plots import MICRO, UM, standalone
+from .remedies import Asked, Done
 from .simulation_page import page
 
 Floats = NDArray[np.float64]
@@ -39,6 +47,8 @@ FILES = (
 )
 """What a report may consist of."""
 
+NOTHING = Asked()
+
 
 def write(
     request: pipeline.Request,
@@ -46,6 +56,7 @@ def write(
     *,
     date: datetime.date | None = None,
     heights: Sequence[float] = (),
+    asked: Asked = NOTHING,
 ) -> str:
     """Simulate a program and its correction, and write what happens.
 
@@ -60,6 +71,8 @@ def write(
         Date on the page; today by default.
     heights : sequence of float
         mm above the tool's tip at which the wall is wanted; none leaves it out.
+    asked : Asked, optional
+        Remedies to write as programs, and a log of the machine.
 
     Returns
     -------
@@ -69,9 +82,13 @@ def write(
     Raises
     ------
     MillcorrError
-        If program or setup cannot be used; nothing is written then. A correction that is refused is only not shown.
+        If program or setup cannot be used, or a remedy is refused; nothing is written then. A correction that is
+        refused is only not shown.
     """
     wanted = report_wall.heights_of(heights)
+    if asked.tilted is not None and len(wanted) < 2:
+        raise UsageError("--tilted needs --heights MM at two heights at least: the tool leans by the wall's slope")
+    request, machine = _as_logged(request, asked)
     before, after, refused = simulated(request)
     notes = [f"No corrected path is shown: {refused}"] if refused else []
     signals = Signals.of(before, request.program)
@@ -84,10 +101,18 @@ def write(
     figures = summary(before, after, signals, rigid)
     wall = report_wall.wall_of(request.program, before, wanted) if len(wanted) else None
     figures["wall"] = None if wall is None else report_wall.summary(wall)
+    done = Done(
+        asked,
+        _slowed(request, before, asked),
+        None if wall is None or asked.tilted is None else _tilted(request, before, wall),
+        machine,
+    )
+    figures |= done.summary()
     sections: list[str] = []
     if wall is not None:
         plots["wall"] = report_wall.curves(wall)
         sections.append(report_wall.section(wall, plots["wall"]))
+    sections += done.sections()
     texts: dict[str, Iterable[str]] = {
         "signals.csv": csv_lines(signals),
         "predicted.csv": _predicted_lines(before, after),
@@ -98,7 +123,10 @@ def write(
             page(request, before, after, signals, plots, figures, notes, date or datetime.date.today(), sections)
         ],
     }
-    write_together(directory, texts)
+    with ExitStack() as stack:
+        for place, data in done.outputs().items():
+            stack.enter_context(replaced_whole(place, data))
+        write_together(directory, texts)
     return "\n".join(
         [
             f"steps       {len(signals)} on {figures['path_length_mm']:.1f} mm of path, {figures['time_s']:.1f} s",
@@ -112,10 +140,35 @@ def write(
             f"{UM * figures['predicted_error_mm']['max']:+.1f} {MICRO} predicted"
             + ("" if after is None else f"; corrected at most {UM * after.largest:.1f} {MICRO}"),
             *(() if wall is None else report_wall.in_words(wall)),
+            *done.in_words(),
             *(f"warning     {text}" for text in (*before.cautions, *notes)),
             f"report      {directory / 'simulation.html'}",
         ]
     )
+
+
+def _as_logged(request: pipeline.Request, asked: Asked) -> tuple[pipeline.Request, LoggedMachine | None]:
+    """The request with the machine that a log shows."""
+    if asked.trace is None or request.setup is None:
+        if asked.identify:
+            raise UsageError("--identify belongs to --trace TRACE.csv, the log that tells")
+        return request, None
+    machine = logged_machine(request.setup, request.program, read_trace(asked.trace), asked.identify)
+    return replace(request, setup=machine.setup), machine
+
+
+def _slowed(request: pipeline.Request, before: Simulation, asked: Asked) -> CornerFeeds | None:
+    if asked.slowed is None:
+        if asked.corner_error is not None:
+            raise UsageError("--corner-error belongs to --slowed OUT.nc, the program that keeps it")
+        return None
+    return slowed(request.program, before.setup, asked.corner_error, request.settings.tolerance)
+
+
+def _tilted(request: pipeline.Request, before: Simulation, wall: report_wall.Wall) -> TiltedProgram:
+    if wall.remedy is None:
+        raise RefusedError(f"tilt: {wall.note}")
+    return tilted_program(request, before, wall.before, wall.remedy)
 
 
 def summary(before: Simulation, after: Simulation | None, signals: Signals, rigid: Engagement) -> dict[str, Any]:

@@ -13,13 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.deflection.height_error import HeightError, WallModel
-from millcorr.deflection.real_path import SPACING, real_path
 from millcorr.deflection.tilt import Remedy, remedies
 from millcorr.errors import InputError, RefusedError, UsageError
 from millcorr.gcode import Program
-from millcorr.prediction import Simulation, halts_and_notes
-from millcorr.prediction.real_feed import control_of
+from millcorr.prediction import Simulation
 from millcorr.read_only import ReadOnlyArrays
+from millcorr.remedy_programs import path_as_run
 
 from .html import figure, html_table, um
 from .plots import MICRO, UM, WIDTH, Plot, course, frame, value_axis
@@ -27,9 +26,6 @@ from .svg import Axis, Canvas, columns, number, polyline
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-EVEN_SPACING = 0.1
-"""Steps along a path whose feed is the programmed one, in mm: only what is engaged changes along it."""
 
 MOST_TABLED = 8
 """Stretches of which the page has figures; simulation.json has all."""
@@ -137,10 +133,7 @@ def wall_of(program: Program, simulation: Simulation, heights: Floats) -> Wall:
         If the elastic loop does not settle.
     """
     setup = simulation.setup
-    control = control_of(setup)
-    halts = None if control is None else halts_and_notes(program)[0]
-    spacing = EVEN_SPACING if control is None else SPACING
-    path = real_path(program.toolpath, control, halts=halts, spacing=spacing, name=program.name)
+    path = path_as_run(program, setup)
     model = WallModel.of(path, setup, simulation.stock)
     step = model.arcs.step
     top = float((model.arcs.high + model.tip[step])[np.isfinite(model.wall[step, 0])].max())

@@ -31,6 +31,7 @@ FRONTS = {
     "jobs",
     "measuring_task",
     "pipeline",
+    "remedy_programs",
     "report",
     "scene",
     "series.production",
