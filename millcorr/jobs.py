@@ -196,7 +196,7 @@ def _actions(verb: argparse.ArgumentParser) -> dict[str, argparse.Action]:
 
 def _words(action: argparse.Action, value: Any) -> list[str] | None:
     """Words of the command line for an option's value in TOML; None if it has no such value."""
-    if value is True and action.nargs == 0:
+    if value is True and action.nargs in (0, "?"):
         return [action.option_strings[0]]
     values = value if isinstance(value, list) else [value]
     if not all(isinstance(v, str | int | float) and not isinstance(v, bool) for v in values) or not values:
@@ -251,9 +251,11 @@ def run_job(job: Job) -> Outcome:
     environment["PYTHONPATH"] = os.pathsep.join([package, *freecad_process.packages()])
     # Where FreeCAD brings its own library, a plain Python must not look there.
     environment.pop("PYTHONHOME", None)
+    # What a batch that was killed has left running may be in the journal before the batch could record it.
+    once = ["--once"] if any(word.partition("=")[0] == "--journal" for word in job.argv) else []
     try:
         done = subprocess.run(
-            [plain_python(), "-m", "millcorr", *job.argv],
+            [plain_python(), "-m", "millcorr", *job.argv, *once],
             cwd=job.directory,
             env=environment,
             stdin=subprocess.DEVNULL,
@@ -354,6 +356,8 @@ def run(
     ------
     MillcorrError
         If the batch file cannot be used; no job was started then.
+    KeyboardInterrupt
+        If it was interrupted, after the jobs that were running; the second time at once.
     """
     path = Path(path)
     jobs = load(path)
@@ -372,17 +376,25 @@ def run(
         waiting: dict[Future[Outcome], Job] = {
             executor.submit(run_job, job): job for job in jobs if job.name not in outcomes
         }
-        try:
-            for future in as_completed(waiting):
-                job = waiting[future]
-                outcome = _outcome(future, job)
-                state.record(digests[job.name], outcome)
-                outcomes[job.name] = outcome
-                show.line(outcome)
-        except KeyboardInterrupt:
-            executor.shutdown(wait=False, cancel_futures=True)
-            raise
+        interrupted = False
+        while waiting:
+            try:
+                for future in as_completed(waiting):
+                    job = waiting.pop(future)
+                    outcome = _outcome(future, job)
+                    state.record(digests[job.name], outcome)
+                    outcomes[job.name] = outcome
+                    show.line(outcome)
+            except KeyboardInterrupt:
+                if interrupted:
+                    raise
+                interrupted = True
+                # What runs comes to its end, and is recorded; what only waits is not begun.
+                waiting = {future: job for future, job in waiting.items() if not future.cancel()}
     show.close()
+    if interrupted:
+        done = sum(outcome.status == 0 for outcome in outcomes.values())
+        raise KeyboardInterrupt(f"interrupted: {done} of {len(jobs)} jobs are done; run it again for the others")
     return tuple(outcomes[job.name] for job in jobs)
 
 

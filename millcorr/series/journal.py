@@ -171,6 +171,30 @@ class Chain:
         return self.entries[-1].state if self.entries else np.zeros(len(self.places))
 
 
+class RepeatedError(RefusedError):
+    """A measurement has its entry already.
+
+    Parameters
+    ----------
+    message : str
+    before : str
+        SHA-256 of the program that the part was cut with, as the entry has it.
+    output : Path
+        Program that the entry's run wrote.
+    after : str
+        Its SHA-256.
+    """
+
+    def __init__(self, message: str, before: str, output: Path, after: str) -> None:
+        super().__init__(message)
+        self.before, self.output, self.after = before, output, after
+
+    def is_same_run(self, program: str, output: Path) -> bool:
+        """Whether the entry is that of the very run: from a program of this SHA-256, to this output, still there."""
+        output = output.resolve()
+        return program == self.before and output == self.output and _digest(output) == self.after
+
+
 @dataclass(slots=True)
 class Journal:
     """A journal that is held for writing; see `held`."""
@@ -187,20 +211,24 @@ class Journal:
 
         Raises
         ------
-        RefusedError
+        RepeatedError
             Names the earlier entry and its time.
         """
         for name, fingerprint in measurements:
             row = self._connection.execute(
-                "SELECT e.part, e.time, m.name, e.after_name FROM measurement m JOIN entry e ON e.id = m.entry "
-                "JOIN chain c ON c.id = m.chain WHERE c.first = ? AND m.fingerprint = ?",
+                "SELECT e.part, e.time, m.name, e.after_name, e.before_digest, e.after_digest "
+                "FROM measurement m JOIN entry e ON e.id = m.entry JOIN chain c ON c.id = m.chain "
+                "WHERE c.first = ? AND m.fingerprint = ?",
                 (first, fingerprint),
             ).fetchone()
             if row:
-                part, time, earlier, output = row
-                raise RefusedError(
+                part, time, earlier, output, before, after = row
+                raise RepeatedError(
                     f"{name}: this measurement is part {part} of {self.path} already (as {earlier} on {time}, for "
-                    f"{output}); measure a new part"
+                    f"{output}); measure a new part",
+                    before,
+                    (self.path.resolve().parent / output).resolve(),
+                    after,
                 )
 
     @contextmanager

@@ -17,6 +17,7 @@ import pytest
 from millcorr import gcode, jobs, pipeline
 from millcorr.__main__ import main
 from millcorr.errors import FormatError, MillcorrError, UsageError
+from millcorr.series import journal
 from tests.core import loop_programs as programs
 
 REPOSITORY = Path(__file__).resolve().parents[2]
@@ -223,3 +224,70 @@ def test_dask_without_a_scheduler_is_one_line(shop):
     pytest.importorskip("distributed", reason="optional: dask.distributed")
     with pytest.raises(UsageError, match="no scheduler answers"):
         jobs.run(three(shop), dask="tcp://127.0.0.1:1", out=io.StringIO())
+
+
+SERIES = """
+[[job]]
+name = "{name}"
+program = "{program}"
+measured = "{measured}"
+output = "{name}.nc"
+journal = {journal}
+control = "ewma:2"
+control-limit = 0.004
+"""
+
+
+def test_jobs_with_journals(shop):
+    """One beside each program, and one for all of them, which they hold one after the other."""
+    for name in ("a", "b", "c"):
+        (shop / f"{name}.nc").write_text(f"(PART {name})\n" + (shop / "part.nc").read_text())
+    own = [SERIES.format(name=f"own{n}", program="a.nc", measured="cmm1.csv", journal="true") for n in (1,)]
+    shared = [
+        SERIES.format(name=f"next-{n}", program=f"{n}.nc", measured="cmm1.csv", journal='"shop.journal"') for n in "abc"
+    ]
+    assert [o.status for o in jobs.run(batch(shop, *own, *shared), workers=4, out=io.StringIO())] == [0] * 4
+    assert [len(chain.entries) for chain in journal.read(shop / "a.nc.journal")] == [1]
+    chains = journal.read(shop / "shop.journal")
+    assert sorted(chain.name for chain in chains) == ["a.nc", "b.nc", "c.nc"]
+
+
+def test_a_job_that_outlived_its_batch_is_done_and_entered_once(shop):
+    """The batch is killed and its job goes on: the next batch finds it in the journal, before or after its end."""
+    path = batch(shop, SERIES.format(name="out1", program="part.nc", measured="cmm1.csv", journal="true"))
+    command = [sys.executable, "-m", "millcorr", "batch", str(path)]
+    process = subprocess.Popen(command, cwd=REPOSITORY, stdout=subprocess.PIPE, start_new_session=True)
+    begun = time.monotonic()
+    while not (shop / "part.nc.journal").exists():
+        assert time.monotonic() - begun < 60
+        time.sleep(0.01)
+    process.kill()
+    process.communicate()
+    (done,) = jobs.run(path, out=io.StringIO())
+    assert done.status == 0 and not done.before
+    (shop / "night.toml.state").unlink()
+    (done,) = jobs.run(path, out=io.StringIO())
+    assert done.status == 0 and "done before: out1.nc is in its place" in done.text
+    ((entry,),) = (chain.entries for chain in journal.read(shop / "part.nc.journal"))
+    assert entry.part == 1
+    # Another output, or one that was changed since, is no repetition but a second use.
+    output = shop / "out1.nc"
+    output.write_text(output.read_text() + "\n(CHANGED)\n")
+    (done,) = jobs.run(path, again=True, out=io.StringIO())
+    assert done.status == 4 and "this measurement is part 1" in done.text
+
+
+def test_an_interrupted_batch_ends_what_runs_and_says_what_is_done(shop):
+    path = three(shop)
+    command = [sys.executable, "-m", "millcorr", "batch", str(path), "--jobs", "1"]
+    process = subprocess.Popen(
+        command, cwd=REPOSITORY, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
+    )
+    assert process.stdout.readline().startswith("[1/3] ok")
+    process.send_signal(signal.SIGINT)
+    _, said = process.communicate(timeout=120)
+    assert process.returncode == 130
+    # The second job ran or was about to, the third had not begun.
+    done = sum((shop / f"out{n}.nc").exists() for n in (1, 2, 3))
+    assert done < 3 and said == f"millcorr: interrupted: {done} of 3 jobs are done; run it again for the others\n"
+    assert sum(o.before for o in jobs.run(path, out=io.StringIO())) == done
