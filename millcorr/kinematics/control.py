@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from millcorr.errors import UsageError
 
 Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
 
 SHAPES = ("linear", "exponential")
 SHORTEST = 1e-3
@@ -112,6 +113,13 @@ class AxisDynamics:
     def left_of_ramp(self, wait: ArrayLike) -> Floats:
         """Way still to go, a unit of deceleration, `wait` s after a long ramp to standstill has been commanded."""
         return self._tail(np.asarray(wait, dtype=float), 2)
+
+    def left_of_piece(self, first: Floats, last: Floats, since_first: Floats, since_last: Floats) -> Floats:
+        """Way still to go of a command whose speed went along a line from `first` to `last`, so many s ago each."""
+        slope = (first - last) / (since_first - since_last)
+        out: Floats = last * self.left(since_last) - first * self.left(since_first)
+        out += slope * (self.left_of_ramp(since_last) - self.left_of_ramp(since_first))
+        return out
 
     def _tail(self, wait: Floats, order: int) -> Floats:
         """What is left `wait` s after the command has ended: once or twice integrated answer to a step."""
@@ -223,32 +231,40 @@ class Control:
         """Time in s after which all axes have forgotten an earlier command."""
         return max(axis.memory for axis in self.axes)
 
-    def settling(self, speed: Floats, deceleration: Floats, window: float) -> Floats:
-        """Time from the commanded end of moves until all axes are within a window of it.
+    def settling(self, stop: Ints, speed: Floats, ahead: Floats, window: Floats) -> Floats:
+        """Time from the commanded ends of runs of moves until all axes are within a window of them.
+
+        What an axis has still to go is the command of the time before, weighted with how much of a step the axis
+        has not answered yet (`AxisDynamics.left`); every piece of command counts, because a short last move of one
+        axis leaves another one where an earlier move brought it.
 
         Parameters
         ----------
-        speed : (n, 3) float64
-            Speed of the axes in mm/s with which the command ends.
-        deceleration : (n, 3) float64
-            Deceleration in mm/s2 of a ramp that ends in standstill there; 0 for none.
-        window : float
-            In mm.
+        stop : (m,) int64
+            Run that each piece of command belongs to.
+        speed : (m, 2, 3) float64
+            Speeds of the axes in mm/s at the piece's beginning and end, in between along a line.
+        ahead : (m, 2) float64
+            Times in s from the piece's beginning and end to the commanded end of its run.
+        window : (n,) float64
+            In mm, of each run.
 
         Returns
         -------
         (n,) float64
-            In s. Speed and ramp count as having lasted long before, so that it is never too short.
+            In s. Speeds count without their sign, so that it is never too short.
         """
-        out = np.zeros(len(speed))
+        out = np.zeros(len(window))
         for k, axis in enumerate(self.axes):
-            v, a = np.abs(speed[:, k]), np.abs(deceleration[:, k])
-            low, high = np.zeros(len(speed)), np.full(len(speed), axis.memory)
+            felt = (ahead[:, 0] > ahead[:, 1]) & (ahead[:, 1] < axis.memory) & (speed[:, :, k] != 0).any(axis=1)
+            run, (v0, v1), (t0, t1) = stop[felt], np.abs(speed[felt, :, k]).T, ahead[felt].T
+            low, high = np.zeros(len(window)), np.full(len(window), axis.memory)
+            there = np.bincount(run, axis.left_of_piece(v0, v1, t0, t1), len(window)) <= window
             for _ in range(60):
                 middle = (low + high) / 2
-                near = v * axis.left(middle) + a * axis.left_of_ramp(middle) <= window
+                wait = middle[run]
+                near = np.bincount(run, axis.left_of_piece(v0, v1, t0 + wait, t1 + wait), len(window)) <= window
                 low, high = np.where(near, low, middle), np.where(near, middle, high)
-            there = v * axis.left(np.zeros(1)) + a * axis.left_of_ramp(np.zeros(1)) <= window
             out = np.maximum(out, np.where(there, 0.0, high))
         return out
 

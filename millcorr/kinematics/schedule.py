@@ -185,12 +185,7 @@ def schedule(toolpath: Toolpath, control: Control, halts: Halts | None = None, n
     phase[:, :3] = _durations(length, speed, rate)
     at_rest = np.flatnonzero(stop)
     window = np.where(np.append(broken[1:] | apart[:-1], False)[at_rest], _AT_REST, control.in_position)
-    for width in np.unique(window):
-        these = at_rest[window == width]
-        direction = last[these]
-        phase[these, 3] = control.settling(
-            speed[these, 2, None] * direction, rate[these, 1, None] * direction, float(width)
-        )
+    phase[at_rest, 3] = _settling(control, phase[:, :3], speed, last, at_rest, window)
     phase[:, 3] += dwell
     total = phase.sum(axis=1)
     begin = np.concatenate([[0.0], np.cumsum(total)[:-1]])
@@ -266,6 +261,22 @@ def _ramps(length: Floats, feed: Floats, time: Floats, cap: Floats) -> tuple[Flo
         else:
             now = base = speed[i]
     return np.array(speed), np.array(low)
+
+
+def _settling(control: Control, phase: Floats, speed: Floats, last: Floats, at_rest: Ints, window: Floats) -> Floats:
+    """Times (k,) in s that the moves `at_rest` wait; every move counts in the direction in which it ends.
+
+    What the stop before has left, less than its own window, does not count.
+    """
+    stop = np.searchsorted(at_rest, np.arange(len(phase)))
+    end = np.cumsum(phase.sum(axis=1))
+    behind = end[at_rest][stop] - end
+    felt = np.flatnonzero(behind < control.memory)
+    # From the beginnings of the phases, and from the end of the last one, to the end of the run.
+    ahead = behind[felt, None] + np.cumsum(np.insert(phase[felt, ::-1], 0, 0.0, axis=1), axis=1)[:, ::-1]
+    ahead = np.stack([ahead[:, :-1], ahead[:, 1:]], axis=2)
+    speeds = speed[felt][:, [[0, 1], [1, 1], [1, 2]], None] * last[felt, None, None, :]
+    return control.settling(np.repeat(stop[felt], 3), speeds.reshape(-1, 2, 3), ahead.reshape(-1, 2), window)
 
 
 def _durations(length: Floats, speed: Floats, rate: Floats) -> Floats:

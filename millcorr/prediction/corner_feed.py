@@ -211,7 +211,11 @@ class _Plan:
         out = []
         for row, direction in ((self.move, self.last[self.move]), (self.behind, self.first[self.behind])):
             change = np.maximum(self.path.feed[row] - self.feed, 0.0)
-            time = self.control.settling(change[:, None] * direction, np.zeros((len(row), 3)), TRANSIENT * self.bound)
+            # As after a long move at the speed that changes.
+            long = np.tile([self.control.memory, 0.0], (len(row), 1))
+            steady = np.repeat((change[:, None] * direction)[:, None], 2, axis=1)
+            window = np.full(len(row), TRANSIENT * self.bound)
+            time = self.control.settling(np.arange(len(row)), steady, long, window)
             time = np.maximum(time, max(axis.box for axis in self.control.axes))
             out.append(np.where((change > 1e-9) & self.active, self.feed * time, 0.0))
         return out[0], out[1]

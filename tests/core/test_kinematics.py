@@ -138,6 +138,14 @@ def test_settling_of_linear_acc_dec():
     assert plan.phase[0, 3] == pytest.approx(0.05 - math.sqrt(2 * 0.05 * 0.01 / 30), abs=1e-9)
 
 
+def test_settling_counts_what_came_before_a_short_last_move():
+    """X is 0.75 mm behind when its move ends; 0.01 mm of Y later, which only takes 1/3 ms, it still is, nearly."""
+    plan = schedule(path("G1 X20 F1800|Y0.01"), linear(0.0, 40.0))
+    # Y needs no wait at all: 0.01 mm is the window.
+    assert plan.phase[1, 3] == pytest.approx(math.log(75) / 40 - 0.01 / 30, abs=1e-9)
+    assert evaluate(plan, np.array([plan.duration]))[0][0, 0] == pytest.approx(20 - 0.01, abs=1e-9)
+
+
 @pytest.mark.parametrize("w", [0.0, 1e-6, 0.3, 0.999, 1.0, 4.0, 60.0])
 def test_psi_is_its_integral(w):
     nodes, weights = np.polynomial.legendre.leggauss(60)
