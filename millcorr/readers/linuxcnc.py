@@ -15,7 +15,8 @@ import numpy as np
 from millcorr.measurement import Measurement
 
 from .decoding import beginning
-from .source import Source, shown
+from .parts import parts_by_place, rows_of_part
+from .source import MM_PER_INCH, Source, shown
 
 _ROW = re.compile(rb"[ \t]*(?:[+-]?\d+\.\d+[ \t]+){8}[+-]?\d+\.\d+[ \t]*\r?")
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
@@ -49,7 +50,8 @@ def read(source: Source) -> Measurement:
     FormatError
         If a row has not nine numbers, or a rotary or second linear axis moved; names the line.
     UsageError
-        If the radius is missing or the caller says that the points are contact points.
+        If the radius is missing, the caller says that the points are contact points, or several parts were logged to
+        the file (PROBEOPEN begins it anew, LOGAPPEND does not) and none is chosen.
     """
     lines = source.text().split("\n")
     filled = [k for k, line in enumerate(lines, 1) if line.strip()]
@@ -69,7 +71,10 @@ def read(source: Source) -> Measurement:
         raise source.error(f"axis {axis} moved between the touches: probe with X, Y and Z only", filled[row])
     away = [f"{c}{v:g}" for c, v in zip(_COLUMNS[3:], values[0, 3:], strict=True) if abs(v) > _STILL]
     notes = [f"other axes stood at {' '.join(away)}"] if away else []
-    return source.measurement("linuxcnc", values[:, :3], filled, ball_radius=ball, unit=source.unit(None), notes=notes)
+    unit, lines_of = source.unit(None), np.array(filled)
+    points = values[:, :3]
+    chosen = rows_of_part(source, lines_of, parts_by_place(points * (MM_PER_INCH if unit == "inch" else 1.0)))
+    return source.measurement("linuxcnc", points[chosen], lines_of[chosen], ball_radius=ball, unit=unit, notes=notes)
 
 
 def _name_the_wrong(source: Source, lines: list[str]) -> None:

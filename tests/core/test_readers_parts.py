@@ -33,6 +33,10 @@ SEVERAL = {
     "dprnt without heads": ("".join(files.dprnt(p, heads=False) for p in PARTS), {"points": "contact"}),
     "msr": ("".join(files.msr(p) for p in PARTS), {}),
     "grbl": ("".join(files.grbl(p, offset=(9, 9, 9), wco=True) for p in PARTS), {"probe_radius": 1.5}),
+    "linuxcnc": ("".join(map(files.linuxcnc, PARTS)), {"probe_radius": 1.5}),
+    "linuxcnc in inches": (
+        "".join(files.linuxcnc(p, inch=True) for p in PARTS), {"probe_radius": 1.5, "units": "inch"},
+    ),
     "renishaw": (
         "".join(files.renishaw(p).replace("NO 12", f"NO {n}") for n, p in enumerate(PARTS, 12)), {"points": "contact"},
     ),
