@@ -537,7 +537,12 @@ def in_words(summary: Mapping[str, Any], outputs: Mapping[str, str], *, checked_
     """What was found and done, in a few lines; micrometres."""
     points, proof = summary["points"], summary["verification"]
     rejected = len(points["rejected"])
-    lines = [f"points      {points['used']} used of {points['read']}" + (f", {rejected} rejected" if rejected else "")]
+    foreseen = summary["foreseen"]
+    if foreseen is not None and foreseen["combined"] is None:
+        lines = [f"points      {points['used']} of the simulated surface; nothing was measured"]
+    else:
+        said = f", {rejected} rejected" if rejected else ""
+        lines = [f"points      {points['used']} used of {points['read']}{said}"]
     lines.append("um                  mean      min      max   height      std")
     for title, key in (("deviation", "deviation"), ("determined part", "filtered"), ("predicted after", "predicted")):
         row = summary[key]

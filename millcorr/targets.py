@@ -56,11 +56,17 @@ class Elastic:
         Along the normal and along the contour: what the machine is expected to do.
     next_depth : (n,) float64
         Stock over the nominal that the next program finds, mm.
+    depth : tuple of float
+        Depths that the parts were cut at, mm.
+    taken : str
+        How it was taken: as in ``Settings.transfer_function``, or ``by axis`` from touches.
     """
 
     transfer: TransferFunction
     system: TransferFunction
     next_depth: Floats
+    depth: tuple[float, ...]
+    taken: str
 
     def summary(self, settings: Settings) -> dict[str, Any]:
         """What report.json says of it; lengths in mm, uncertainties are standard ones, None where not known."""
@@ -69,11 +75,11 @@ class Elastic:
         return {
             **{f"ms_{name}": over[name] for name in ("mean", "min", "max", "std")},
             "ms_uncertainty": _typical(ms.ms_std),
-            "depth": list(settings.depths),
+            "depth": list(self.depth),
             "next_depth": float(np.median(self.next_depth)),
             "next_depth_range": [float(self.next_depth.min()), float(self.next_depth.max())],
             "depth_along": settings.depth_along,
-            "taken": settings.transfer_function,
+            "taken": self.taken,
             "offset": statistics(ms.offset) | {"uncertainty": _typical(ms.offset_std)} if ms.offset_known else None,
             "correction_uncertainty": _typical(ms.correction_std(self.next_depth)),
         }
@@ -214,7 +220,7 @@ def target_of(
     if found.aim is not None and found.system is not None:
         warnings += examine(found.aim, deviation.foot)
         stock = np.broadcast_to(_next_depth(parts, depths, settings, filtered), filtered.shape)
-        elastic = Elastic(found.aim, found.system, stock)
+        elastic = Elastic(found.aim, found.system, stock, settings.depths, settings.transfer_function)
         aim, yields = found.aim.correction(stock), 1.0 + found.aim.ms
     # A path put e over the nominal leaves (e - aim) / (1 + MS): 0 at the aim. Without a transfer function MS is 0.
     base = offset if corrected_before else np.zeros(len(offset))

@@ -365,7 +365,7 @@ def _touches(parts: list[Part], value: Floats, depth: float, area: Floats, axes:
     determined = whole * removed / (depth + whole)
     transfer = _transfer(axes, area, deviation, depth)
     growth = (1.0 + transfer.ms) ** 2
-    elastic = Elastic(transfer, transfer, np.full(len(deviation), depth))
+    elastic = Elastic(transfer, transfer, np.full(len(deviation), depth), (depth,), "by axis")
     return Target(
         deviation,
         offset,

@@ -17,6 +17,7 @@ from millcorr.deviation import statistics
 from millcorr.largest import LargestCorrection, largest_correction
 from millcorr.pipeline import Result
 
+from .foreseen import foreseen_section, nothing_measured, setup_name
 from .html import (
     DOT,
     MINUS,
@@ -75,6 +76,7 @@ def page(
         _deviations(result),
         *_plots(result),
         _separation(result),
+        foreseen_section(result),
         transfer_section(result),
         _own_path_error(result),
         _correction(result, largest),
@@ -86,7 +88,8 @@ def page(
         PurePath(result.request.program.name).name,
         parts,
         about="toolpath correction",
-        files="Every measured point is in <b>deviations.csv</b>, the contour check in <b>contour.csv</b> and "
+        files=f"Every {'simulated' if nothing_measured(result) else 'measured'} point is in <b>deviations.csv</b>, "
+        "the contour check in <b>contour.csv</b> and "
         "<b>points.csv</b>, every number in <b>report.json</b>, the compensated profile as NURBS in "
         "<b>profile.json</b> and <b>profile.step</b>.",
         date=date,
@@ -122,13 +125,20 @@ def _verdict(result: Result, largest: LargestCorrection) -> str:
     d, settings, proof = result.deviation, result.request.settings, result.verification
     words = []
     if len(d):
-        s = statistics(d.value)
-        measurement = result.request.measurement
-        name = PurePath(measurement.source).name if measurement is not None else ""
-        words.append(
-            f"{plural(len(d) + len(d.rejected), 'measured point')} ({escape(name)}) show deviations of "
-            f"{um(s['min'], True)} to {um(s['max'], True)} {MICRO}, {um(s['mean'], True)} {MICRO} in the mean."
-        )
+        s, count = statistics(d.value), len(d) + len(d.rejected)
+        span = f"{um(s['min'], True)} to {um(s['max'], True)} {MICRO}, {um(s['mean'], True)} {MICRO} in the mean."
+        measurement, foreseen = result.request.measurement, result.foreseen
+        if foreseen is not None and nothing_measured(result):
+            words.append(f"<b>Nothing was measured</b>: the model of {escape(setup_name(foreseen))} leaves {span}")
+        else:
+            name = PurePath(measurement.source).name if measurement is not None else ""
+            show = "shows" if count == 1 else "show"
+            words.append(f"{plural(count, 'measured point')} ({escape(name)}) {show} deviations of {span}")
+        if foreseen is not None:
+            words.append(
+                f"The model expects at most {um(foreseen.before.largest)} {MICRO} along the whole contour before the "
+                f"correction and {um(foreseen.after[-1].largest)} {MICRO} after it."
+            )
     else:
         words.append("No measurement: the path is laid on the exact parallel of the nominal contour.")
     moves = result.regeneration
@@ -189,31 +199,41 @@ def _deviations(result: Result) -> str:
         signed = [um(s[key], True) for key in ("mean", "min", "max")]
         rows.append((name, *signed, um(s["height"]), um(s["std"]), um(profile_value(value))))
     head = (MICRO, "mean", "min", "max", "height", "std", "profile value")
-    words = [
-        "Predicted: the same points after the correction, this part's random part unchanged. The profile value is "
-        f"2{DOT}max|d|, to be held against the width of a profile tolerance zone (ISO 1101)."
-    ]
+    if nothing_measured(result):
+        words = "All by the model: the program as it came, and after the correction, each simulated."
+    elif result.foreseen is not None:
+        words = "Predicted: what the model expects at the same points, their random part unchanged."
+    else:
+        words = "Predicted: the same points after the correction, this part's random part unchanged."
+    words += f" The profile value is 2{DOT}max|d|, to be held against the width of a profile tolerance zone (ISO 1101)."
+    if result.foreseen is None:
+        words += " " + _next_part(result)
+    return (
+        f"<h2>Deviations</h2>{html_table(head, rows)}<p class=small>{_SIGN}</p><p class=small>{words}</p>"
+        + _points(result)
+        + _by_level(result)
+    )
+
+
+def _next_part(result: Result) -> str:
+    """What the random part makes of the prediction."""
     again = expected_std(result)
     if math.isfinite(again):
-        words.append(
+        return (
             "The next part brings its own random part: measured the same way, a standard deviation of about "
             f"<b>{um(again)} {MICRO}</b> is to be expected."
         )
-    else:
-        words.append(
-            "The random part is not known here, so the prediction is too favourable: the next part brings its own, "
-            "and what was random on this part comes on top."
-        )
     return (
-        f"<h2>Deviations</h2>{html_table(head, rows)}<p class=small>{_SIGN}</p><p class=small>{' '.join(words)}</p>"
-        + _points(result)
-        + _by_level(result)
+        "The random part is not known here, so the prediction is too favourable: the next part brings its own, "
+        "and what was random on this part comes on top."
     )
 
 
 def _points(result: Result) -> str:
     d, measurement = result.deviation, result.request.measurement
     assert measurement is not None
+    if nothing_measured(result):
+        return f"<p>{plural(len(d), 'point')} of the simulated surface.</p>"
     kind = "contact points"
     if measurement.ball_radius > 0:
         kind = f"ball centres, ball radius {measurement.ball_radius:g} mm"
@@ -294,7 +314,7 @@ def _plots(result: Result) -> list[str]:
 
 
 def _separation(result: Result) -> str:
-    if not result.separations:
+    if not result.separations or result.foreseen is not None:
         return ""
     random = (
         f"<p>Random part: standard deviation <b>{um(result.random_std)} {MICRO}</b>, process and measurement "
@@ -426,6 +446,8 @@ def _settings(result: Result) -> str:
     facts.append(("Program gives", distance))
     facts.append(("Nominal", "given" if result.request.nominal is not None else "the contour that the program cuts"))
     for name, value in summary["settings"].items():
+        if value is None or value == ():
+            continue
         text = f"{value:g}" if isinstance(value, float) else str(value)
         facts.append((_SETTING_NAMES.get(name, name.replace("_", " ")), text + (" mm" if name in _LENGTHS else "")))
     shift, turn = summary["alignment"]["shift"], summary["alignment"]["rotation_deg"]
@@ -436,7 +458,7 @@ def _settings(result: Result) -> str:
 
 def _files(result: Result, outputs: Mapping[str, str]) -> str:
     rows = "".join(
-        f"<tr><th>{escape(kind)}</th><td>{escape(str(entry['name']))}<br><span class=hash>SHA-256 "
+        f"<tr><th>{escape(_input(kind, result))}</th><td>{escape(str(entry['name']))}<br><span class=hash>SHA-256 "
         f"{escape(str(entry['sha256']))}</span></td></tr>"
         for kind, entry in result.inputs().items()
     )
@@ -444,3 +466,7 @@ def _files(result: Result, outputs: Mapping[str, str]) -> str:
     if outputs:
         out += f"<h2>Outputs</h2>{html_facts((kind, str(path)) for kind, path in outputs.items())}"
     return out
+
+
+def _input(kind: str, result: Result) -> str:
+    return "simulated surface" if kind == "measurement" and nothing_measured(result) else kind

@@ -13,6 +13,7 @@ from millcorr.deviation import statistics
 from millcorr.pipeline import Result
 from millcorr.targets import Elastic
 
+from .foreseen import nothing_measured
 from .html import figure, html_facts, mm, um
 from .plots import COVERAGE, MICRO, MOST_MARKERS, UM, WIDTH, Plot, corners, course, frame
 from .svg import Axis, Canvas, columns, polyline
@@ -36,14 +37,16 @@ def transfer_section(result: Result) -> str:
         "smooth": "smooth along the contour, from the filtered deviations",
         "one": "one value, the mean over the points",
         "points": "one value a point, as measured",
+        "by axis": "MSx and MSy of the touches, as the load has it at each",
     }
+    part = "simulated" if nothing_measured(result) else "measured"
     rows = [
         ("MS", f"{said['ms_mean']:.4f} in the mean, {said['ms_min']:.4f} to {said['ms_max']:.4f}"),
         ("Standard uncertainty of MS", _number(said["ms_uncertainty"], "{:.4f}")),
-        ("Depth of the measured part", f"{depths} mm, deviations along {_axis(said['depth_along'])}"),
+        (f"Depth of the {part} part", f"{depths} mm, deviations along {_axis(said['depth_along'])}"),
         ("Depth that the next part finds", f"{following} mm"),
         ("Taken as", readings[said["taken"]]),
-        ("Uncertainty of the correction", f"{_number(_um(said['correction_uncertainty']))} {MICRO} (k = 1)"),
+        ("Uncertainty of the correction", _number(_um(said["correction_uncertainty"]), f"{{:.2f}} {MICRO} (k = 1)")),
     ]
     offset = said["offset"]
     if offset:
@@ -51,8 +54,8 @@ def transfer_section(result: Result) -> str:
             (
                 "Constant offset, kept apart",
                 f"{um(offset['mean'], True)} {MICRO} in the mean, {um(offset['min'], True)} to "
-                f"{um(offset['max'], True)} {MICRO}; standard uncertainty {_number(_um(offset['uncertainty']))} "
-                f"{MICRO}",
+                f"{um(offset['max'], True)} {MICRO}; standard uncertainty "
+                + _number(_um(offset["uncertainty"]), f"{{:.2f}} {MICRO}"),
             )
         )
     words = (
@@ -70,7 +73,7 @@ def _um(value: float | None) -> float | None:
     return None if value is None else value * UM
 
 
-def _number(value: float | None, form: str = "{:.2f}") -> str:
+def _number(value: float | None, form: str) -> str:
     return "not known" if value is None or not math.isfinite(value) else form.format(value)
 
 

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The report's section on what the model of a setup says: its machine, and the error before and after."""
+
+from __future__ import annotations
+
+import math
+from html import escape
+from pathlib import PurePath
+
+from millcorr.deviation import statistics
+from millcorr.pipeline import Result
+from millcorr.prediction.foreseen import Foreseen
+
+from .html import html_facts, html_table, mm, plural, um
+from .plots import MICRO
+
+_BESIDE = "\N{PLUS-MINUS SIGN}"
+
+
+def nothing_measured(result: Result) -> bool:
+    """True where the deviations are those of a predicted surface."""
+    return result.foreseen is not None and result.foreseen.axes is None
+
+
+def setup_name(foreseen: Foreseen) -> str:
+    """Name of the setup's file."""
+    return PurePath(foreseen.before.setup.source).name or "the setup"
+
+
+def foreseen_section(result: Result) -> str:
+    """The section as HTML; '' where nothing was simulated."""
+    foreseen = result.foreseen
+    if foreseen is None:
+        return ""
+    if foreseen.axes is None:
+        words = (
+            "Nothing was measured: the program was cut in the model of the setup, and the surface that this leaves "
+            "taken as a measured one is. How large the correction is, is the model's alone: touch the first part."
+        )
+    else:
+        words = (
+            "The touches say how far tool and machine give way, the load along the path how that varies along the "
+            "contour (Petrakov 2023, eqs. 9 to 12). The machine that leaves what was touched then cut the program "
+            "and the corrected one in the model."
+        )
+    rounds = foreseen.after
+    names = ["after"] if len(rounds) == 1 else [f"after round {k}" for k in range(1, len(rounds) + 1)]
+    rows = []
+    for name, cut in zip(["before", *names], [foreseen.before, *rounds], strict=True):
+        s = statistics(cut.deviation.value)
+        signed = [um(s[key], True) for key in ("mean", "min", "max")]
+        rows.append((name, um(cut.largest), *signed, um(s["height"]), um(s["std"])))
+    table = html_table((f"error expected / {MICRO}", "largest", "mean", "min", "max", "height", "std"), rows)
+    notes = [text for text in result.advice if text not in foreseen.advice()]
+    more = "".join(f"<p>{escape(text[:1].upper() + text[1:])}.</p>" for text in notes)
+    return f"<h2>Predicted by the model</h2><p>{words}</p>{html_facts(_facts(result, foreseen))}{table}{more}"
+
+
+def _facts(result: Result, foreseen: Foreseen) -> list[tuple[str, str]]:
+    axes, machine = foreseen.axes, foreseen.machine
+    kx, ky = foreseen.before.setup.machine.stiffness()
+    facts = [("Setup", setup_name(foreseen))]
+    if axes is not None and machine is not None:
+        (x, y), (ux, uy) = axes.ms, axes.ms_std
+        told = "" if axes.separate else "; the touches do not tell the axes apart: both are taken alike"
+        facts += [
+            ("Transfer function of the axes", f"MSx {_with(x, ux)}, MSy {_with(y, uy)} at the first touch{told}"),
+            ("Depth of the touched part", f"{mm(axes.depth)} mm"),
+            (
+                "Machine that leaves what was touched",
+                f"stiffness X {kx:.4g} N/mm, Y {ky:.4g} N/mm with the setup's forces, within {um(machine.misfit)} "
+                f"{MICRO} of the touches",
+            ),
+        ]
+    else:
+        facts.append(("Machine of the setup", f"stiffness X {kx:.4g} N/mm, Y {ky:.4g} N/mm"))
+    bound = result.request.settings.iterate
+    wanted = "" if bound is None else f", until at most {um(bound)} {MICRO} are expected"
+    return [*facts, ("Corrected and simulated", f"{plural(len(foreseen.after), 'time')}{wanted}")]
+
+
+def _with(value: float, std: float) -> str:
+    """A value with its standard uncertainty, where that is known."""
+    return f"{value:.4f}" + (f" {_BESIDE} {std:.4f}" if math.isfinite(std) else "")
