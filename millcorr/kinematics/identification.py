@@ -8,7 +8,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.optimize import least_squares
 
 from millcorr.errors import FitError, UsageError
 from millcorr.toolpath import Floats, Toolpath
@@ -228,6 +227,8 @@ class _Search:
 
     def fitted(self, factor: float) -> tuple[Floats, float]:
         """Parameters and mean residual of a fit begun at a multiple of the first guess."""
+        from scipy.optimize import least_squares
+
         logs = self.guess + math.log(factor)
         begin = np.concatenate([[self.start(self.with_logs(logs))], logs])
         # In s for times, in 1/s for gains: the shortest lag is the largest gain.

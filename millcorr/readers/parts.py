@@ -8,9 +8,6 @@ from itertools import groupby
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
-from scipy.spatial import KDTree
 
 from millcorr.errors import UsageError
 
@@ -93,6 +90,10 @@ def point_keys(numbers: Ints | Floats, places: Floats, reach: float) -> Ints:
     reach : float
         Places no farther apart than this, in their unit, are the same.
     """
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+    from scipy.spatial import KDTree
+
     found, group = np.unique(numbers, return_inverse=True)
     if len(found) == len(numbers) or not np.isfinite(places).all():
         return np.asarray(group, dtype=np.int64)

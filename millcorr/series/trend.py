@@ -12,7 +12,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import stdtr
 
 from millcorr.transfer_function import IMPLAUSIBLE
 
@@ -217,6 +216,8 @@ class _Added:
     @staticmethod
     def of(base: Floats, columns: Floats, y: Floats, commanded: Floats) -> _Added:
         """Regress y on `base` and each of the columns; Student's test of the column, two-sided."""
+        from scipy.special import stdtr
+
         q, _ = np.linalg.qr(base)
         y, given, columns = (v - q @ (q.T @ v) for v in (y, commanded, columns))
         square = (columns**2).sum(axis=0)

@@ -106,6 +106,15 @@ def test_core_needs_only_its_dependencies(path):
     assert tops(path) <= DEPENDENCIES | OPTIONAL | {"millcorr"} | sys.stdlib_module_names
 
 
+@pytest.mark.parametrize("path", CORE, ids=name)
+def test_scipy_is_imported_inside_functions(path):
+    """At the top of a module it doubles the time in which every command starts, and a batch starts many."""
+    top = ast.parse(path.read_text(encoding="utf-8")).body
+    found = [node.module or "" for node in top if isinstance(node, ast.ImportFrom)]
+    found += [alias.name for node in top if isinstance(node, ast.Import) for alias in node.names]
+    assert not [module for module in found if module.partition(".")[0] == "scipy"]
+
+
 @pytest.mark.parametrize("path", APP, ids=name)
 def test_app_knows_nothing_of_windows(path):
     # Qt's translations are text; windows, scene graph and the window's own module are not.
