@@ -7,6 +7,7 @@ fixed point of ``delta = F(delta) / k``. Later passes cut what the deflected ear
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -85,6 +86,14 @@ class ElasticPass:
         """Deflection along the normal of the wall in mm, positive where it leaves material; (n,), NaN without wall."""
         out: Floats = (self.deflection * self.cutting.wall).sum(axis=1)
         return out
+
+    def runs(self, height: float) -> Ints:
+        """Number of the row of steps without a gap that each step belongs to; -1 above a height in mm. (n,)."""
+        deep = self.path.position[:, 2] <= height + 1e-6
+        links = _Links.of(self.path)
+        begins = np.ones(len(deep), dtype=bool)
+        begins[1:] = (np.diff(links.run) != 0) | ~deep[1:] | ~deep[:-1]
+        return np.where(deep, np.cumsum(begins), -1)
 
     @property
     def accuracy(self) -> float:
@@ -260,10 +269,41 @@ def predicted_deviation(
     InputError
         If the cutter comes near no point of the profile.
     """
+    return deviation_along(elastic, nominal, None, spacing=spacing, z=z)[0]
+
+
+def deviation_along(
+    elastic: ElasticPass,
+    nominal: Profile,
+    run: Callable[[float], Profile | None] | None,
+    *,
+    spacing: float,
+    z: float | None = None,
+) -> tuple[Deviation, Floats]:
+    """As `predicted_deviation`, for a cutter that the axes do not lead where it is commanded.
+
+    Parameters
+    ----------
+    elastic, nominal, spacing, z
+        As there.
+    run : callable or None
+        From a height in mm to the path of the cutter's centre up to it, deflection included; None where the axes lead
+        it as commanded.
+
+    Returns
+    -------
+    Deviation
+    kinematic : (n,) float64
+        What of it is left by the axes, mm.
+
+    Raises
+    ------
+    UsageError, InputError
+        As there.
+    """
     if not (np.isfinite(spacing) and spacing > 0):
         raise UsageError(f"predicted deviation: a spacing of {spacing!r} mm is not positive")
     height = float(elastic.path.levels[0] if z is None else z)
-    envelope = _actual_path(elastic, height)
     radius = elastic.engagement.radius
     points, normals = [], []
     for k, total in enumerate(nominal.total):
@@ -272,14 +312,19 @@ def predicted_deviation(
         points.append(c)
         normals.append(n)
     point, normal = np.concatenate(points), np.concatenate(normals)
-    out, cut = surface_along(envelope, radius, point, normal)
+    bent, cut = surface_along(_actual_path(elastic, height), radius, point, normal)
+    out, really = bent, run(height) if run is not None else None
+    if really is not None:
+        out, also = surface_along(really, radius, point, normal)
+        cut &= also
     if not cut.any():
         raise UsageError("predicted deviation: the program does not cut the nominal profile: check both")
     rows = np.flatnonzero(cut)
     xyz = np.column_stack([point[rows] + out[rows, None] * normal[rows], np.full(len(rows), height)])
     ijk = np.column_stack([normal[rows], np.zeros(len(rows))])
     touched = Measurement(xyz, ijk, 0.0, np.arange(1, len(rows) + 1), "predicted surface", "")
-    return deviations(touched, nominal, cutter_radius=radius)
+    found = deviations(touched, nominal, cutter_radius=radius)
+    return found, (out - bent)[rows][found.index]
 
 
 def surface_along(
@@ -332,12 +377,10 @@ def _actual_path(elastic: ElasticPass, height: float) -> Profile:
     """Path of the cutter's centre up to a height: cubic splines through the steps, lines where the force jumps."""
     path, centre = elastic.path, elastic.centre
     links = _Links.of(path)
-    deep = path.position[:, 2] <= height + 1e-6
-    begins = np.ones(len(centre), dtype=bool)
-    begins[1:] = (np.diff(links.run) != 0) | ~deep[1:] | ~deep[:-1]
+    number = elastic.runs(height)
     contours = []
-    for run in np.split(np.arange(len(centre)), np.flatnonzero(begins)[1:]):
-        if len(run) < 2 or not deep[run[0]]:
+    for run in np.split(np.arange(len(centre)), np.flatnonzero(np.diff(number) != 0) + 1):
+        if len(run) < 2 or number[run[0]] < 0:
             continue
         curves: list[NurbsCurve] = []
         for part in np.split(run, np.flatnonzero(~links.joined[run[1:]]) + 1):

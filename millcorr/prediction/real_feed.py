@@ -50,6 +50,11 @@ class RealFeed(ReadOnlyArrays):
     begin: Floats
     end: Floats
 
+    def place(self, part: Ints, share: Floats) -> Floats:
+        """Places at shares of the length of parts, counted in moves as `course` counts them; (k,)."""
+        out: Floats = self.move[part] + self.begin[part] + share * (self.end - self.begin)[part]
+        return out
+
     @staticmethod
     def programmed(toolpath: Toolpath) -> RealFeed:
         """The program as it stands, for a machine without inertia."""

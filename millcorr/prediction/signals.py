@@ -98,7 +98,7 @@ class Signals(ReadOnlyArrays):
         elastic, feed = simulation.elastic, simulation.feed
         e = elastic.engagement
         move = feed.move[e.move]
-        place = move + feed.begin[e.move] + e.t * (feed.end - feed.begin)[e.move]
+        place = feed.place(e.move, e.t)
         real = feed.toolpath.feed[e.move]
         if simulation.motion is None:
             step = np.diff(e.s, prepend=e.s[0])
@@ -111,7 +111,7 @@ class Signals(ReadOnlyArrays):
             t=t,
             line=program.toolpath.source[move] + 1,
             commanded=e.position.copy(),
-            actual=elastic.centre.copy(),
+            actual=simulation.centre.copy(),
             programmed=program.toolpath.feed[move],
             feed=real.copy(),
             feed_per_tooth=e.feed_per_tooth.copy(),

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import PurePath
 
 import numpy as np
@@ -30,8 +31,9 @@ from millcorr.setup_file import Setup
 from millcorr.toolpath import Toolpath
 
 from .cutter_reach import profile_of_path
-from .elastic_pass import ElasticPass, elastic_pass, predicted_deviation
+from .elastic_pass import ElasticPass, deviation_along, elastic_pass
 from .real_feed import RealFeed, control_of
+from .run_path import RunPath
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -60,7 +62,11 @@ class Simulation:
     elastic : ElasticPass
         Engagement, force and deflection at every step, those of an earlier program first.
     deviation : Deviation
-        What is left at points of the nominal, mm.
+        What is left at points of the nominal, mm: by the deflection, and by axes that do not follow exactly.
+    kinematic : (n,) float64
+        What of `deviation` the axes leave, mm; 0 where the setup names no inertia.
+    centre : (m, 2) float64
+        Where the cutter's centre really is at every step, mm: actual motion and deflection.
     cautions : tuple of str
         What the model could not take into account, and how far its numbers can be trusted.
     """
@@ -72,6 +78,8 @@ class Simulation:
     motion: Motion | None
     elastic: ElasticPass
     deviation: Deviation
+    kinematic: Floats
+    centre: Floats
     cautions: tuple[str, ...]
 
     @property
@@ -164,13 +172,24 @@ def simulate(
     control = control_of(setup)
     feed, moved, notes = _at_real_feed(program, control)
     toolpath = feed.toolpath
+    cut = [(program.toolpath, feed, moved)]
     if earlier is not None:
-        toolpath = one_after_another(_at_real_feed(earlier, control)[0].toolpath, toolpath)
+        before, run, _ = _at_real_feed(earlier, control)
+        toolpath = one_after_another(before.toolpath, toolpath)
+        cut.insert(0, (earlier.toolpath, before, run))
     elastic = elastic_pass(toolpath, setup, stock)
-    found = predicted_deviation(elastic, nominal, spacing=_spacing(setup.tool.radius))
+    really = [(path, fed, led) for path, fed, led in cut if led is not None]
+    path = RunPath.of(really, elastic) if really else None
+    found, kinematic = deviation_along(
+        elastic,
+        nominal,
+        None if path is None else partial(path.profile, elastic),
+        spacing=_spacing(setup.tool.radius),
+    )
+    centre = elastic.centre if path is None else path.at_steps(elastic.deflection)
     caution = setup.material.caution()
     cautions = (*((caution,) if caution else ()), *notes)
-    return Simulation(setup, nominal, stock, feed, moved, elastic, found, cautions)
+    return Simulation(setup, nominal, stock, feed, moved, elastic, found, kinematic, centre, cautions)
 
 
 def at_real_feed(program: gcode.Program, setup: Setup) -> Toolpath:

@@ -139,6 +139,7 @@ def write(
             f"error       {UM * figures['predicted_error_mm']['min']:+.1f} to "
             f"{UM * figures['predicted_error_mm']['max']:+.1f} {MICRO} predicted"
             + ("" if after is None else f"; corrected at most {UM * after.largest:.1f} {MICRO}"),
+            *_axes_in_words(before),
             *(() if wall is None else report_wall.in_words(wall)),
             *done.in_words(),
             *(f"warning     {text}" for text in (*before.cautions, *notes)),
@@ -171,6 +172,18 @@ def _tilted(request: pipeline.Request, before: Simulation, wall: report_wall.Wal
     return tilted_program(request, before, wall.before, wall.remedy)
 
 
+def _axes_in_words(before: Simulation) -> list[str]:
+    """What the axes leave, and where it is most."""
+    if before.motion is None:
+        return []
+    k, d = before.kinematic, before.deviation
+    x, y = d.foot[int(np.argmax(np.abs(k)))]
+    return [
+        f"axes        leave {UM * k.min():+.1f} to {UM * k.max():+.1f} {MICRO} of it, most at X{x:.3f} Y{y:.3f}; a "
+        "moved path takes out what arcs lose, at corners slower feeds do (--slowed)"
+    ]
+
+
 def summary(before: Simulation, after: Simulation | None, signals: Signals, rigid: Engagement) -> dict[str, Any]:
     """Contents of simulation.json; `rigid` is the engagement of a machine that does not give way."""
     cutting = signals.area > 0
@@ -194,6 +207,9 @@ def summary(before: Simulation, after: Simulation | None, signals: Signals, rigi
             "load_ratio_max": float(loaded.max() / np.median(loaded)) if len(loaded) else 0.0,
         },
         "predicted_error_mm": {"min": float(value.min()), "mean": float(value.mean()), "max": float(value.max())},
+        "kinematic_error_mm": None
+        if before.motion is None
+        else {"min": float(before.kinematic.min()), "max": float(before.kinematic.max())},
         "predicted_error_after_mm": None if after is None else after.largest,
         "loop_accuracy_mm": before.elastic.accuracy,
         "stiffness_n_per_mm": list(before.setup.machine.stiffness()),
@@ -205,8 +221,8 @@ def _predicted_lines(before: Simulation, after: Simulation | None) -> list[str]:
     """Lines of predicted.csv: the surface that is left, in mm; the header first."""
     d = before.deviation
     corrected = np.full(len(d), np.nan) if after is None else after.error_at(d.contour, d.s)
-    lines = ["contour,s,x,y,nx,ny,deviation,deviation_corrected\n"]
-    table = np.column_stack([d.s, d.foot, d.normal, d.value, corrected])
+    lines = ["contour,s,x,y,nx,ny,deviation,deviation_corrected,kinematic\n"]
+    table = np.column_stack([d.s, d.foot, d.normal, d.value, corrected, before.kinematic])
     for contour, row in zip(d.contour.tolist(), table.tolist(), strict=True):
         lines.append(f"{contour}," + ",".join("" if v != v else f"{v:.9g}" for v in row) + "\n")
     return lines

@@ -159,7 +159,7 @@ def contour_plot(simulation: Simulation, after: Simulation | None) -> Plot:
         ("theoretical contour", "nominal", outlines(nominal)),
         ("machined contour", "undercut", surface_of(simulation, times)),
         ("commanded path", "course", _parts(simulation.elastic.path.position[:, :2], nominal, radius, times)),
-        ("actual path", "excess", _parts(simulation.elastic.centre, nominal, radius, times)),
+        ("actual path", "excess", _parts(simulation.centre, nominal, radius, times)),
     ]
     if after is not None:
         lines.append(("corrected path", "way", _parts(after.elastic.path.position[:, :2], nominal, radius, times)))

@@ -12,7 +12,7 @@ from millcorr import gcode, pipeline
 from millcorr.cutting import average_force
 from millcorr.engagement import stock_of
 from millcorr.errors import FormatError, RefusedError, UsageError
-from millcorr.kinematics import AxisDynamics, Control, motion
+from millcorr.kinematics import AxisDynamics, Control, arc_shrinkage, motion
 from millcorr.nurbs import NurbsCurve
 from millcorr.prediction import simulate
 from millcorr.prediction.cutter_reach import profile_of_path, reachable
@@ -267,3 +267,74 @@ def test_loop_of_the_simulation_is_the_elastic_pass():
     its = setup()
     alone = elastic_pass(program().toolpath, its, stock_of(its, nominal()))
     assert as_cut().elastic.deflection == pytest.approx(alone.deflection, abs=1e-12)
+
+
+# --- what the axes leave
+
+
+def light(radius=3.0, **machine):
+    """A cut that bends nothing to speak of, on a machine with inertia."""
+    return from_dict(
+        {
+            "tool": {"diameter_mm": 2 * radius, "flutes": 4, "spindle_rpm": 12000},
+            "material": {"ktc_n_per_mm2": 600, "krc_n_per_mm2": 200},
+            "machine": {"kx_n_per_mm": 1e7, "ky_n_per_mm": 1e7, **machine},
+            "stock": {"allowance_mm": 0.5, "axial_depth_mm": 2},
+        }
+    )
+
+
+TURNS = "G21 G90 G17\nG0 X10 Y0\nG0 Z0\nG3 X10 Y0 I-10 J0 F3000\nG3 X10 Y0 I-10 J0\nG3 X10 Y0 I-10 J0\nG0 Z5\n"
+INERTIA = {"acceleration_time_x_ms": 64.0, "acceleration_time_y_ms": 64.0, "position_gain_per_s": 30.0}
+
+
+@pytest.mark.parametrize("side, sign", [("left", 1.0), ("right", -1.0)])
+def test_arcs_shrink_by_the_closed_form(side, sign):
+    """r (1 - |H(v / r)|) = 0.17809 mm, within 0.1 um: left of a hole's wall too much stays, right of a disc too little.
+
+    The first turn, in which the axes still speed up, is cut again.
+    """
+    circle = gcode.parse(TURNS, "turns.nc")
+    profile = pipeline.nominal_from_program(circle, 3.0, Settings(side=side), None)
+    found = simulate(circle, light(**INERTIA), profile)
+    wanted = sign * float(arc_shrinkage(10.0, 50.0, AxisDynamics(0.064, kv=30.0)))
+    # Start and end of the path lie at X10: there the tool speeds up and settles.
+    away = found.deviation.foot[:, 0] < 0.0
+    assert away.sum() > 100
+    assert found.kinematic[away] == pytest.approx(wanted, abs=1e-4)
+    assert found.deviation.value[away] == pytest.approx(wanted, abs=3e-4)
+    assert np.median(np.hypot(*found.centre.T)) == pytest.approx(10.0 - abs(wanted), abs=1e-4)
+
+
+def test_corners_are_rounded_by_the_envelope_of_the_cutter():
+    """The lowest of all circles along the sampled motion, 10 um apart; the tool is off by sqrt 2 v T / 8 = 0.147 mm."""
+    square = gcode.parse("G21 G90 G17\nG0 X-20 Y0\nG0 Z0\nG1 X0 F1000\nG1 Y20\nG0 Z5\n", "square.nc")
+    profile = pipeline.nominal_from_program(square, 3.0, Settings(side="left"), None)
+    found = simulate(square, light(acceleration_time_x_ms=50.0, acceleration_time_y_ms=50.0), profile)
+    moved = motion(square.toolpath, Control.alike(AxisDynamics(0.05)), step=0.01 / (1000 / 60))
+    d = found.deviation
+    wall = np.flatnonzero((d.normal[:, 1] > 0.9) & (d.foot[:, 0] > -2.0))
+    assert len(wall) > 10
+    for row in wall:
+        beside = moved.x - d.foot[row, 0]
+        near = np.abs(beside) < 3.0
+        lowest = (moved.y[near] - np.sqrt(9.0 - beside[near] ** 2)).min() + 3.0
+        assert found.kinematic[row] == pytest.approx(lowest, abs=1e-4)
+    # What the cutter's radius leaves of it at the end of the wall, far below the tool's own error.
+    assert 0.015 < found.kinematic[wall].max() < 0.5 * np.sqrt(2) * (1000 / 60) * 0.05 / 8
+    assert found.kinematic[np.abs(d.foot).max(axis=1) > 5.0] == pytest.approx(0.0, abs=1e-4)
+
+
+def test_correction_takes_out_what_arcs_lose():
+    """A hole's wall: 0.178 mm of shrinkage, corrected until at most 10 um are left."""
+    circle = gcode.parse(TURNS, "turns.nc")
+    wanted = Settings(side="left", method="predicted", iterate=0.01)
+    slow = light(**{**INERTIA, "position_gain_per_s": 60.0})
+    done = pipeline.correct(pipeline.Request(circle, 3.0, None, None, wanted, setup=slow)).foreseen
+    assert done is not None
+    assert done.before.largest > 0.05 and done.after[-1].largest <= 0.01
+
+
+def test_without_inertia_the_axes_leave_nothing():
+    assert not as_cut().kinematic.any()
+    assert (as_cut().centre == as_cut().elastic.centre).all()
