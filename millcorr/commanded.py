@@ -178,11 +178,15 @@ def _measured(contours: list[Contour], measurement: Measurement) -> list[Contour
 
 
 def beside_the_path(toolpath: Toolpath, following: Bools) -> Bools:
-    """Moves that hang together with following moves: all between the rapids around them; (n,)."""
+    """Moves that hang together with following moves: all between the rapids around them; (n,).
+
+    A retraction to an unknown height (G28 Z0) goes along without being rewritten.
+    """
     travel = np.nan_to_num(toolpath.end[:, :2] - toolpath.start[:, :2], nan=1.0)
-    rapid = (toolpath.kind == int(Kind.RAPID)) & (np.abs(travel).max(axis=1) > 0)
+    jump = toolpath.kind == int(Kind.RAPID)
+    rapid = jump & (np.abs(travel).max(axis=1) > 0)
     section = np.cumsum(rapid)
-    out: Bools = np.isin(section, section[following]) & ~rapid
+    out: Bools = np.isin(section, section[following]) & ~rapid & ~(jump & np.isnan(toolpath.end[:, 2]))
     return out
 
 

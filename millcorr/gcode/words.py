@@ -25,6 +25,8 @@ LARGEST = 1e9
 COMMENT = re.compile(rb"\([^()\r\n]*\)|;[^\r\n]*")
 _COMMENT_OR_TEXT = re.compile(rb'\([^()\r\n]*\)|;[^\r\n]*|"[^"\r\n]*"')
 _PERCENT = re.compile(rb"(?m)^[ \t]*(?:[nN][ \t]*\d+[ \t]*)?%[^\r\n]*")
+_COLON = re.compile(rb"(?m)^([ \t]*):(?=[ \t]*\d)")
+"""Program number as the ISO code of older controls writes it."""
 _BLOCK_DELETE = re.compile(rb"(?m)^([ \t]*(?:[nN][ \t]*\d+[ \t]*)?)/[1-9]?")
 _BLOCK_END = re.compile(rb"(?m)\*[ \t]*(?=\r?$)")
 
@@ -185,6 +187,8 @@ def _plain_text(data: bytes) -> bytes:
             # What stands behind the second mark is not part of the program.
             text = text[: percents[1]] + b"\n" * text.count(b"\n", percents[1])
         text = _PERCENT.sub(b"", text)
+    if b":" in text:
+        text = _COLON.sub(rb"\1O", text)
     if b"/" in text:
         text = _BLOCK_DELETE.sub(rb"\1", text)
     if b"*" in text:

@@ -239,10 +239,14 @@ class _Writer:
     def _pass_opaque(self, line: int, state: State, old: slice, new: slice) -> None:
         """Check that an opaque line can stay as it is, and take the state behind it."""
         a, b = self.old.take(old), self.new.take(new)
-        if len(a) != len(b) or _differ(a, b).any():
-            self.program.require_plain(self.old.source == line)
         name, form = self.program.name, self._form(line)
         text = Line(self.program.line(line).decode("latin-1"))
+        bare = text.find("X") < 0 and text.find("Y") < 0 and form.motion not in CYCLES
+        if bare and len(a) == len(b) == 1 and a.kind[0] == b.kind[0] == Kind.RAPID:
+            # A retraction along Z alone, G28 Z0 too, starts wherever the path before it now ends.
+            a = a.with_moves(start=_at(a.start, b.start), end=_at(a.end, b.end))
+        if len(a) != len(b) or _differ(a, b).any():
+            self.program.require_plain(self.old.source == line)
         codes = [i for i in range(len(text.words)) if text.letter(i) == "G"]
         if not codes and self._state_before(line).motion != state.motion:
             raise FormatError("the motion code before this line has changed: state it here", name, line + 1)
@@ -259,6 +263,12 @@ class _Writer:
         state.motion = form.motion
         state.feed = float(self.program.modal.feed_word[line])
         state.tangent = None
+
+
+def _at(point: Floats, place: Floats) -> Floats:
+    """Points with another place in the plane, where theirs is known; (n, 3)."""
+    out: Floats = np.where(np.isnan(point) | [False, False, True], point, place)
+    return out
 
 
 def _moves(toolpath: Toolpath, rows: slice) -> list[Move]:

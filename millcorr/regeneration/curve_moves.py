@@ -239,7 +239,7 @@ def _arcs(
     error = np.abs(np.hypot(probes[:, :, 0] - centre[:, None, 0], probes[:, :, 1] - centre[:, None, 1]) - r[:, None])
     round_error = np.where(r <= LARGEST_RADIUS, error.max(axis=1), np.inf)
     fits = round_error <= tolerance
-    sweep = _sweep(rows.start, probes[:, middle], rows.end, centre, rows.whole)
+    sweep = _sweep(rows.start, first, second, centre, rows.whole)
     flat_error = np.where(rows.whole, np.inf, _off_chord(rows, probes))
     # A line is taken before an arc only where the path is straight to a hundredth of the tolerance.
     straight = (flat_error <= tolerance) & (~fits | (flat_error <= 0.01 * tolerance))
@@ -263,17 +263,12 @@ def _circle(a: Floats, b: Floats, c: Floats) -> tuple[Floats, Floats]:
 
 
 def _sweep(start: Floats, middle: Floats, end: Floats, centre: Floats, whole: Bools) -> Floats:
-    """Signed angle of the arcs from start through middle to end."""
+    """Signed angle of the arcs from start through middle to end, or of the whole circle that runs this way."""
     angle = [np.arctan2(p[:, 1] - centre[:, 1], p[:, 0] - centre[:, 0]) for p in (start, middle, end)]
     half = np.mod(angle[1] - angle[0], 2 * np.pi)
     turn = np.mod(angle[2] - angle[0], 2 * np.pi)
-    turn = np.where(whole, 2 * np.pi, turn)
     left = half <= turn
-    left = np.where(whole, half <= np.pi + 1e-6, left)
-    u, v = middle - start, end - middle
-    cross = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
-    left = np.where(whole, cross >= 0, left)
-    return np.where(left, turn, turn - 2 * np.pi) - np.where(whole & ~left, 2 * np.pi, 0.0)
+    return np.where(left, np.where(whole, 2 * np.pi, turn), np.where(whole, 0.0, turn) - 2 * np.pi)
 
 
 def _cubics(
