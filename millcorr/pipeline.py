@@ -266,6 +266,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
     if len(set(digests)) < len(digests):
         raise UsageError("the same measurement is given twice: averaging needs different parts")
     depths = settings.each("depth", len(digests))
+    _require_a_cut(settings, request.radius)
     allowances = settings.each("allowance", len(digests))
     surfaces = [_taken_down(m, a) for m, a in zip(request.measurements, allowances, strict=True)]
     measurement = surfaces[0] if surfaces else None
@@ -474,6 +475,17 @@ def nominal_from_program(
     if measurement is not None:
         measurement = _taken_down(measurement, (*settings.allowances, 0.0)[0])
     return _own_contour(program, program.toolpath, settings, measurement, radius, path_radius, usable, [])
+
+
+def _require_a_cut(settings: Settings, radius: float) -> None:
+    """UsageError where a depth along the normal is more than the cutter is wide."""
+    for option, values in (("depth", settings.depths), ("next-depth", (settings.next_depth or 0.0,))):
+        for value in values:
+            if value > 2 * radius:
+                raise UsageError(
+                    f"--{option} {value:g}: a cutter of {2 * radius:g} mm takes no more than its width off; the depth "
+                    "is meant along the contour's normal, from the stock to the surface, in mm"
+                )
 
 
 def _taken_down(measurement: Measurement, allowance: float) -> Measurement:

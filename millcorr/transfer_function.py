@@ -36,6 +36,9 @@ Bools = NDArray[np.bool_]
 IMPLAUSIBLE = 0.5
 """A transfer function from this on means that a third of the depth stays: no finishing cut, and worth a look."""
 
+STIFF = 0.01
+"""A transfer function below this means less than 1 um of 0.1 mm: no milling machine is known to be so stiff."""
+
 LEAST_REMOVED = 0.1
 """Where a smaller share of the commanded depth was removed, MS = delta / (h - delta) has no meaning."""
 
@@ -373,7 +376,7 @@ def examine(transfer: TransferFunction, foot: Floats) -> tuple[str, ...]:
     Returns
     -------
     tuple of str
-        Warnings: an implausibly large MS.
+        Warnings: an implausibly large MS, and one that is small beyond its uncertainty.
 
     Raises
     ------
@@ -409,6 +412,12 @@ def examine(transfer: TransferFunction, foot: Floats) -> tuple[str, ...]:
         raise RefusedError(
             f"the transfer function would be {middle:.3f} in the middle: {100 * middle / (1 + middle):.0f} % of the "
             "depth would stay, which no machine is left to do; check --depth"
+        )
+    # The middle is known better than a single point: its own uncertainty is at most that of the points.
+    if 3.0 * float(np.median(std)) < middle < STIFF:
+        return (
+            f"the transfer function is {middle:.4f} in the middle: only {100 * middle:.1f} % of the depth stays, less "
+            "than milling machines give way; check --depth",
         )
     high = int(np.argmax(ms))
     if ms[high] >= IMPLAUSIBLE:

@@ -523,6 +523,29 @@ def test_depth_ten_times_too_small_is_refused() -> None:
         pipeline.correct(pipeline.Request(PROGRAM, 5.0, measurement, NOMINAL, chosen))
 
 
+@pytest.mark.parametrize(("depth", "warned"), [(3.0, True), (0.3, False)])
+def test_depth_ten_times_too_large_is_warned_of(depth: float, warned: bool) -> None:
+    """MS 0.06 of 0.3 mm looks like 0.006 of 3 mm: stiffer than milling machines are."""
+    measurement = cut_and_measured(0.0, 0.3, ms=0.06)
+    chosen = pipeline.Settings(method="transfer", depth=depth)
+    found = pipeline.correct(pipeline.Request(PROGRAM, 5.0, measurement, NOMINAL, chosen)).warnings
+    assert any("less than milling machines give way; check --depth" in line for line in found) == warned
+
+
+def test_a_rigid_machine_is_not_called_stiff_where_nothing_is_known() -> None:
+    """1 um of noise over 0.1 mm: MS is anything within 0.01 of 0."""
+    value = np.random.default_rng(2).normal(0.0, 0.001, 60)
+    assert examine(identify(value, 0.1, 0.001), np.zeros((60, 2))) == ()
+
+
+@pytest.mark.parametrize("given", [{"depth": 10.5}, {"depth": 1.0, "next_depth": 30.0}])
+def test_a_depth_beyond_the_cutters_width_is_refused(given: dict[str, float]) -> None:
+    measurement = cut_and_measured(0.0, 0.3, ms=0.06)
+    chosen = pipeline.Settings(method="transfer", **given)
+    with pytest.raises(UsageError, match="takes no more than its width off"):
+        pipeline.correct(pipeline.Request(PROGRAM, 5.0, measurement, NOMINAL, chosen))
+
+
 def test_allowance_goes_with_the_uncorrected_program() -> None:
     first = cut_and_measured(0.0, 0.4)
     once = pipeline.correct(pipeline.Request(PROGRAM, 5.0, first, NOMINAL, pipeline.Settings()))
