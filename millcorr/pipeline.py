@@ -388,7 +388,9 @@ def correct(request: Request, *, check: bool = False) -> Result:
             wanted = work.commanded - settings.gain * yields * dead_band(left, settings.dead_band)
             work = replace(work, wanted=wanted)
         if aim is None:
-            correction = correction_through(work, nominal, settings, warnings)
+            # What was not measured stays as the program has it; errors of an uncorrected one's own go all the same.
+            rest = commanded.expected.correction if carried and again is None else None
+            correction = correction_through(work, nominal, settings, warnings, rest)
 
     header = _header(request)
 

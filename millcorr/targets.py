@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from .compensation import Correction, along, correction_from, dead_band
 from .deviation import Deviation, statistics
 from .errors import UsageError
 from .filtering import Filter, Separation, separate
+from .gaps import wide_gaps
 from .parts import averaged
 from .profile import Profile
 from .settings import Settings
@@ -359,21 +361,32 @@ def _typical(std: Floats) -> float:
     return float(np.sqrt(np.mean(std**2)))
 
 
-def correction_through(work: Target, nominal: Profile, settings: Settings, warnings: list[str]) -> Correction:
-    """Course of the correction through a target's points; levels by themselves, then their mean."""
+def correction_through(
+    work: Target, nominal: Profile, settings: Settings, warnings: list[str], rest: Correction | None = None
+) -> Correction:
+    """Course of the correction through a target's points; levels by themselves, then their mean.
+
+    In gaps that are too wide to be bridged it runs out into `rest`, what the program has there already: by default
+    nothing.
+    """
     deviation = work.deviation
+    laid = partial(
+        correction_from,
+        nominal,
+        limit=settings.limit,
+        gaps=wide_gaps(deviation, nominal, Filter.parse(settings.filter).cutoff),
+        rest=rest,
+    )
     levels = np.unique(deviation.level)
     if len(levels) == 1:
-        correction, notes = correction_from(nominal, deviation.stretch, deviation.s, work.wanted, limit=settings.limit)
+        correction, notes = laid(deviation.stretch, deviation.s, work.wanted)
         warnings += notes
         return correction
     # Each level by itself, then their mean along the contour: points of different heights are never mixed.
     single = []
     for level in levels:
         rows = deviation.level == level
-        one, notes = correction_from(
-            nominal, deviation.stretch[rows], deviation.s[rows], work.wanted[rows], limit=settings.limit
-        )
+        one, notes = laid(deviation.stretch[rows], deviation.s[rows], work.wanted[rows])
         single.append((one, int(rows.sum())))
         warnings += [n for n in notes if n not in warnings]
     densest = max(single, key=lambda pair: pair[1])[0]
@@ -386,8 +399,6 @@ def correction_through(work: Target, nominal: Profile, settings: Settings, warni
         f"{len(levels)} levels were measured (Z {listed}); the correction is their mean, they differ by up to "
         f"{spread * 1000:.1f} um"
     )
-    mean, notes = correction_from(
-        nominal, deviation.stretch[rows], deviation.s[rows], values.mean(axis=0), limit=settings.limit
-    )
+    mean, notes = laid(deviation.stretch[rows], deviation.s[rows], values.mean(axis=0))
     warnings += [n for n in notes if n not in warnings]
     return mean

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How much of a profile the points speak for: what lies between them is invented, not measured."""
+"""How much of a profile the points speak for: the rest is not corrected."""
 
 from __future__ import annotations
 
@@ -7,22 +7,16 @@ import numpy as np
 
 from millcorr.deviation import Deviation
 from millcorr.filtering import Filter
+from millcorr.gaps import wide_gaps
 from millcorr.profile import Profile
 
 from .findings import Finding
-
-GAP = 5.0
-"""A step of so many typical ones is a gap, as for the filters."""
-
-LEAST, MOST = 0.05, 0.25
-"""No gap is below the one share of its contour, and none that is above the other is bridged: four points, one each
-quarter, tell the size of a bore."""
 
 NOTICEABLE = 0.25
 """A larger share of a contour in gaps is worth a word."""
 
 UNMEASURED = 0.6
-"""A larger share is dangerous: most of the correction is invented. petrakov-2025 measures 45 % of its contour."""
+"""A larger share is dangerous: most of the contour stays as it is. petrakov-2025 measures 45 % of its contour."""
 
 
 def examine_coverage(deviation: Deviation, profile: Profile, filter: Filter) -> tuple[Finding, ...]:
@@ -42,29 +36,28 @@ def examine_coverage(deviation: Deviation, profile: Profile, filter: Filter) -> 
     tuple of Finding
         At most one, with the worst contour.
     """
-    worst: tuple[float, str] | None = None
-    for contour in np.unique(deviation.contour):
-        length = float(profile.total[contour])
-        s = np.unique(np.round(deviation.s[deviation.contour == contour] % length, 6))
-        if profile.contours[contour].closed:
-            begin, gaps = s, np.append(np.diff(s), s[0] + length - s[-1])
-        else:
-            # An end speaks for itself: what is beyond the outermost points was not measured either.
-            s = np.unique(np.round(deviation.s[deviation.contour == contour], 6))
-            begin, gaps = np.append(0.0, s), np.diff(s, prepend=0.0, append=length)
-        reach = 0.0 if np.isnan(filter.cutoff) else 0.5 * filter.cutoff
-        least = float(np.clip(max(GAP * np.median(gaps), reach), LEAST * length, MOST * length))
-        wide = gaps > least
-        share = float(gaps[wide].sum()) / length
-        if share <= NOTICEABLE or (worst is not None and share <= worst[0]):
-            continue
-        at = int(np.argmax(gaps))
-        ends, _ = profile.at(np.full(2, contour), np.array([begin[at], (begin[at] + gaps[at]) % length]))
-        (x0, y0), (x1, y1) = ends
-        text = (
-            f"{100 * share:.0f} % of the contour of {length:.4g} mm has no usable point ({int(wide.sum())} "
-            f"{'gap' if wide.sum() == 1 else 'gaps'}, the longest {gaps[at]:.4g} mm from X{x0:.3f} Y{y0:.3f} to "
-            f"X{x1:.3f} Y{y1:.3f}): the correction there would be invented; measure there too"
-        )
-        worst = share, text
-    return () if worst is None else (Finding("unmeasured", worst[1], worst[0] > UNMEASURED),)
+    gaps = wide_gaps(deviation, profile, filter.cutoff)
+    share = np.zeros(len(profile.contours))
+    np.add.at(share, [gap.contour for gap in gaps], [gap.length for gap in gaps])
+    share /= profile.total
+    worst = int(np.argmax(share))
+    if share[worst] <= NOTICEABLE:
+        return ()
+    there = [gap for gap in gaps if gap.contour == worst]
+    gap = max(there, key=lambda g: g.length)
+    ends = np.array([gap.begin, gap.begin + gap.length])
+    length = float(profile.total[worst])
+    if profile.contours[worst].closed:
+        ends %= length
+    (x0, y0), (x1, y1) = profile.at(np.full(2, worst), ends)[0]
+    then = (
+        f"runs out within {gap.reach:.3g} mm of the points and leaves the rest as it is"
+        if gap.between
+        else "holds its last value to the end of the contour"
+    )
+    text = (
+        f"{100 * share[worst]:.0f} % of the contour of {length:.4g} mm has no usable point ({len(there)} "
+        f"{'gap' if len(there) == 1 else 'gaps'}, the longest {gap.length:.4g} mm from X{x0:.3f} Y{y0:.3f} to "
+        f"X{x1:.3f} Y{y1:.3f}): the correction {then}; measure there too"
+    )
+    return (Finding("unmeasured", text, bool(share[worst] > UNMEASURED)),)

@@ -56,6 +56,46 @@ def test_points_on_a_small_part_of_the_contour_are_dangerous() -> None:
     assert distrust.examine_coverage(deviations(changed(PLAIN), NOMINAL), NOMINAL, Filter.parse("auto")) == ()
 
 
+def half_measured(part: Measurement) -> Measurement:
+    rows = np.flatnonzero(part.points[:, 0] < 50.0)
+    return replace(part, points=part.points[rows].copy(), lines=part.lines[rows])
+
+
+def on_the_other_half() -> np.ndarray:
+    """Arc lengths 6 mm and more from the half with points; half of 5 % of 224 mm is bridged from either side."""
+    s = np.arange(0.0, 224.0, 0.5)
+    from_points, _ = NOMINAL.at(0, s)
+    return s[from_points[:, 0] > 57.0]
+
+
+def test_where_nothing_was_measured_nothing_is_corrected() -> None:
+    result = correct(half_measured(noisy(1)))
+    assert any("leaves the rest as it is" in w for w in result.warnings)
+    assert not any("straight across" in w for w in result.warnings)
+    d, s = result.deviation, on_the_other_half()
+    at_points = result.correction.at(d.stretch, d.s, result.nominal)
+    np.testing.assert_allclose(at_points, result.commanded - d.value, atol=2e-5)
+    np.testing.assert_allclose(result.correction.at(np.zeros(len(s), dtype=int), s, result.nominal), 0.0, atol=1e-6)
+    # It runs out on 5.6 mm from 15 um at most: a smooth step is at most 1.5 times as steep as a straight line.
+    (course,) = result.correction.courses
+    gap = np.linspace(*NOMINAL.total * [0.0, 1.0], 4001)
+    outside = NOMINAL.at(0, gap)[0][:, 0] > 50.5
+    assert np.abs(course(gap[outside])[1]).max() < 1.6 * 0.018 / 5.6
+
+
+def test_where_nothing_was_measured_an_earlier_correction_stays() -> None:
+    whole = correct(measured(NOMINAL, wave))
+    program = gcode.parse(whole.text, "second.nc")
+    left = measured(NOMINAL, lambda k, s: 0.004 * np.cos(4 * np.pi * s / NOMINAL.total[0]))
+    result = correct(half_measured(left), program=program)
+    s = on_the_other_half()
+    number = np.zeros(len(s), dtype=int)
+    before = whole.correction.at(number, s, whole.nominal)
+    assert np.abs(before).max() > 0.01
+    # The program carries its correction to the tolerance of its moves.
+    np.testing.assert_allclose(result.correction.at(number, s, result.nominal), before, atol=0.001)
+
+
 def test_a_part_of_the_earlier_program_is_refused() -> None:
     program = gcode.parse(correct(noisy(1)).text, "second.nc")
     with pytest.raises(DistrustError, match="--accept earlier-program"):
