@@ -49,8 +49,12 @@ def parser() -> argparse.ArgumentParser:
     out = _Parser(prog="millcorr", description="Correct milling toolpaths from measured parts.", allow_abbrev=False)
     out.add_argument("--version", action="version", version=f"millcorr {__version__}")
     verbs = out.add_subparsers(required=True, metavar="VERB", dest="verb", parser_class=_Verb)
+
+    def add(name: str, text: str) -> argparse.ArgumentParser:
+        return verbs.add_parser(name, help=text, description=text.capitalize() + ".", allow_abbrev=False)
+
     for name, text in (("correct", "write a corrected program or document"), ("check", "deviations and report only")):
-        verb = verbs.add_parser(name, help=text, description=text.capitalize() + ".", allow_abbrev=False)
+        verb = add(name, text)
         _add_inputs(verb)
         if name == "correct":
             _add_outputs(verb)
@@ -59,36 +63,29 @@ def parser() -> argparse.ArgumentParser:
             listed = "list every point: as measured, contact point, slope, error"
             verb.add_argument("--table", action="store_true", help=listed)
         verb.add_argument("--report", metavar="DIR", type=Path, help="write report.html, .json, .csv there")
-        verb.add_argument("--debug", action="store_true", help="show the traceback of an error")
-    first = "program of a first cut, which leaves a part of the allowance"
-    split = verbs.add_parser("split", help=first, description=first.capitalize() + ".", allow_abbrev=False)
-    _add_split(split)
+    _add_split(add("split", "program of a first cut, which leaves a part of the allowance"))
     model = "cut a program in the model: forces, deflections and the error to expect, as plots and an animation"
-    simulate = verbs.add_parser("simulate", help=model, description=model.capitalize() + ".", allow_abbrev=False)
-    _add_simulate(simulate)
-    measuring = "program that measures the contour on the machine"
-    probe = verbs.add_parser("probe", help=measuring, description=measuring.capitalize() + ".", allow_abbrev=False)
-    _add_probe(probe)
-    inspect = verbs.add_parser("inspect", help="what a measured file holds", allow_abbrev=False)
-    convert = verbs.add_parser("convert", help="measured file to text x,y,z[,i,j,k]", allow_abbrev=False)
+    _add_simulate(add("simulate", model))
+    _add_probe(add("probe", "program that measures the contour on the machine"))
+    inspect = add("inspect", "what a measured file holds")
+    convert = add("convert", "measured file to text x,y,z[,i,j,k]")
     convert.add_argument("--output", "-o", metavar="POINTS.csv", type=Path, required=True, help="file to write")
-    batch = verbs.add_parser("batch", help="many commands from one file, in parallel", allow_abbrev=False)
-    batch.add_argument("batch", metavar="BATCH.toml", type=Path, help="jobs to run")
-    batch.add_argument("--jobs", metavar="N", type=int, help="so many at a time (default: one a processor)")
-    batch.add_argument("--dask", metavar="ADDRESS", help="scheduler of dask.distributed whose workers run the jobs")
-    batch.add_argument("--again", action="store_true", help="also run what an earlier run has done")
-    batch.add_argument("--debug", action="store_true", help="show the traceback of an error")
-    history = verbs.add_parser("history", help="what a journal of a series holds", allow_abbrev=False)
-    only = "journal of a series (default: the only one in this directory)"
-    history.add_argument("journal", metavar="JOURNAL", type=Path, nargs="?", help=only)
-    history.add_argument("--csv", metavar="FILE", type=Path, help="write every entry there")
-    history.add_argument("--report", metavar="DIR", type=Path, help="write history.html and history.csv there")
-    history.add_argument("--debug", action="store_true", help="show the traceback of an error")
     for verb in (inspect, convert):
         verb.add_argument("measured", metavar="FILE", type=Path, help="measured file")
         _add_measurement(verb)
+    _add_batch(add("batch", "many commands from one file, in parallel"))
+    _add_history(add("history", "what a journal of a series holds"))
+    for verb in verbs.choices.values():
         verb.add_argument("--debug", action="store_true", help="show the traceback of an error")
     return out
+
+
+def _add_source(verb: argparse.ArgumentParser, what: str, *, required: bool = True) -> None:
+    """What is cut: a program, which is called `what`, or an operation of a document."""
+    source = verb.add_mutually_exclusive_group(required=required)
+    source.add_argument("--program", metavar="PART.nc", type=Path, help=what)
+    source.add_argument("--document", metavar="JOB.FCStd", type=Path, help="FreeCAD document with a job")
+    verb.add_argument("--operation", metavar="LABEL", help="operation of the document (the only one by default)")
 
 
 def _add_measurement(verb: argparse.ArgumentParser) -> None:
@@ -109,10 +106,7 @@ def _add_measurement(verb: argparse.ArgumentParser) -> None:
 
 
 def _add_inputs(verb: argparse.ArgumentParser) -> None:
-    source = verb.add_mutually_exclusive_group(required=True)
-    source.add_argument("--program", metavar="PART.nc", type=Path, help="NC program to correct")
-    source.add_argument("--document", metavar="JOB.FCStd", type=Path, help="FreeCAD document with a job")
-    verb.add_argument("--operation", metavar="LABEL", help="operation of the document (the only one by default)")
+    _add_source(verb, "NC program to correct")
     several = "measured points; given several times, the deviations of the parts are averaged"
     verb.add_argument("--measured", metavar="FILE", type=Path, action="append", default=[], help=several)
     _add_measurement(verb)
@@ -163,14 +157,10 @@ def _add_split(verb: argparse.ArgumentParser) -> None:
     axis = "keep the other coordinate of an open contour's ends, as the program has it"
     verb.add_argument("--depth-along", choices=("normal", "x", "y"), default="normal", help=axis)
     _add_path(verb)
-    verb.add_argument("--debug", action="store_true", help="show the traceback of an error")
 
 
 def _add_simulate(verb: argparse.ArgumentParser) -> None:
-    source = verb.add_mutually_exclusive_group(required=True)
-    source.add_argument("--program", metavar="PART.nc", type=Path, help="NC program")
-    source.add_argument("--document", metavar="JOB.FCStd", type=Path, help="FreeCAD document with a job")
-    verb.add_argument("--operation", metavar="LABEL", help="operation of the document (the only one by default)")
+    _add_source(verb, "NC program")
     what = "tool, material, machine and stock"
     verb.add_argument("--setup", metavar="SETUP.toml", type=Path, required=True, help=what)
     verb.add_argument("--report", metavar="DIR", type=Path, required=True, help="directory for plots, table, animation")
@@ -191,23 +181,13 @@ def _add_simulate(verb: argparse.ArgumentParser) -> None:
     key = "key of [machine] to identify; give several (default: times and gain that the setup does not state)"
     verb.add_argument("--identify", metavar="KEY", choices=MACHINE_KEYS, action="append", default=[], help=key)
     _add_path(verb)
-    verb.add_argument("--debug", action="store_true", help="show the traceback of an error")
 
 
 def _add_probe(verb: argparse.ArgumentParser) -> None:
-    source = verb.add_mutually_exclusive_group()
-    source.add_argument("--program", metavar="PART.nc", type=Path, help="program that cuts the contour")
-    source.add_argument("--document", metavar="JOB.FCStd", type=Path, help="FreeCAD document with a job")
-    verb.add_argument("--operation", metavar="LABEL", help="operation of the document (the only one by default)")
+    _add_source(verb, "program that cuts the contour", required=False)
     verb.add_argument("--nominal", metavar="FILE", help="profile to measure, with a program or without")
     verb.add_argument("--tool-diameter", metavar="MM", type=float, help="cutter diameter, with --program")
-    verb.add_argument("--side", choices=("left", "right", "auto"), default="auto", help="cutter's side of the contour")
-    verb.add_argument(
-        "--cutter-compensation",
-        choices=("contour", "wear"),
-        default="contour",
-        help="what a program with G41/G42 gives: the contour, or the centre path",
-    )
+    _add_side(verb)
     verb.add_argument("--probe-radius", metavar="MM", type=float, required=True, help="effective radius of the ball")
     verb.add_argument("--dialect", metavar="NAME", required=True, help="control: linuxcnc, grbl, fanuc, haas, …")
     verb.add_argument("--output", metavar="PROBE.nc", type=Path, required=True, help="measuring program")
@@ -232,11 +212,10 @@ def _add_probe(verb: argparse.ArgumentParser) -> None:
         verb.add_argument(f"--{name}", metavar="MM", type=float, default=default, help=text)
     verb.add_argument("--tool", metavar="N", type=int, help="number of the probe in the magazine")
     verb.add_argument("--log", metavar="NAME", help="name of the file that the control writes")
-    verb.add_argument("--debug", action="store_true", help="show the traceback of an error")
 
 
-def _add_path(verb: argparse.ArgumentParser) -> None:
-    """How a program's path is understood and written."""
+def _add_side(verb: argparse.ArgumentParser) -> None:
+    """How a program's path is understood."""
     verb.add_argument("--side", choices=("left", "right", "auto"), default="auto", help="cutter's side of the contour")
     verb.add_argument(
         "--cutter-compensation",
@@ -244,6 +223,11 @@ def _add_path(verb: argparse.ArgumentParser) -> None:
         default="contour",
         help="what a program with G41/G42 gives: the contour, or the centre path",
     )
+
+
+def _add_path(verb: argparse.ArgumentParser) -> None:
+    """How a program's path is understood and written."""
+    _add_side(verb)
     verb.add_argument("--tolerance", type=float, default=0.001, metavar="MM", help="largest path error")
     verb.add_argument(
         "--output-moves", choices=("keep", "lines", "arcs", "nurbs"), default="keep", help="kinds of move to write"
@@ -270,3 +254,17 @@ def _add_series(verb: argparse.ArgumentParser) -> None:
 def _add_outputs(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("--output", metavar="OUT", type=Path, required=True, help="corrected program or document")
     verb.add_argument("--gcode", metavar="OUT.nc", type=Path, help="posted program of a corrected document")
+
+
+def _add_batch(verb: argparse.ArgumentParser) -> None:
+    verb.add_argument("batch", metavar="BATCH.toml", type=Path, help="jobs to run")
+    verb.add_argument("--jobs", metavar="N", type=int, help="so many at a time (default: one a processor)")
+    verb.add_argument("--dask", metavar="ADDRESS", help="scheduler of dask.distributed whose workers run the jobs")
+    verb.add_argument("--again", action="store_true", help="also run what an earlier run has done")
+
+
+def _add_history(verb: argparse.ArgumentParser) -> None:
+    only = "journal of a series (default: the only one in this directory)"
+    verb.add_argument("journal", metavar="JOURNAL", type=Path, nargs="?", help=only)
+    verb.add_argument("--csv", metavar="FILE", type=Path, help="write every entry there")
+    verb.add_argument("--report", metavar="DIR", type=Path, help="write history.html and history.csv there")
