@@ -30,6 +30,7 @@ def correct(
     *,
     tool_diameter: float | None = None,
     nominal: str | None = None,
+    setup: str | Path | None = None,
     output: str | Path | None = None,
     report: str | Path | None = None,
     journal: str | None = None,
@@ -46,6 +47,8 @@ def correct(
         mm.
     nominal : str, optional
         As `millcorr.session.correct_program`.
+    setup : str or Path, optional
+        Tool, material, machine and stock, for the methods that simulate; it may name the tool's diameter.
     output, report : str or Path, optional
         Program to write, and directory for the report.
     journal : str, optional
@@ -75,6 +78,7 @@ def correct(
         output=None if output is None else Path(output),
         report=None if report is None else Path(report),
         settings=settings,
+        setup=None if setup is None else Path(setup),
         journal=journal,
         **series,
     )
@@ -86,12 +90,16 @@ def check(
     *,
     tool_diameter: float | None = None,
     nominal: str | None = None,
+    setup: str | Path | None = None,
     **options: Any,
 ) -> pipeline.Result:
     """The correction itself, as an object; nothing is written. Parameters and errors as `correct`."""
     reading, settings = _said(options)
+    known = None if setup is None else Path(setup)
+    files = _files(measured)
+    session.require_measured(files, known, settings)
     return pipeline.correct(
-        session.program_request(Path(program), _files(measured), reading, nominal, tool_diameter, settings)
+        session.program_request(Path(program), files, reading, nominal, tool_diameter, settings, known)
     )
 
 

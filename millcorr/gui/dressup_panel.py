@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import FreeCADGui
@@ -11,7 +12,7 @@ import FreeCADGui
 from millcorr.app import candidates, correction, draft, dressup
 from millcorr.errors import MillcorrError, RefusedError
 
-from . import picture, picture_properties, preferences
+from . import methods, picture, picture_properties, preferences
 from .figures import COLUMNS, figures_of
 from .hover import Hover
 from .layer import view_of
@@ -22,6 +23,7 @@ from .text import translate
 
 _COMMON = ("Filter", "Align", "Gain", "Limit", "DeadBand")
 _ELSEWHERE = ("Base", "Measurement", "Accept")
+_USUAL = draft.defaults(dressup.PROPERTIES)
 
 
 class DressupPanel(Panel):
@@ -120,12 +122,13 @@ class DressupPanel(Panel):
     def _make_settings(self) -> None:
         rows = {row.name: row for row in dressup.PROPERTIES if row.group in draft.SETTING_GROUPS}
         common = [rows[name] for name in _COMMON]
-        more = [row for row in rows.values() if row.group == "Correction" and row.name not in (*_COMMON, *_ELSEWHERE)]
-        transfer = [row for row in rows.values() if row.group == "Transfer function"]
+        method = [rows[name] for name in ("Method", *methods.NAMES)]
+        elsewhere = (*_COMMON, *_ELSEWHERE, *(row.name for row in method))
+        more = [row for row in rows.values() if row.group == "Correction" and row.name not in elsewhere]
         self.group(translate("Millcorr", "Correction"), common, self._settings_changed)
         self._make_notes()
+        self.group(translate("Millcorr", "Method"), method, self._settings_changed)
         self.more = self.group(translate("Millcorr", "More settings"), more, self._settings_changed, folded=True)
-        self.transfer = self.group(translate("Millcorr", "Transfer function"), transfer, self._settings_changed)
         shown = [row for row in picture_properties.PROPERTIES if row.name != "ShowPicture"]
         self.group(translate("Millcorr", "Picture"), shown, self._look_changed, folded=True)
         self._offer_objects()
@@ -134,7 +137,7 @@ class DressupPanel(Panel):
         for name, field in self.fields.items():
             owner = self.draft if name in self.draft.__dict__ else self.look
             field.show_value(owner.value(name))
-        self.transfer.setVisible(self.draft.value("Method") == "transfer")
+        methods.show(self.fields, self.draft.value("Method"))
 
     def _offer_objects(self) -> None:
         measured = candidates.measurements(self.document)
@@ -150,7 +153,7 @@ class DressupPanel(Panel):
             if name not in self.draft.__dict__:
                 continue
             try:
-                self.draft.change(name, field.value)
+                self.draft.change(name, self._counted(name, field))
             except ValueError:
                 self.changed()
                 self._pause.stop()
@@ -158,8 +161,15 @@ class DressupPanel(Panel):
                 self.wrong = translate("Millcorr", "not a number")
                 field.complain(self.wrong)
                 return
-        self.transfer.setVisible(self.draft.value("Method") == "transfer")
+        methods.show(self.fields, self.draft.value("Method"))
         self.changed()
+
+    def _counted(self, name: str, field: Any) -> Any:
+        """What a field says; what belongs to another method counts for nothing, and a file must be named for good."""
+        if not methods.counts(name, self.fields["Method"].value):
+            return _USUAL[name]
+        value = field.value
+        return str(Path(value).expanduser().resolve()) if name == "Setup" and value else value
 
     def _look_changed(self) -> None:
         for name, field in self.fields.items():
@@ -182,12 +192,16 @@ class DressupPanel(Panel):
         if field is None:
             return
         if value is None:
-            if name not in (*_COMMON, *_ELSEWHERE):
-                self.more.setChecked(True)
+            self._unfold(name)
             field.widget.setFocus()
             return
         field.show_value(value)
         self._settings_changed()
+
+    def _unfold(self, name: str) -> None:
+        """Open the box that a field is folded into."""
+        if name not in (*_COMMON, *_ELSEWHERE, "Method", *methods.NAMES):
+            self.more.setChecked(True)
 
     def accept_finding(self, name: str) -> None:
         """Take a finding for right as it is."""
@@ -241,8 +255,7 @@ class DressupPanel(Panel):
         if field is not None and not name:
             self.say("")
             field.complain(worded(text))
-            if field.name not in (*_COMMON, *_ELSEWHERE):
-                self.more.setChecked(True)
+            self._unfold(field.name)
             return
         self.say(worded(text), "wrong")
         for remedy in remedies_in(text):
@@ -260,6 +273,9 @@ class DressupPanel(Panel):
 
     def _field_at_fault(self, text: str) -> Any:
         """Field of the setting that is wrong in itself; None where the trouble lies elsewhere."""
+        wrong = methods.at_fault(text, self.draft.value("Method"), self.draft.value("Setup"))
+        if wrong:
+            return self.fields[wrong]
         try:
             correction.settings_of(self.draft)
         except MillcorrError:
@@ -268,9 +284,8 @@ class DressupPanel(Panel):
         return None
 
     def _alone_wrong(self, name: str) -> bool:
-        usual = draft.defaults(dressup.PROPERTIES)
         try:
-            correction.settings_of(draft.Draft("", usual | {name: self.draft.value(name)}))
+            correction.settings_of(draft.Draft("", _USUAL | {name: self.draft.value(name)}))
         except MillcorrError:
             return True
         return False

@@ -27,6 +27,8 @@ CHOICES = {
     "axis": _text("Millcorr", "ball centres that the control shifted along an axis"),
     "mirror": _text("Millcorr", "mirror: take back what was measured"),
     "transfer": _text("Millcorr", "transfer: by how the machine gives way"),
+    "combined": _text("Millcorr", "combined: one or two touches, and a model of the machine"),
+    "predicted": _text("Millcorr", "predicted: by the model alone, before anything is measured"),
     "keep": _text("Millcorr", "as the operation's"),
 }
 """What the values of enumerations mean, where the value alone does not tell."""
@@ -61,6 +63,10 @@ class Field:
         self.note.setWordWrap(True)
         self.note.setProperty("millcorr", "wrong")
         self.note.hide()
+        # Not before the note has its place.
+        self._reveal = QtCore.QTimer(self.note)
+        self._reveal.setSingleShot(True)
+        self._reveal.timeout.connect(self._into_view)
         self._connect(changed)
 
     def _make(self, row: Any) -> Any:
@@ -96,6 +102,16 @@ class Field:
         """Say beside the field what is wrong with it; nothing where the text is empty."""
         self.note.setText(text)
         self.note.setVisible(bool(text))
+        if text:
+            self._reveal.start()
+
+    def _into_view(self) -> None:
+        """Scroll to what is wrong, where the form is longer than its window."""
+        above = self.note.parentWidget()
+        while above is not None and not isinstance(above, QtWidgets.QScrollArea):
+            above = above.parentWidget()
+        if above is not None:
+            above.ensureWidgetVisible(self.note, 0, 8)
 
     def add_to(self, form: Any) -> None:
         """Add label, widget and note to a form layout."""
@@ -301,56 +317,3 @@ class LinksField(Field):
         for k, obj in enumerate(self._objects):
             state = QtCore.Qt.CheckState.Checked if obj.Name in names else QtCore.Qt.CheckState.Unchecked
             self.widget.item(k).setCheckState(state)
-
-
-class FileField(Field):
-    """A file, chosen or typed."""
-
-    def _make(self, row: Any) -> Any:
-        line = QtWidgets.QLineEdit()
-        line.setPlaceholderText(translate("Millcorr", "none"))
-        self._browse = line.addAction(
-            line.style().standardIcon(QtWidgets.QStyle.StandardPixmap.SP_DirOpenIcon),
-            QtWidgets.QLineEdit.ActionPosition.TrailingPosition,
-        )
-        self._browse.setToolTip(translate("Millcorr", "Browse\u2026"))
-        return line
-
-    def _connect(self, changed: Callable[[], None]) -> None:
-        def browse() -> None:
-            chosen, _ = QtWidgets.QFileDialog.getOpenFileName(self.widget, self.label.text(), self.widget.text())
-            if chosen:
-                self.widget.setText(chosen)
-                changed()
-
-        self._browse.triggered.connect(lambda *_: browse())
-        self.widget.editingFinished.connect(lambda: changed())
-
-    def _get(self) -> str:
-        return str(self.widget.text()).strip()
-
-    def _put(self, value: Any) -> None:
-        self.widget.setText(str(value or ""))
-
-
-KINDS: dict[str, type[Field]] = {
-    "Length": NumberField,
-    "Distance": NumberField,
-    "Angle": NumberField,
-    "Float": NumberField,
-    "Integer": IntegerField,
-    "Enumeration": ChoiceField,
-    "String": TextField,
-    "FloatList": ListField,
-    "StringList": ListField,
-    "Bool": SwitchField,
-    "Link": LinkField,
-    "LinkList": LinksField,
-    "FileIncluded": FileField,
-}
-"""Field for each kind of property."""
-
-
-def field_for(row: Any, changed: Callable[[], None]) -> Field:
-    """Field of a property."""
-    return KINDS[row.kind](row, changed)

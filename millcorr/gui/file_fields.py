@@ -10,7 +10,10 @@ from typing import Any
 from . import fields, preferences
 from .fields import Field
 from .qt import QtWidgets
-from .text import translate
+from .text import QT_TRANSLATE_NOOP, translate
+
+KEPT = QT_TRANSLATE_NOOP("Millcorr", "Settings (*.toml);;All files (*)")
+"""Files that a document keeps beside the measured one."""
 
 
 class FileField(Field):
@@ -18,7 +21,7 @@ class FileField(Field):
 
     def _make(self, row: Any) -> Any:
         """A line of text and a button."""
-        self._kinds = row.default or "All files (*)"
+        self._kinds = row.default or (KEPT if row.kind == "FileIncluded" else "All files (*)")
         self._changed: Callable[[], None] = lambda: None
         box = QtWidgets.QWidget()
         layout = QtWidgets.QHBoxLayout(box)
@@ -100,8 +103,3 @@ class DirectoryField(FileField):
         """A directory."""
         chosen = QtWidgets.QFileDialog.getExistingDirectory(parent, title, start)
         return [chosen] if chosen else []
-
-
-fields.KINDS.update(
-    OpenFile=FileField, OpenFiles=FilesField, SaveFile=SaveField, Directory=DirectoryField, FileIncluded=FileField
-)

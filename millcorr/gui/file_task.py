@@ -18,7 +18,6 @@ import FreeCADGui
 
 from millcorr.errors import InputError
 
-from . import file_fields as file_fields
 from . import guide, recorder
 from .panel import Panel
 from .qt import QtCore, QtGui, QtWidgets

@@ -17,7 +17,8 @@ from millcorr.readers import mapping as mappings
 from millcorr.readers.preview import HEAD, Preview, preview
 
 from . import panel, preferences
-from .fields import Field, field_for
+from .field_kinds import field_for
+from .fields import Field
 from .file_preview import FilePreview
 from .fold import Fold
 from .icons import icon
@@ -30,7 +31,7 @@ from .theme import STYLE
 from .worker import Worker
 
 _ASKED = ("Points", "BallRadius", "Unit")
-_MORE = ("Format", "Part", "WorkRotation")
+_MORE = ("Format", "Part", "Probe", "WorkRotation")
 _open: list[Any] = []
 """The dialog that is open: Python must hold on to it."""
 
@@ -221,6 +222,7 @@ class ImportDialog(QtWidgets.QDialog):
             format=value["Format"] or None,
             mapping=None if columns is None else _kept(self.seen, columns),
             part=value["Part"] or None,
+            probe=Path(value["Probe"]).expanduser().resolve() if value["Probe"] else None,
             work_offset=tuple(box.value() for box in self.offset) if self.offset_given.isChecked() else None,
             work_rotation=value["WorkRotation"] or None,
         )

@@ -9,6 +9,8 @@ from typing import Any
 
 from millcorr.settings import Settings
 
+from . import methods
+
 AS_FILE = "as the file says"
 """Choice of a form where the measured file itself tells."""
 
@@ -37,14 +39,12 @@ def setting_options(values: Mapping[str, Any]) -> dict[str, Any]:
     """How to correct, from the values of a form; what is as usual is left out, and what belongs to another method."""
     out = {}
     for name, usual in _DEFAULTS.items():
-        value = values.get(name.title().replace("_", ""))
+        field = name.title().replace("_", "")
+        value = values.get(field) if methods.counts(field, values.get("Method", "mirror")) else None
         value = tuple(value) if isinstance(value, list) else value
         if value is None or value == usual or (usual is None and not value):
             continue
         out[name] = value
-    if out.get("method") != "transfer":
-        for name in ("depth", "next_depth", "depth_along", "transfer_function"):
-            out.pop(name, None)
     return out
 
 

@@ -15,7 +15,8 @@ import FreeCADGui
 
 from millcorr.errors import MillcorrError
 
-from .fields import Field, field_for
+from .field_kinds import field_for
+from .fields import Field
 from .fold import Fold
 from .icons import icon
 from .keys import keep

@@ -10,7 +10,7 @@ from millcorr.app import dressup, measurement_object, programs
 from millcorr.app.properties import QT_TRANSLATE_NOOP, Property
 from millcorr.errors import UsageError
 
-from . import file_task, preferences
+from . import file_task, methods, preferences
 from .figure_table import FigureTable
 from .figures import COLUMNS, figures_of
 from .options import call, reading_options, setting_options
@@ -51,8 +51,8 @@ _MEASURED = (
     *(_ROWS[name] for name in ("Points", "BallRadius", "Unit")),
 )
 _READING = tuple(_ROWS[name] for name in ("Format", "Part", "WorkRotation", "Mapping", "Probe"))
-_CORRECTION = tuple(_ROWS[name] for name in ("Filter", "Align", "Gain", "Limit", "DeadBand", "Method"))
-_TRANSFER = tuple(row for row in dressup.PROPERTIES if row.group == "Transfer function")
+_CORRECTION = tuple(_ROWS[name] for name in ("Filter", "Align", "Gain", "Limit", "DeadBand"))
+_METHOD = tuple(_ROWS[name] for name in ("Method", *methods.NAMES))
 _MORE = (
     *(_ROWS[name] for name in ("Side", "CutterCompensation", "Tolerance", "Accept")),
     Property(
@@ -84,20 +84,20 @@ class CorrectTask(file_task.FileTask):
         self.layout.addWidget(self.table)
         self.notes = QtWidgets.QVBoxLayout()
         self.layout.addLayout(self.notes)
-        self.group(translate("Millcorr", "Correction"), _CORRECTION, self._method_changed)
-        self.transfer = self.group(translate("Millcorr", "Transfer function"), _TRANSFER, self.changed)
+        self.group(translate("Millcorr", "Correction"), _CORRECTION, self.changed)
+        self.group(translate("Millcorr", "Method"), _METHOD, self._method_changed)
         self.group(translate("Millcorr", "More settings"), _MORE, self.changed, folded=True)
         self.group(translate("Millcorr", "What is written"), _WRITTEN, lambda: None)
         self.layout.addStretch()
         for name, value in preferences.form_values().items():
             if name in self.fields:
                 self.fields[name].show_value(value)
-        for row in (*_CORRECTION, *_TRANSFER, *_MORE, *_READING, *_MEASURED, *_PROGRAM):
+        for row in (*_CORRECTION, *_METHOD, *_MORE, *_READING, *_MEASURED, *_PROGRAM):
             usual = row.default[0] if row.kind == "Enumeration" else row.default
             known = row.name in preferences.form_values()
             if usual is not None and not known and row.kind not in ("OpenFile", "OpenFiles", "FileIncluded"):
                 self.fields[row.name].show_value(usual)
-        self.transfer.hide()
+        methods.show(self.fields, self.fields["Method"].value)
 
     def _program_changed(self) -> None:
         if not self.fields["Output"].value:
@@ -105,20 +105,27 @@ class CorrectTask(file_task.FileTask):
         self.changed()
 
     def _method_changed(self) -> None:
-        self.transfer.setVisible(self.fields["Method"].value == "transfer")
+        methods.show(self.fields, self.fields["Method"].value)
         self.changed()
 
     def complete(self) -> bool:
-        """Whether program, tool and measurement are named."""
+        """Whether program, tool and measurement are named, where the method needs them."""
         values = self.values
-        return bool(values["Program"] and values["Measured"] and values["ToolDiameter"])
+        tool = values["ToolDiameter"] or self._setup(values)
+        return bool(values["Program"] and tool and (values["Measured"] or values["Method"] == "predicted"))
+
+    def _setup(self, values: dict[str, Any]) -> str | None:
+        """Path of the setup where the method needs one and it is named."""
+        wanted = values["Setup"] and methods.counts("Setup", values["Method"])
+        return file_task.absolute([values["Setup"]])[0] if wanted else None
 
     def _asked(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
         values = self.values
         program, measured = file_task.absolute([values["Program"]])[0], file_task.absolute(values["Measured"])
         options = reading_options(values) | setting_options(values)
         nominal = file_task.absolute([values["Nominal"]])[0] if values["Nominal"] else None
-        return (program, measured), {"tool_diameter": values["ToolDiameter"], "nominal": nominal, **options}
+        known = {"tool_diameter": values["ToolDiameter"] or None, "nominal": nominal, "setup": self._setup(values)}
+        return (program, measured), known | options
 
     def work(self) -> Callable[[], Any]:
         """Check."""
@@ -140,6 +147,11 @@ class CorrectTask(file_task.FileTask):
         """No figures, and why."""
         self.table.fill(figures_of(None))
         clear(self.notes)
+        wrong = methods.at_fault(text, self.fields["Method"].value, self.fields["Setup"].value)
+        if wrong:
+            self.say("")
+            self.fields[wrong].complain(worded(text))
+            return
         super().show_failure(text)
 
     def job(self) -> file_task.Job:

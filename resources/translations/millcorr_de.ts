@@ -1047,12 +1047,12 @@
         <translation>Korrektur</translation>
     </message>
     <message>
-        <source>More settings</source>
-        <translation>Weitere Einstellungen</translation>
+        <source>Method</source>
+        <translation>Verfahren</translation>
     </message>
     <message>
-        <source>Transfer function</source>
-        <translation>Übertragungsfunktion</translation>
+        <source>More settings</source>
+        <translation>Weitere Einstellungen</translation>
     </message>
     <message>
         <source>Picture</source>
@@ -1091,20 +1091,20 @@
         <translation>Übertragung: danach, wie die Maschine nachgibt</translation>
     </message>
     <message>
+        <source>combined: one or two touches, and a model of the machine</source>
+        <translation>kombiniert: ein oder zwei Antastungen und ein Modell der Maschine</translation>
+    </message>
+    <message>
+        <source>predicted: by the model alone, before anything is measured</source>
+        <translation>vorhergesagt: nach dem Modell allein, bevor etwas gemessen ist</translation>
+    </message>
+    <message>
         <source>as the operation's</source>
         <translation>wie die der Operation</translation>
     </message>
     <message>
         <source>none; several separated by ;</source>
         <translation>keine; mehrere durch ; getrennt</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>Browse…</source>
-        <translation>Durchsuchen…</translation>
     </message>
     <message>
         <source>measured</source>
@@ -1201,6 +1201,10 @@
     <message>
         <source>Each is marked in the picture, with its reason</source>
         <translation>Jeder ist im Bild bezeichnet, mit dem Grund</translation>
+    </message>
+    <message>
+        <source>Settings (*.toml);;All files (*)</source>
+        <translation>Einstellungen (*.toml);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Choose</source>
@@ -1685,6 +1689,10 @@
     <message>
         <source>Standard uncertainty of where the path is put</source>
         <translation>Standardunsicherheit dessen, wohin die Bahn gelegt wird</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Übertragungsfunktion</translation>
     </message>
     <message>
         <source>The machine yields in proportion to what it cuts. From the depth H of the measured part and its error δ follows the transfer function &lt;b&gt;MS = δ / (H − δ)&lt;/b&gt;; the next path commands &lt;b&gt;H · (1 + MS)&lt;/b&gt;, and removes H. That also holds at another depth, where a mirrored error does not.</source>

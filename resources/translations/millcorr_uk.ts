@@ -1047,12 +1047,12 @@
         <translation>Корекція</translation>
     </message>
     <message>
-        <source>More settings</source>
-        <translation>Додаткові налаштування</translation>
+        <source>Method</source>
+        <translation>Метод</translation>
     </message>
     <message>
-        <source>Transfer function</source>
-        <translation>Передавальна функція</translation>
+        <source>More settings</source>
+        <translation>Додаткові налаштування</translation>
     </message>
     <message>
         <source>Picture</source>
@@ -1091,20 +1091,20 @@
         <translation>передача: за тим, як піддається верстат</translation>
     </message>
     <message>
+        <source>combined: one or two touches, and a model of the machine</source>
+        <translation>комбінований: один або два дотики і модель верстата</translation>
+    </message>
+    <message>
+        <source>predicted: by the model alone, before anything is measured</source>
+        <translation>прогноз: лише за моделлю, до будь-яких вимірювань</translation>
+    </message>
+    <message>
         <source>as the operation's</source>
         <translation>як в операції</translation>
     </message>
     <message>
         <source>none; several separated by ;</source>
         <translation>немає; кілька через ;</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>немає</translation>
-    </message>
-    <message>
-        <source>Browse…</source>
-        <translation>Огляд…</translation>
     </message>
     <message>
         <source>measured</source>
@@ -1201,6 +1201,10 @@
     <message>
         <source>Each is marked in the picture, with its reason</source>
         <translation>Кожну позначено на зображенні, з причиною</translation>
+    </message>
+    <message>
+        <source>Settings (*.toml);;All files (*)</source>
+        <translation>Налаштування (*.toml);;Усі файли (*)</translation>
     </message>
     <message>
         <source>Choose</source>
@@ -1685,6 +1689,10 @@
     <message>
         <source>Standard uncertainty of where the path is put</source>
         <translation>Стандартна невизначеність положення траєкторії</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Передавальна функція</translation>
     </message>
     <message>
         <source>The machine yields in proportion to what it cuts. From the depth H of the measured part and its error δ follows the transfer function &lt;b&gt;MS = δ / (H − δ)&lt;/b&gt;; the next path commands &lt;b&gt;H · (1 + MS)&lt;/b&gt;, and removes H. That also holds at another depth, where a mirrored error does not.</source>

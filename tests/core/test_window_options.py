@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import ast
 import io
+import re
 import time
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -13,14 +15,15 @@ import pytest
 
 from millcorr import jobs
 from millcorr.app import programs
-from millcorr.errors import FormatError, UsageError
-from millcorr.gui import batch_run
+from millcorr.errors import FormatError, MillcorrError, UsageError
+from millcorr.gui import batch_run, methods
 from millcorr.gui.figures import NONE
 from millcorr.gui.options import AS_FILE, Expression, call, reading_options, setting_options
+from millcorr.gui.remedies import first_field
 from millcorr.gui.transfer_figures import transfer_figures
 from millcorr.measuring_programs import DIALECTS
 from millcorr.readers import Reading
-from millcorr.settings import Settings
+from millcorr.settings import METHODS, Settings
 
 GUI = Path(batch_run.__file__).parent
 DISC = "G21 G90 G17\nG0 X45 Y0 Z5\nG1 Z-8 F100\nG2 X-45 Y0 I-45 J0 F300\nG2 X45 Y0 I45\nG0 Z5\nM2\n"
@@ -54,6 +57,55 @@ def test_only_unusual_settings_are_said():
     assert Settings(**chosen).depths == (0.4,) and Settings(**chosen).next_depth == 0.2
     # Depths of a method that is no longer chosen do not stop the other one.
     assert "depth" not in setting_options(transfer | {"Method": "mirror"})
+
+
+UNUSUAL = {
+    "Depth": 0.4, "NextDepth": 0.2, "DepthAlong": "x", "TransferFunction": "one", "Allowance": 0.1, "Iterate": 0.01,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_each_method_shows_the_fields_that_the_settings_allow_with_it(method):
+    assert {*UNUSUAL, "Setup"} == set(methods.NAMES)
+    depth = 0.4 if method == "transfer" else ()
+    assert ("Setup" in methods.FIELDS[method]) == Settings(method=method, depth=depth).with_setup
+    for name, value in UNUSUAL.items():
+        said = {"method": method, "depth": depth} | {methods_option(name): value}
+        try:
+            Settings(**said)
+            allowed = True
+        except UsageError as error:
+            assert name == first_field(str(error)), "a refusal of another field"
+            allowed = False
+        assert allowed == (name in methods.FIELDS[method])
+        values = {"Method": method, name: [value] if name in ("Depth", "Allowance") else value}
+        assert (methods_option(name) in setting_options(values)) == allowed
+
+
+def methods_option(name):
+    """Setting of a field: ``NextDepth`` is ``next_depth``."""
+    return re.sub(r"(?<!^)([A-Z])", r"_\1", name).lower()
+
+
+def test_what_a_method_lacks_is_told_beside_its_field(tmp_path):
+    def told(function, method, setup=""):
+        with pytest.raises(MillcorrError) as caught:
+            function()
+        return methods.at_fault(str(caught.value), method, setup)
+
+    assert told(lambda: Settings(method="transfer"), "transfer") == "Depth"
+    assert told(lambda: Settings(method="combined", iterate=-1.0), "combined") == "Iterate"
+    assert told(lambda: Settings(gain=7.0), "mirror") == ""
+    program = tmp_path / "disc.nc"
+    program.write_text(DISC, encoding="utf-8")
+    measured_disc(tmp_path / "cmm.csv", 40.01)
+    check = partial(programs.check, program, tmp_path / "cmm.csv", tool_diameter=10.0, points="contact")
+    assert told(lambda: check(method="combined"), "combined") == "Setup"
+    missing = str(tmp_path / "setup.toml")
+    assert told(lambda: check(method="combined", setup=missing), "combined", missing) == "Setup"
+    Path(missing).write_text("[tool]\ndiameter_mm = -1\n", encoding="utf-8")
+    assert told(lambda: check(method="combined", setup=missing), "combined", missing) == "Setup"
+    assert told(lambda: check(method="transfer", depth=(0.1, 0.2)), "transfer") == "Depth"
 
 
 def test_a_call_is_python_that_says_the_same():

@@ -11,9 +11,11 @@ from PySide import QtCore, QtGui
 sys.path.insert(0, os.environ["MILLCORR_TESTS"])
 
 from window import (
+    SETUP,
     VERSION,
     active,
     check,
+    choose,
     colours,
     equal,
     found,
@@ -189,6 +191,7 @@ def preview(document):
     settled(made)
     check(made.fields["Filter"].note.isVisible(), "no word beside the wrong filter")
     write(made.fields["Filter"].widget.lineEdit(), "auto")
+    methods(made)
     write(made.fields["Limit"].widget.lineEdit(), "0.001")
     settled(made)
     check(made.message.isVisible() and "0.001" in made.message.text(), f"refusal: {made.message.text()!r}")
@@ -199,6 +202,32 @@ def preview(document):
     wait(300)
     equal([len(document.Objects), document.UndoCount], state, "document after Cancel")
     pictures("cancelled", False)
+
+
+def methods(made):
+    """A method's fields are there where it needs them; what is missing is told beside them, and counts for it alone."""
+    choose(made, "transfer")
+    settled(made)
+    check(made.fields["Depth"].note.isVisible(), f"no word beside the depth that is missing: {made.wrong}")
+    check(not made.fields["Setup"].widget.isVisible(), "transfer asks for a setup")
+    write(made.fields["Depth"].widget, "0,4")
+    settled(made)
+    equal([made.wrong, made.draft.Depth], ["", [0.4]], "transfer")
+    choose(made, "combined")
+    settled(made)
+    check(made.fields["Setup"].note.isVisible(), f"no word beside the setup that is missing: {made.wrong}")
+    shot("panel-setup-asked")
+    check(not made.fields["Setup"].note.visibleRegion().isEmpty(), "what is missing is out of sight")
+    with open(path("setup.toml"), "w", encoding="utf-8") as stream:
+        stream.write(SETUP)
+    write(made.fields["Setup"].line, path("setup.toml"))
+    settled(made)
+    equal(made.wrong, "", "combined")
+    check(not made.fields["Setup"].note.isVisible(), "the word stays beside the setup")
+    shot("panel-combined")
+    choose(made, "mirror")
+    settled(made)
+    equal([made.wrong, made.draft.Depth, made.draft.Setup], ["", [], ""], "mirror after transfer")
 
 
 def picked(made):

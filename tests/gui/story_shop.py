@@ -12,8 +12,10 @@ from PySide import QtCore, QtGui
 sys.path.insert(0, os.environ["MILLCORR_TESTS"])
 
 from window import (
+    SETUP,
     active,
     check,
+    choose,
     equal,
     found,
     path,
@@ -30,6 +32,7 @@ from window import (
     window,
 )
 
+METHOD_FIELDS = ("Setup", "Iterate", "Depth", "NextDepth", "DepthAlong", "TransferFunction", "Allowance")
 recorded = []
 
 
@@ -86,6 +89,7 @@ def program_file():
     check(written, f"nothing written: {task.wrong}")
     check(any("programs.correct" in line for line in recorded), "the program's correction is not recorded")
     shot("program-written")
+    by_model(task, here)
     child(here, "Help", QtGui.QPushButton).click()
     wait(500)
     guide = dialog("Guide")
@@ -94,6 +98,33 @@ def program_file():
     guide.close()
     here.close()
     wait(200)
+
+
+def by_model(task, here):
+    """Each method shows the fields that it needs, and says beside them what is missing."""
+    shown = {}
+    for method in ("mirror", "transfer", "combined", "predicted"):
+        choose(task, method)
+        shown[method] = [name for name in METHOD_FIELDS if task.fields[name].widget.isVisible()]
+    equal(shown["mirror"], ["Allowance"], "fields of mirror")
+    equal(shown["transfer"], ["Depth", "NextDepth", "DepthAlong", "TransferFunction", "Allowance"], "of transfer")
+    equal(shown["combined"], ["Setup", "Iterate", "Depth", "Allowance"], "fields of combined")
+    equal(shown["predicted"], ["Setup", "Iterate"], "fields of predicted")
+    choose(task, "combined")
+    until(lambda: not task.busy, "combined without a setup")
+    check(task.fields["Setup"].note.isVisible(), f"no word beside the setup that is missing: {task.wrong}")
+    shot("program-combined-asked")
+    with open(path("setup.toml"), "w", encoding="utf-8") as stream:
+        stream.write(SETUP)
+    put(task, Setup=path("setup.toml"), Output=path("demo-combined.nc"), Report="")
+    until(lambda: not task.busy, "combined", 120)
+    equal(task.wrong, "", "what is wrong with the combined method")
+    check(not task.fields["Setup"].note.isVisible(), "the word stays beside the setup")
+    child(here, "Write", QtGui.QPushButton).click()
+    until(lambda: not task.writing, "writing by the combined method", 120)
+    check(os.path.exists(path("demo-combined.nc")), f"nothing written: {task.wrong}")
+    check(any("method='combined'" in line and "setup.toml" in line for line in recorded), "the setup is not recorded")
+    shot("program-combined")
 
 
 def measuring(document):
@@ -183,30 +214,7 @@ def transfer(document, obj):
     equal(obj.Method, "mirror", "method after undo")
 
 
-SETUP = """
-[tool]
-diameter_mm = 10.0
-flutes = 4
-spindle_rpm = 6000.0
-youngs_modulus_gpa = 600.0
-overhang_mm = 40.0
-[material]
-name = "steel"
-ktc_n_per_mm2 = 1800.0
-krc_n_per_mm2 = 600.0
-origin = "textbook values"
-[machine]
-kx_n_per_mm = 1500.0
-ky_n_per_mm = 2500.0
-[stock]
-allowance_mm = 0.5
-axial_depth_mm = 12.0
-"""
-
-
 def simulate(document):
-    with open(path("setup.toml"), "w", encoding="utf-8") as stream:
-        stream.write(SETUP)
     select(document.getObject("Profile"))
     check(active("Millcorr_Simulate"), tooltip("Millcorr_Simulate"))
     FreeCADGui.runCommand("Millcorr_Simulate", 0)
@@ -371,7 +379,10 @@ def preferences():
 
 def leave_lines():
     """For a FreeCAD without a window to run again; a journal would refuse the same part."""
-    files = {name: open(path(name), encoding="utf-8").read() for name in ("demo-corrected.nc", "probe.ngc")}
+    files = {
+        name: open(path(name), encoding="utf-8").read()
+        for name in ("demo-corrected.nc", "demo-combined.nc", "probe.ngc")
+    }
     lines = [line for line in recorded if "jobs.run" not in line]
     with open(path("shop.json"), "w", encoding="utf-8") as stream:
         json.dump({"lines": lines, "files": files}, stream)

@@ -19,6 +19,27 @@ WORK = os.environ["MILLCORR_WORK"]
 SHOTS = os.environ["MILLCORR_SHOTS"]
 STORY = os.environ["MILLCORR_STORY"]
 VERSION = ".".join(FreeCAD.Version()[:2])
+SETUP = """
+[tool]
+diameter_mm = 10.0
+flutes = 4
+spindle_rpm = 6000.0
+youngs_modulus_gpa = 600.0
+overhang_mm = 40.0
+[material]
+name = "steel"
+ktc_n_per_mm2 = 1800.0
+krc_n_per_mm2 = 600.0
+origin = "textbook values"
+[machine]
+kx_n_per_mm = 1500.0
+ky_n_per_mm = 2500.0
+[stock]
+allowance_mm = 0.5
+axial_depth_mm = 12.0
+"""
+"""A setup of the demonstration's cutter."""
+
 found = {"version": VERSION, "wrong": [], "figures": {}}
 
 
@@ -145,6 +166,13 @@ def write(widget, text):
     for character in text:
         press(widget, QtCore.Qt.Key.Key_A, text=character)
     press(widget, QtCore.Qt.Key.Key_Return, text="\r")
+
+
+def choose(panel, method):
+    """Choose a method in a form, as a user does."""
+    box = panel.fields["Method"].widget
+    box.setCurrentIndex(box.findData(method))
+    wait(50)
 
 
 def select(*objects):
