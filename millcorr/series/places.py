@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from millcorr.compensation import Correction, Course, correction_from
 from millcorr.deviation import Deviation
+from millcorr.errors import InputError
 from millcorr.profile import Profile, Stretch
 
 Floats = NDArray[np.float64]
@@ -126,4 +127,29 @@ class Places:
             and abs(a.begin - b.begin) < SAME
             and abs(a.length - b.length) < SAME
             for a, b in zip(self.stretches, other.stretches, strict=True)
+        )
+
+
+def field_in_text(places: Places, value: Floats) -> str:
+    """A field through values at the places, (n,) mm, as text; see `field_of_text`."""
+    return json.dumps({"places": json.loads(places.text()), "value": value.tolist()})
+
+
+def field_of_text(text: str) -> Correction:
+    """The field of a text of `field_in_text`.
+
+    Raises
+    ------
+    InputError
+        If the text is none.
+    """
+    try:
+        read = json.loads(text)
+        places, value = Places.from_text(json.dumps(read["places"])), np.array(read["value"], dtype=np.float64)
+        if value.shape != (len(places),) or not np.isfinite(value).all():
+            raise ValueError("values and places do not belong together")
+        return places.field(value)
+    except (ValueError, TypeError, LookupError) as error:
+        raise InputError(f"the smoothed deviation of a series is damaged ({error}): correct from the part again") from (
+            error
         )

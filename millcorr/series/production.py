@@ -30,7 +30,7 @@ from millcorr.verification import verify
 from . import history, process_control, trend
 from . import journal as journals
 from .journal import Chain, Entry, Journal
-from .places import Places
+from .places import Places, field_in_text
 from .process_control import Control, Decision
 
 Floats = NDArray[np.float64]
@@ -103,29 +103,81 @@ def control_from(kind: str | None, dead_band: float, *, journal: bool, **limits:
     return Control(Control.parse(kind), dead_band=dead_band, **rules)
 
 
-@contextmanager
-def corrected(
-    request: Request, output: Path, journal: Path, control: Control | None = None, *, time: str | None = None
-) -> Iterator[Outcome]:
-    """Judge a part, and have its entry and its program appear together.
+@dataclass(frozen=True, eq=False, slots=True)
+class Judged:
+    """What a part leads to, before its program is written; the journal is held.
 
-    The journal is held from the decision until the body has ended; the part itself is worked out before.
+    Parameters
+    ----------
+    result : Result
+        With the program for the next part as its text, and what the series shows among its warnings.
+    decision : Decision or None
+        None without process control.
+    notes : tuple of str
+        For the top of the report.
+    smoothed : str
+        The smoothed deviation that the result takes out in place of the part's own, see `places.field_in_text`; ''
+        where it takes out that.
+    """
+
+    result: Result
+    decision: Decision | None
+    notes: tuple[str, ...]
+    smoothed: str
+    _book: Journal
+    _chain: Chain
+    _entry: Entry
+
+    @property
+    def corrected(self) -> bool:
+        """False where the next part is cut with the very bytes of this part's program."""
+        return self.result.text != self.result.request.program.data
+
+    @contextmanager
+    def entered(self, output: Path, digest: str) -> Iterator[int]:
+        """Have the part's entry appear together with its output, which the body writes.
+
+        Parameters
+        ----------
+        output : Path
+        digest : str
+            SHA-256 of what will be there: that of the part's own file where it is not corrected.
+
+        Yields
+        ------
+        int
+            Number of the part.
+        """
+        with self._book.entered(self._chain, replace(self._entry, after=(str(output), digest))) as part:
+            yield part
+
+
+@contextmanager
+def judged(
+    request: Request,
+    journal: Path,
+    control: Control | None = None,
+    *,
+    before: tuple[str, str] | None = None,
+    time: str | None = None,
+) -> Iterator[Judged]:
+    """Judge a part; the journal is held until the body has ended, the part itself is worked out before.
 
     Parameters
     ----------
     request : Request
         With a measurement. ``settings.accept`` may name `process_control.ACCEPTED`.
-    output : Path
-        Where the body writes ``outcome.result.text``.
     journal : Path
     control : Control, optional
         Without, every part is corrected as the settings say.
+    before : (name, digest), optional
+        File that the part was cut with, and its SHA-256, where that is not the program itself.
     time : str, optional
         UTC time of the entry; now by default.
 
     Yields
     ------
-    Outcome
+    Judged
 
     Raises
     ------
@@ -148,27 +200,50 @@ def corrected(
     seen = places.sampled(own.nominal, own.deviation, own.filtered)
     commanded = places.sampled(own.nominal, own.deviation, own.commanded)
     program = request.program
+    source = before or (PurePath(program.name).name, program.digest)
     marks = provenance.marks(program.comments())
     carried = tuple(digest for mark in marks for digest in mark.measured)
     first = marks[-1].source if marks else program.digest[:16]
     measured = tuple((PurePath(m.source).name, m.fingerprint) for m in request.measurements)
     with journals.held(journal) as book:
         book.refuse_second_use(first, measured)
-        chain = book.chain(first) or Chain(first, PurePath(program.name).name, carried, places)
-        _refuse_other(chain, request, carried, places, book)
+        chain = book.chain(first) or Chain(first, source[0], carried, places)
+        _refuse_other(chain, source[0] if before else program.name, carried, places, book)
         decision: Decision | None = None
-        result = own
+        result, smoothed = own, ""
         if control is not None:
             decision = process_control.decide(chain.state, seen, control, uncorrected=not marks, accepted=accepted)
             if decision.kind == "smoothed":
                 result = pipeline.correct(replace(request, smoothed=places.field(decision.smoothed)))
+                smoothed = field_in_text(places, decision.smoothed)
             elif decision.kind == "keep":
                 result = unchanged(own, places.field(np.nan_to_num(commanded)) if marks else None)
             _refuse_steps(control, result, bool(marks))
-        entry = _entry(result, own, decision, control, (seen, commanded), places, output, measured, time)
+        entry = _entry(result, own, decision, control, (seen, commanded), places, source, measured, time)
         result, notes = _told(result, entry, chain, decision)
-        with book.entered(chain, entry) as part:
-            yield Outcome(result, part, decision, notes)
+        yield Judged(result, decision, notes, smoothed, book, chain, entry)
+
+
+@contextmanager
+def corrected(
+    request: Request, output: Path, journal: Path, control: Control | None = None, *, time: str | None = None
+) -> Iterator[Outcome]:
+    """Judge a part, and have its entry and its program appear together.
+
+    Parameters
+    ----------
+    output : Path
+        Where the body writes ``outcome.result.text``.
+    request, journal, control, time
+        As in `judged`, whose errors it raises.
+
+    Yields
+    ------
+    Outcome
+    """
+    with judged(request, journal, control, time=time) as part:
+        with part.entered(output, hashlib.sha256(part.result.text).hexdigest()) as number:
+            yield Outcome(part.result, number, part.decision, part.notes)
 
 
 def unchanged(result: Result, in_force: Correction | None) -> Result:
@@ -208,9 +283,8 @@ def unchanged(result: Result, in_force: Correction | None) -> Result:
     )
 
 
-def _refuse_other(chain: Chain, request: Request, carried: tuple[str, ...], places: Places, book: Journal) -> None:
+def _refuse_other(chain: Chain, name: str, carried: tuple[str, ...], places: Places, book: Journal) -> None:
     """InputError where the program or the nominal is not that of the chain's last entry."""
-    name = request.program.name
     missing = [digest for digest in chain.applied if digest not in carried]
     if missing:
         entry = next(e for e in chain.entries if any(f[:16] in missing for _, f in e.measurements))
@@ -265,7 +339,7 @@ def _entry(
     control: Control | None,
     fields: tuple[Floats, Floats],
     places: Places,
-    output: Path,
+    source: tuple[str, str],
     measured: tuple[tuple[str, str], ...],
     time: str | None,
 ) -> Entry:
@@ -288,11 +362,10 @@ def _entry(
     if decision is not None:
         numbers["smoothed"] = float(np.abs(decision.smoothed).max())
         state = decision.state
-    program = result.request.program
     return Entry(
         time or journals.now(),
-        (PurePath(program.name).name, program.digest),
-        (str(output), hashlib.sha256(result.text).hexdigest()),
+        source,
+        source,
         measured,
         "correct" if decision is None else decision.kind,
         "corrected as the settings say" if decision is None else decision.reason,
@@ -311,7 +384,7 @@ def _told(result: Result, entry: Entry, chain: Chain, decision: Decision | None)
     said: tuple[str, ...] = ()
     if result.text == result.request.program.data:
         why = decision.reason if decision is not None else "nothing is to be corrected"
-        said = (f"{history.KEPT}: {why}; the output is the very bytes of {PurePath(result.request.program.name).name}",)
+        said = (f"{history.KEPT}: {why}; the output is the very bytes of {entry.before[0]}",)
     elif decision is not None:
         said = (f"corrected: {decision.reason}",)
     return replace(result, warnings=result.warnings + lines, advice=said + result.advice), said
