@@ -10,7 +10,7 @@ contour.)
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +25,8 @@ Ints = NDArray[np.int64]
 
 SAME_POINT = 2e-4
 """Path points closer than this, in mm, are the same vertex (programs round to 0.001 or finer)."""
+ON_THE_MOVE = 2e-3
+"""A vertex this near, in mm, lies on a move: an end of a move on a slope is rounded in both axes, in 0.0001 inch, too."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -118,16 +120,20 @@ def cutting_runs(toolpath: Toolpath) -> list[Ints]:
     """Rows of connected feed moves that travel in the XY plane, one array a run, in program order.
 
     A rapid, a move along Z alone, an arc out of the XY plane, an unknown position or a change of the control's
-    radius compensation ends a run.
+    radius compensation ends a run. A point stated twice does not.
     """
     delta = toolpath.end - toolpath.start
     travels = (np.hypot(delta[:, 0], delta[:, 1]) > 1e-9) | (toolpath.sweep != 0)
     flat = (toolpath.kind != Kind.ARC) | (toolpath.plane == Plane.XY)
-    good = (toolpath.kind != Kind.RAPID) & travels & flat & np.isfinite(delta[:, :2]).all(axis=1)
+    known = np.isfinite(delta[:, :2]).all(axis=1)
+    good = (toolpath.kind != Kind.RAPID) & travels & flat & known
     rows = np.flatnonzero(good)
     if not len(rows):
         return []
-    breaks = (np.diff(rows) != 1) | (np.diff(toolpath.compensation[rows]) != 0)
+    same_height = (delta[:, 2] == 0) | np.isnan(toolpath.start[:, 2] + toolpath.end[:, 2])
+    idle = (toolpath.kind != Kind.RAPID) & ~travels & known & same_height
+    place = np.cumsum(~idle)
+    breaks = (np.diff(place[rows]) != 1) | (np.diff(toolpath.compensation[rows]) != 0)
     return np.split(rows, np.flatnonzero(breaks) + 1)
 
 
@@ -209,15 +215,66 @@ def cut_contours(
 
 
 def _contours_of_run(toolpath: Toolpath, run: Ints, radius: float, material_right: bool) -> Iterator[CutContour]:
-    loops = closed_loops(toolpath, run)
+    moves, origin = toolpath.take(run), run
+    loops = closed_loops(moves, np.arange(len(moves)))
+    if not loops:
+        moves, row = _cut_where_it_meets_itself(moves)
+        origin = run[row]
+        loops = closed_loops(moves, np.arange(len(moves)))
     for a, b in loops:
-        yield _offset(toolpath, run[a:b], radius, material_right, True)
+        found = _offset(moves, np.arange(a, b), radius, material_right, True)
+        yield replace(found, rows=np.unique(origin[a:b]))
     if not loops:
         first = 0
         if toolpath.compensation[run[0]] != Compensation.OFF and len(run) > 1:
             # The control moves onto the contour during the first compensated move.
             first = 1
         yield _offset(toolpath, run[first:], radius, material_right, False)
+
+
+def _cut_where_it_meets_itself(moves: Toolpath) -> tuple[Toolpath, Ints]:
+    """Connected moves, each cut where another of their vertices lies on it, and the row that each part comes from.
+
+    A path that starts within an edge and ends some way beyond that point has no vertex twice.
+    """
+    from shapely import STRtree, box, points
+
+    vertex = np.unique(np.vstack([moves.start[:, :2], moves.end[-1:, :2]]), axis=0)
+    arc = moves.kind == Kind.ARC
+    arm = moves.start[:, :2] - moves.centre[:, :2]
+    r = np.where(arc, np.hypot(*arm.T), 0.0)
+    samples = moves.position(np.linspace(0.0, 1.0, 9))[:, :, :2]
+    # Between nine points of a full turn the circle reaches 0.08 of its radius beyond their chords.
+    reach = (0.1 * r + ON_THE_MOVE)[:, None]
+    boxes = box(*(samples.min(axis=1) - reach).T, *(samples.max(axis=1) + reach).T)
+    which, row = STRtree(boxes).query(points(vertex))
+    at, along = vertex[which] - moves.start[row, :2], (moves.end - moves.start)[row, :2]
+    size = np.maximum(np.hypot(*along.T), 1e-12)
+    off = np.abs(_cross(along, at)) / size
+    u = (at * along).sum(axis=1) / size**2
+    spoke = vertex[which] - moves.centre[row, :2]
+    turn = np.sign(moves.sweep[row]) * np.arctan2(_cross(arm[row], spoke), (arm[row] * spoke).sum(axis=1))
+    off = np.where(arc[row], np.abs(np.hypot(*spoke.T) - r[row]), off)
+    u = np.where(arc[row], np.mod(turn, 2 * np.pi) / np.where(arc, np.abs(moves.sweep), 1.0)[row], u)
+    within = np.minimum(u, 1 - u) * np.where(arc[row], np.abs(moves.sweep[row]) * r[row], size)
+    cut = np.flatnonzero((off < ON_THE_MOVE) & (within > ON_THE_MOVE) & (moves.kind[row] != Kind.CUBIC))
+    row = np.concatenate([np.arange(len(moves)), row[cut]])
+    u = np.concatenate([np.zeros(len(moves)), u[cut]])
+    begin = np.vstack([moves.start[:, :2], vertex[which[cut]]])
+    order = np.lexsort((u, row))
+    row, u, begin = row[order], u[order], begin[order]
+    last = np.append(row[1:] != row[:-1], True)
+    finish = np.where(last[:, None], moves.end[row, :2], np.roll(begin, -1, axis=0))
+    share = np.where(last, 1.0, np.roll(u, -1)) - u
+    out = moves.take(row)
+    start, end = out.start.copy(), out.end.copy()
+    start[:, :2], end[:, :2] = begin, finish
+    return out.with_moves(start=start, end=end, sweep=out.sweep * share), row
+
+
+def _cross(a: Floats, b: Floats) -> Floats:
+    out: Floats = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+    return out
 
 
 def _offset(toolpath: Toolpath, rows: Ints, radius: float, material_right: bool, closed: bool) -> CutContour:

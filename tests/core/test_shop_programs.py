@@ -93,3 +93,47 @@ def test_a_hole_drilled_where_the_lead_ends_is_not_moved() -> None:
     text = HOME.format(home="G81 Z-5. R2. F100.")
     with pytest.raises(FormatError, match="part.nc:16: .*canned cycle"):
         corrected(text, rectangle(0.0, 0.0, 60.0, 40.0) + [0.03, 0.0])
+
+
+OVERLAP = """G90G21
+G0X20.Y-20.
+Z5.
+G1Z-2.F100.
+G1X20.Y-15.F300.
+G3X30.Y-5.R10.
+{around}
+G1X33.
+G3X43.Y-15.R10.
+G1Y-20.
+G0Z5.
+M30
+"""
+EDGES = {
+    "mitred": "G1X65.\nY45.\nX-5.\nY-5.",
+    "rolled": "G1X60.\nG3X65.Y0.R5.\nG1Y40.\nG3X60.Y45.R5.\nG1X0.\nG3X-5.Y40.R5.\nG1Y0.\nG3X0.Y-5.R5.",
+    "points stated twice": "G1X65.\nX65.Y-5.\nY45.\nY45.\nX-5.\nX-5.Y45.Z-2.\nY-5.",
+}
+
+
+@pytest.mark.parametrize("around", EDGES)
+def test_a_contour_that_ends_beyond_its_start_within_an_edge(around: str) -> None:
+    """Start and end of the pass are no vertex twice: the contour is closed nevertheless."""
+    text = OVERLAP.format(around=EDGES[around])
+    excess = 0.03
+    program, lines = corrected(text, rectangle(-excess, -excess, 60 + excess, 40 + excess))
+    assert "G0X20.Y-19.97" in lines  # the leads go along
+    assert "G3X43.Y-14.97R10." in lines
+    cut = program.toolpath.take(program.toolpath.kind != Kind.RAPID)
+    points = cut.position(np.linspace(0, 1, 9))[:, :, :2].reshape(-1, 2)
+    assert points[:, 0].max() == pytest.approx(64.97, abs=1e-3)
+    assert points[:, 0].min() == pytest.approx(-4.97, abs=1e-3)
+    assert points[:, 1].max() == pytest.approx(44.97, abs=1e-3)
+
+
+def test_an_arc_that_ends_beyond_its_start() -> None:
+    """A ring of two half turns, started within the first and ended beyond it."""
+    text = "G0X0Y-20\nZ5\nG1Z-2F100\nG1X0Y-15F300\nG3X0Y15I0J15\nG3X-9Y-12I0J-15\nG3X12Y-9I9J12\nG1X16Y-12\nG0Z5\n"
+    program, _ = corrected(text, circle(10.02))
+    arcs = program.toolpath.take(program.toolpath.kind == Kind.ARC)
+    r = np.hypot(*arcs.position(np.linspace(0, 1, 17))[:, :, :2].reshape(-1, 2).T)
+    np.testing.assert_allclose(r, 14.98, atol=1e-3)
