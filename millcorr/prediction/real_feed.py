@@ -72,7 +72,7 @@ class RealFeed(ReadOnlyArrays):
             Of this toolpath.
         """
         n = len(toolpath)
-        length = toolpath.length()
+        length = _lengths(toolpath)
         split = (
             (np.isin(toolpath.kind, (Kind.LINE, Kind.ARC)))
             & (toolpath.plane == Plane.XY)
@@ -127,8 +127,16 @@ def times(toolpath: Toolpath, motion: Motion, place: Floats) -> Floats:
     return out
 
 
+def _lengths(toolpath: Toolpath) -> Floats:
+    """Lengths of the moves in mm, where the height was never stated those in the plane; NaN from unknown places."""
+    start, end = toolpath.start.copy(), toolpath.end.copy()
+    never = np.isnan(start[:, 2]) & np.isnan(end[:, 2])
+    start[never, 2] = end[never, 2] = 0.0
+    return toolpath.with_moves(start=start, end=end).length()
+
+
 def _place(toolpath: Toolpath, motion: Motion) -> Floats:
-    length = np.nan_to_num(toolpath.length())
+    length = np.nan_to_num(_lengths(toolpath))
     length[motion.omitted] = 0.0
     before = np.cumsum(length) - length
     share = (motion.s - before[motion.move]) / np.maximum(length[motion.move], 1e-12)

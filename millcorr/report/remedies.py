@@ -75,7 +75,7 @@ class Done:
             "corners": [
                 {
                     "line": int(line),
-                    "place_mm": vertex.tolist(),
+                    "place_mm": [None if v != v else v for v in vertex.tolist()],
                     "feed_mm_min": 60 * float(feed),
                     "before_mm": float(before),
                     "after_mm": float(after),

@@ -338,3 +338,16 @@ def test_correction_takes_out_what_arcs_lose():
 def test_without_inertia_the_axes_leave_nothing():
     assert not as_cut().kinematic.any()
     assert (as_cut().centre == as_cut().elastic.centre).all()
+
+
+def test_a_height_that_is_never_stated_changes_nothing():
+    """The same path with and without a Z word: what the axes leave of the wall, corner and arc included."""
+    text = "G21 G90 G17\nG0 X0 Y0\nG0 Z0\nG1 X20 F900\nG1 Y20\nG3 X15 Y25 I-5 J0\nG1 X0\n"
+    inert = light(acceleration_time_x_ms=50.0, acceleration_time_y_ms=50.0, position_gain_per_s=40.0)
+    found = []
+    for source in (text, text.replace("G0 Z0\n", "")):
+        part = gcode.parse(source, "part.nc")
+        found.append(simulate(part, inert, pipeline.nominal_from_program(part, 3.0, Settings(side="left"), None)))
+    stated, never = found
+    assert never.kinematic == pytest.approx(stated.kinematic, abs=1e-6)
+    assert 0.0 < stated.kinematic.max() < 0.1
