@@ -27,6 +27,10 @@ def lists_of(lines: Lines) -> Lists:
     return vertices, lines.colours.tolist(), lines.index.tolist()
 
 
+HALO, RIM = 0xF6F6F6FF, 1.0
+"""Colour 0xRRGGBBAA of what is drawn about lines, and how far it stands out at each side, in pixels."""
+
+
 class LineSet:
     """A node that draws polylines.
 
@@ -34,24 +38,38 @@ class LineSet:
     ----------
     width : float
         Pixels.
+    halo : bool
+        Whether each line has a light rim: dark lines can be read on a dark background, too.
     """
 
-    def __init__(self, width: float = 2.0) -> None:
-        self.node, style = coin.SoSeparator(), coin.SoDrawStyle()
+    def __init__(self, width: float = 2.0, halo: bool = False) -> None:
+        self.node = coin.SoSeparator()
+        self._halo = self._add(width + 2 * RIM, coin.SoVertexProperty.OVERALL) if halo else None
+        self.lines = self._add(width, coin.SoVertexProperty.PER_VERTEX_INDEXED)
+
+    def _add(self, width: float, binding: int) -> Any:
+        style, lines, vertices = coin.SoDrawStyle(), coin.SoIndexedLineSet(), coin.SoVertexProperty()
         style.lineWidth = width
-        self.lines, self._vertices = coin.SoIndexedLineSet(), coin.SoVertexProperty()
-        self._vertices.materialBinding = coin.SoVertexProperty.PER_VERTEX_INDEXED
-        self.lines.vertexProperty = self._vertices
+        vertices.materialBinding = binding
+        lines.vertexProperty = vertices
         self.node.addChild(style)
-        self.node.addChild(self.lines)
+        self.node.addChild(lines)
+        return lines
 
     def fill(self, lists: Lists) -> None:
         """Draw polylines in place of those before."""
-        fields = (self._vertices.vertex, self._vertices.orderedRGBA, self.lines.coordIndex)
-        for field, numbers in zip(fields, lists, strict=True):
-            field.setNum(len(numbers))
-            if numbers:
-                field.setValues(0, len(numbers), numbers)
+        vertices, colours, index = lists
+        if self._halo is not None:
+            _put(self._halo, vertices, [HALO], index)
+        _put(self.lines, vertices, colours, index)
+
+
+def _put(lines: Any, vertices: list[Any], colours: list[int], index: list[int]) -> None:
+    drawn = lines.vertexProperty.getValue()
+    for field, numbers in ((drawn.vertex, vertices), (drawn.orderedRGBA, colours), (lines.coordIndex, index)):
+        field.setNum(len(numbers))
+        if numbers:
+            field.setValues(0, len(numbers), numbers)
 
 
 class LineLayer(Layer):
@@ -66,7 +84,7 @@ class LineLayer(Layer):
 
     def __init__(self, document: Any, width: float = 2.0) -> None:
         super().__init__()
-        self._set = LineSet(width)
+        self._set = LineSet(width, halo=True)
         front = over_everything()
         front.addChild(self._set.node)
         self.node.addChild(front)

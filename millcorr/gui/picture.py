@@ -16,14 +16,15 @@ from .layer import Layer, over_everything
 from .legend import Legend
 from .line_set import LineSet, Lists, lists_of
 
-PARTS: dict[str, tuple[tuple[str, float], ...]] = {
-    "Band": (("band", 1.0),),
-    "Profiles": (("nominal", 2.0), ("compensated", 2.0)),
-    "Paths": (("before", 1.0), ("after", 2.0)),
-    "Whiskers": (("whiskers", 2.0),),
-    "RejectedPoints": (("rejected", 3.0),),
+PARTS: dict[str, tuple[tuple[str, float, bool], ...]] = {
+    "Band": (("band", 1.0, False),),
+    "Profiles": (("nominal", 2.0, True), ("compensated", 2.0, False)),
+    "Paths": (("before", 1.0, False), ("after", 2.0, False)),
+    "Whiskers": (("whiskers", 2.0, False),),
+    "RejectedPoints": (("rejected", 3.0, True),),
 }
-"""For each switch the overlay's lines, with their width in pixels, in the order of drawing."""
+"""For each switch the overlay's lines, with their width in pixels, and whether a light rim shows them on a dark
+background, in the order of drawing."""
 
 REACH = (7.0, 2.5, 1.0)
 """A line is picked within so many pixels; where there is one, the nearest: the search narrows."""
@@ -51,7 +52,7 @@ class Drawn:
 def draw(result: Result, look: Look) -> Drawn:
     """Everything about a picture that needs no scene graph, for a thread beside the window."""
     drawn = overlay.overlay_of(result, look)
-    lists = {name: lists_of(getattr(drawn, name)) for rows in PARTS.values() for name, _ in rows}
+    lists = {name: lists_of(getattr(drawn, name)) for rows in PARTS.values() for name, *_ in rows}
     return Drawn(result, drawn, look, lists)
 
 
@@ -74,8 +75,8 @@ class Picture(Layer):
             switch = self._switches[part] = coin.SoSwitch()
             switch.whichChild = coin.SO_SWITCH_ALL
             front.addChild(switch)
-            for name, width in rows:
-                self._lines[name] = LineSet(width)
+            for name, width, halo in rows:
+                self._lines[name] = LineSet(width, halo)
                 switch.addChild(self._lines[name].node)
         self.legend = Legend()
         self._switches["Legend"] = self.legend.node

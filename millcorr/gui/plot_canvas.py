@@ -39,6 +39,13 @@ class Canvas(FigureCanvasQTAgg):
         self.mpl_connect("motion_notify_event", self._moved)
         self.mpl_connect("axes_leave_event", lambda event: self.pointed(None))
 
+    def recolour(self, colours: dict[str, str]) -> None:
+        """Take other colours; what is drawn has the old ones until it is drawn anew."""
+        self.colours = colours
+        self.figure.set_facecolor(colours["paper"])
+        self.axes.set_facecolor(colours["paper"])
+        self.draw_idle()
+
     def clear(self, below: str, beside: str) -> Any:
         """Empty axes with their names and colours; gives them."""
         axes, c = self.axes, self.colours

@@ -18,30 +18,14 @@ from millcorr.report import history as report_history
 from millcorr.report import plots as report_plots
 from millcorr.scene import plots as plot_arrays
 
-from . import preferences
 from .line_set import LineLayer
 from .plot_link import PlotLink
 from .qt import QtCore, QtWidgets
 from .text import translate
+from .theme import ThemeWatch, colours, theme, tint
 from .worker import Worker
 
 _dock: list[Any] = []
-
-
-def colours() -> dict[str, str]:
-    """Colours of plots: those of the window, or what the preferences say."""
-    return report_plots.COLOURS[theme()]
-
-
-def theme() -> str:
-    """Light or dark."""
-    chosen = str(preferences.get("Plots"))
-    if chosen in report_plots.COLOURS:
-        return chosen
-    # The palette does not tell what a style sheet does: what is painted does.
-    window = FreeCADGui.getMainWindow()
-    pixel = window.statusBar().grab(QtCore.QRect(1, 1, 2, 2)).toImage().pixelColor(0, 0)
-    return "dark" if pixel.lightness() < 128 else "light"
 
 
 def has_matplotlib() -> bool:
@@ -65,20 +49,36 @@ class Page(QtWidgets.QWidget):
         layout.setSpacing(0)
         self.canvas: Any = None
         self.drawing: Any = None
+        self._last: tuple[str, Any, Any] | None = None
         if has_matplotlib():
             from . import plot_canvas  # noqa: F401
 
             self.canvas = plot_canvas.Canvas(colours())
-            layout.addWidget(plot_canvas.toolbar(self.canvas, self))
+            self._tools = plot_canvas.toolbar(self.canvas, self)
+            tint(self._tools, colours()["soft"])
+            layout.addWidget(self._tools)
             layout.addWidget(self.canvas, 1)
         else:
             from .plot_drawing import Drawing
 
             self.drawing = Drawing()
             layout.addWidget(self.drawing, 1)
+        self._watch = ThemeWatch(self, self._recolour)
+
+    def _recolour(self) -> None:
+        """Draw what is drawn in the window's new colours; the part of it that is shown stays."""
+        if self.canvas is not None:
+            tint(self._tools, colours()["soft"])
+            self.canvas.recolour(colours())
+        if self._last is not None:
+            shown = None if self.canvas is None else self.canvas.shown_range
+            self.draw(*self._last)
+            if shown is not None:
+                self.canvas.show_range(*shown)
 
     def draw(self, name: str, arrays: Any, plot: Any) -> None:
         """Draw arrays where matplotlib is there, else the report's drawing, which `plot` makes."""
+        self._last = name, arrays, plot
         if self.canvas is not None:
             getattr(self.canvas, name)(arrays)
         else:

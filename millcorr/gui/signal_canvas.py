@@ -28,9 +28,10 @@ class SignalCanvas(FigureCanvasQTAgg):
 
     def __init__(self, colours: dict[str, str], sought: Callable[[float], None]) -> None:
         super().__init__(Figure(layout="constrained"))
-        self.figure.set_facecolor(colours["paper"])
         self.setMinimumSize(300, 260)
-        self.colours, self._sought = colours, sought
+        self._sought = sought
+        self._traces: Sequence[Trace] = ()
+        self.recolour(colours)
         self._uprights: list[Any] = []
         self._still: Any = None
         self._time = 0.0
@@ -42,9 +43,17 @@ class SignalCanvas(FigureCanvasQTAgg):
         """As much as beside a 3-D view; matplotlib asks for its own figure's size."""
         return QtCore.QSize(380, 420)
 
+    def recolour(self, colours: dict[str, str]) -> None:
+        """Take other colours, and draw what is drawn in them."""
+        self.colours = colours
+        self.figure.set_facecolor(colours["paper"])
+        if self._traces:
+            self.fill(self._traces)
+
     def fill(self, traces: Sequence[Trace]) -> None:
         """Draw signals in place of those before."""
         self.figure.clear()
+        self._traces = traces
         self._uprights, self._still = [], None
         c = self.colours
         rows = self.figure.subplots(len(traces), 1, sharex=True)

@@ -19,6 +19,7 @@ from .line_set import LineLayer
 from .options import Expression, call
 from .qt import QtCore, QtWidgets
 from .text import translate
+from .theme import ThemeWatch, colours, theme
 
 _text = QT_TRANSLATE_NOOP
 
@@ -83,13 +84,14 @@ class SimulateTask(file_task.FileTask):
         if plots.has_matplotlib():
             from .signal_canvas import SignalCanvas
 
-            self.canvas = SignalCanvas(plots.colours(), self.seek)
+            self.canvas = SignalCanvas(colours(), self.seek)
             self.layout.addWidget(self.canvas, 1)
         else:
             from .plot_drawing import Drawing
 
             self.drawing = Drawing()
             self.layout.addWidget(self.drawing, 1)
+        self._watch = ThemeWatch(self.form, self._recolour)
         self._clock = QtCore.QTimer(self.form)
         self._clock.setInterval(TICK)
         self._clock.timeout.connect(self._tick)
@@ -156,14 +158,25 @@ class SimulateTask(file_task.FileTask):
         ).format(self.fields["Magnification"].value)
         cautions = [*played.before.cautions, *([played.refused] if played.refused else [])]
         self.found.setText("<br>".join([text, *cautions]))
-        if self.canvas is not None:
-            self.canvas.fill(self.traces)
-        else:
-            drawn = simulation_view.load_plot(played.signals)
-            self.drawing.show_svg(plots.report_plots.standalone(drawn, plots.theme()), plots.colours()["paper"])
+        self._draw()
         for widget in (self.play, self.slider):
             widget.setEnabled(True)
         self.seek(0.0)
+
+    def _draw(self) -> None:
+        """Draw the signals."""
+        if self.canvas is not None:
+            self.canvas.fill(self.traces)
+        elif self.played is not None:
+            drawn = simulation_view.load_plot(self.played.signals)
+            self.drawing.show_svg(plots.report_plots.standalone(drawn, theme()), colours()["paper"])
+
+    def _recolour(self) -> None:
+        """Draw in the window's new colours."""
+        if self.canvas is not None:
+            self.canvas.recolour(colours())
+        else:
+            self._draw()
 
     def show_failure(self, text: str) -> None:
         """Nothing to play, and why."""

@@ -1,7 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Colours of messages that can be read in a light and in a dark window."""
+"""Colours that can be read in a light and in a dark window, and what is to be drawn anew when it changes."""
 
 from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import FreeCADGui
+
+from millcorr.report.plots import COLOURS
+
+from . import preferences
+from .qt import QtCore, QtGui
 
 _KINDS = {"wrong": "220, 40, 40", "doubt": "230, 160, 0", "good": "40, 160, 80"}
 
@@ -13,3 +23,64 @@ STYLE = "\n".join(f'QLabel[millcorr="{kind}"] {{ {_LABEL.format(rgb)} }}' for ki
 The text keeps the window's own colour: style sheets change it without the palette telling, so a tint that lets
 the window's background through is all that can be read in both.
 """
+
+
+def theme() -> str:
+    """Light or dark: that of the window, or what the preferences say of plots."""
+    chosen = str(preferences.get("Plots"))
+    if chosen in COLOURS:
+        return chosen
+    # The palette does not tell what a style sheet does: what is painted does.
+    window = FreeCADGui.getMainWindow()
+    pixel = window.statusBar().grab(QtCore.QRect(1, 1, 2, 2)).toImage().pixelColor(0, 0)
+    return "dark" if pixel.lightness() < 128 else "light"
+
+
+def colours() -> dict[str, str]:
+    """Colours of plots by role, as `millcorr.report.plots.COLOURS` has them."""
+    return COLOURS[theme()]
+
+
+class ThemeWatch(QtCore.QObject):  # type: ignore[misc]
+    """Calls back when the theme has changed since a widget was last painted with it.
+
+    Parameters
+    ----------
+    widget : QWidget
+    changed : callable
+    """
+
+    def __init__(self, widget: Any, changed: Callable[[], None]) -> None:
+        super().__init__(widget)
+        self._seen, self._changed = theme(), changed
+        # Once the window has taken on its new looks.
+        self._soon = QtCore.QTimer(self)
+        self._soon.setSingleShot(True)
+        self._soon.timeout.connect(self._look)
+        widget.installEventFilter(self)
+
+    def eventFilter(self, watched: Any, event: Any) -> bool:
+        """Qt tells every event of the widget; none is kept from it."""
+        kinds = QtCore.QEvent.Type
+        if event.type() in (kinds.StyleChange, kinds.PaletteChange, kinds.Show):
+            self._soon.start(0)
+        return False
+
+    def _look(self) -> None:
+        now = theme()
+        if now != self._seen:
+            self._seen = now
+            self._changed()
+
+
+def tint(toolbar: Any, colour: str) -> None:
+    """Give the icons of a toolbar one colour: those of matplotlib are black for good."""
+    for action in toolbar.actions():
+        if action.icon().isNull():
+            continue
+        pixmap = action.icon().pixmap(24, 24)
+        painter = QtGui.QPainter(pixmap)
+        painter.setCompositionMode(QtGui.QPainter.CompositionMode.CompositionMode_SourceIn)
+        painter.fillRect(pixmap.rect(), QtGui.QColor(colour))
+        painter.end()
+        action.setIcon(QtGui.QIcon(pixmap))

@@ -23,17 +23,17 @@ Singles = NDArray[np.float32]
 Colours = NDArray[np.uint32]
 Indices = NDArray[np.int32]
 
-EXCESS = ((0.36, 0.66, 1.0), (0.0, 0.16, 0.85))
+EXCESS = ((0.42, 0.71, 1.0), (0.05, 0.29, 1.0))
 """Red, green, blue of material left, from just outside the tolerance to the largest deviation: blue."""
 
 WITHIN = (0.10, 0.66, 0.24)
 """Within the tolerance: green."""
 
-UNDERCUT = ((1.0, 0.50, 0.30), (0.80, 0.0, 0.05))
+UNDERCUT = ((1.0, 0.50, 0.30), (0.88, 0.02, 0.06))
 """Too much cut away, from just outside the tolerance to the largest deviation: red."""
 
 NOMINAL, BAND, COMPENSATED = 0x202020FF, 0x1A9E3DFF, 0xE07A00FF
-BEFORE, AFTER, REJECTED = 0x7A5C99FF, 0xC000A0FF, 0x8A8A00FF
+BEFORE, AFTER, REJECTED = 0x9678BEFF, 0xC000A0FF, 0x8A8A00FF
 """Colours 0xRRGGBBAA of the lines that are no whiskers."""
 
 SHADES = 4

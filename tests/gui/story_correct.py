@@ -25,6 +25,7 @@ from window import (
     press,
     select,
     shot,
+    theme,
     tidy,
     tooltip,
     top,
@@ -172,6 +173,12 @@ def preview(document):
     check(float(figure(made, "Std. dev.", 1)) < 0.2 * float(figure(made, "Std. dev.")), "residual")
     shot("panel")
     pictures("panel", True)
+    for name in ("dark", "light"):
+        theme(name)
+        shot(f"panel-{name}")
+        pictures(f"panel-{name}", True)
+        rimmed(name)
+    theme("")
     picked(made)
     gain = made.fields["Gain"]
     write(gain.widget.lineEdit(), "5")
@@ -202,6 +209,15 @@ def preview(document):
     wait(300)
     equal([len(document.Objects), document.UndoCount], state, "document after Cancel")
     pictures("cancelled", False)
+
+
+def rimmed(name):
+    """The nominal, which is nearly black, has a light rim: it stands out on any background."""
+    from millcorr.scene import correction as overlay
+
+    counted = colours(f"rim-{name}")
+    dark, light = like(counted, overlay.NOMINAL), like(counted, 0xF6F6F6FF, 3)
+    check(dark > 300 and light > 300, f"{name}: {dark} pixels of the nominal, {light} of its rim")
 
 
 def methods(made):

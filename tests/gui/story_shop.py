@@ -18,11 +18,13 @@ from window import (
     choose,
     equal,
     found,
+    painted,
     path,
     play,
     screen,
     select,
     shot,
+    theme,
     tidy,
     tooltip,
     top,
@@ -232,6 +234,11 @@ def simulate(document):
     equal(round(task.time, 6), round(played.duration / 2, 6), "time in the middle")
     check(max(abs(a - b) for a, b in zip(task.cutter.place, played.cutter_at(task.time), strict=True)) < 1e-3, "cutter")
     shot("simulation")
+    for name, dark in (("dark", True), ("light", False)):
+        theme(name)
+        equal(painted(task.canvas) < 128, dark, f"dark signals in a {name} window")
+        shot(f"simulation-{name}")
+    theme("")
     child(here, "Play", QtGui.QPushButton).click()
     wait(800)
     check(task.time > played.duration / 2 + 0.5, f"it does not play: {task.time}")
@@ -286,15 +293,15 @@ def plots(document, obj):
     dock.tabs.setCurrentIndex(1)
     shot("plots-distribution")
     drawing(dock)
-    equal(module.theme(), "light", "theme of a light window")
-    application = QtGui.QApplication.instance()
-    before = application.styleSheet()
-    application.setStyleSheet("QWidget { background-color: #2b2b2b; color: #e6e6e6; }")
-    wait(500)
-    equal(module.theme(), "dark", "theme of a dark window")
-    shot("plots-dark-window")
-    application.setStyleSheet(before)
-    wait(300)
+    dock.tabs.setCurrentIndex(0)
+    canvas.show_range(0.2 * total, 0.6 * total)
+    for name, dark in (("dark", True), ("light", False)):
+        theme(name)
+        equal(painted(canvas) < 128, dark, f"a dark plot in a {name} window")
+        low, high = canvas.shown_range
+        check(abs(low - 0.2 * total) < 1e-6 and abs(high - 0.6 * total) < 1e-6, f"the zoom is lost: {low} to {high}")
+        shot(f"plots-{name}")
+    theme("")
     FreeCADGui.runCommand("Millcorr_Plots", 0)
     check(not dock.isVisible(), "plots are not hidden")
 

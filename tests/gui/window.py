@@ -102,6 +102,28 @@ def shot(name):
     screen().save(os.path.join(SHOTS, f"{VERSION}-{name}.png"))
 
 
+def theme(name):
+    """A dark window with a dark 3-D view, a light one with a light one, or the usual ones."""
+    sheets = {
+        "dark": "QWidget { background-color: #2b2b2b; color: #e6e6e6; }",
+        "light": "QWidget { background-color: #f5f5f5; color: #1a1a1a; }",
+    }
+    group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
+    backgrounds = {"dark": 0x2B2B2BFF, "light": 0xFAFAFAFF}
+    if name:
+        group.SetUnsigned("BackgroundColor", backgrounds[name])
+    group.SetBool("Simple", bool(name))
+    group.SetBool("Gradient", not name)
+    QtGui.QApplication.instance().setStyleSheet(sheets.get(name, ""))
+    wait(700)
+
+
+def painted(widget, x=4, y=4):
+    """Lightness, 0 to 255, of a pixel of a widget as it is on the screen."""
+    wait(100)
+    return widget.grab().toImage().pixelColor(x, y).lightness()
+
+
 def view():
     return FreeCADGui.ActiveDocument.mdiViewsOfType("Gui::View3DInventor")[0]
 
