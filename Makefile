@@ -6,6 +6,7 @@ PYTHON = build/venv/bin/python
 help:
 	@echo 'make demo        close the loop once on a simulated machine; files in build/demo'
 	@echo 'make test        core tests, tests inside FreeCAD, FreeCAD window on a virtual screen'
+	@echo 'make exhaustive  the core tests with every sweep in full'
 	@echo 'make benchmarks  times and errors beside what one would use instead'
 	@echo 'make lint        ruff, and mypy --strict on the core'
 	@echo 'make screenshots  the pictures of docs/tutorial.md, from the real window'
@@ -28,7 +29,7 @@ benchmarks:
 
 exhaustive:
 	@tools/setup test
-	$(PYTHON) -m pytest tests/core --hypothesis-profile=ci
+	OPENBLAS_NUM_THREADS=1 $(PYTHON) -m pytest tests/core --hypothesis-profile=ci --numprocesses $$(nproc) --dist loadfile
 
 lint:
 	@tools/setup test
