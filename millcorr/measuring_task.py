@@ -10,14 +10,14 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from . import freecad_process, measuring_programs, pipeline
 from . import gcode as nc
+from . import measuring_programs, pipeline
 from .errors import UsageError
 from .measuring_programs import MeasuringProgram
 from .probing import Placement, TouchProbe
 from .probing.heights import Cleared
 from .profile import Profile
-from .session import read_nominal
+from .session.inputs import nominal_file, operation_contour, read_nominal
 from .settings import Settings
 from .toolpath import Compensation
 from .whole_file import refuse_places, replaced_whole
@@ -74,7 +74,7 @@ def measuring_program(
     MillcorrError
         If an input cannot be used or no point can be touched; nothing is written then.
     """
-    first = None if nominal is None else Path(nominal.partition("#")[0])
+    first = nominal_file(nominal)
     inputs = {"program": program, "document": document, "nominal": first}
     refuse_places({"--output": output}, inputs)
     settings = Settings(side=side, cutter_compensation=cutter_compensation)
@@ -200,13 +200,9 @@ def _contour(
     if operation is not None and document is None:
         raise UsageError("--operation belongs to --document")
     if document is not None:
-        asked = {"document": str(document.resolve()), "operation": operation}
-        found = freecad_process.call("operation_contour", asked)
-        own = Profile.from_dict(found["profile"])
-        toolpath = nc.parse(found["path"].encode("utf-8"), document.name).toolpath
-        radius = found["tool_diameter"] / 2
-        chosen = own if nominal is None else read_nominal(nominal, radius, settings, None)
-        return chosen, Cleared(toolpath, radius, given)
+        own, path, radius = operation_contour(document, operation)
+        chosen = own if nominal is None else read_nominal(nominal, radius, settings, None, document)
+        return chosen, Cleared(path.toolpath, radius, given)
     if program is None:
         if nominal is None:
             raise UsageError("say what to measure: --program, --document or --nominal")

@@ -11,6 +11,7 @@ import FreeCAD
 import numpy as np
 import pytest
 
+from millcorr import freecad_process, measuring_task
 from millcorr import gcode as nc
 from millcorr.app import batch, compat, convert, demonstration, documents, process, sources, views
 from millcorr.errors import FormatError, LimitError, RefusedError, UsageError
@@ -231,6 +232,29 @@ def test_operation_contour_for_a_measuring_program(part_files):
     assert 0.01 < np.median(np.sort(off)[-50:]) < 0.04
     with pytest.raises(UsageError, match="no operation called None"):
         process.operation_contour(str(part_files[0]), "None")
+
+
+def test_a_measuring_program_of_a_document_takes_its_own_objects_as_nominal(part_files, tmp_path, monkeypatch):
+    """The part's object and the operation's contour are the same curve: the same touches."""
+    monkeypatch.setattr(freecad_process, "call", lambda name, arguments: process.FUNCTIONS[name](**arguments))
+    written = []
+    for nominal in (None, "#Part"):
+        output = tmp_path / "probe.nc"
+        told = measuring_task.measuring_program(
+            document=part_files[0], nominal=nominal, dialect="linuxcnc", output=output,
+            probe={"ball_radius": 1.0}, placement={"count": 12},
+        )  # fmt: skip
+        assert f"program     {output}" in told
+        written.append(nc.read(output).toolpath)
+    assert len(written[0]) == len(written[1]) > 24
+    ends = [np.nan_to_num(path.end) for path in written]
+    # The object's outline may begin elsewhere: the same places to within the spacing that 12 points have.
+    assert np.ptp(ends[0], axis=0) == pytest.approx(np.ptp(ends[1], axis=0), abs=np.ptp(ends[0], axis=0).max() / 4)
+    with pytest.raises(UsageError, match="no objects called None"):
+        measuring_task.measuring_program(
+            document=part_files[0], nominal="#None", dialect="linuxcnc", output=tmp_path / "no.nc",
+            probe={"ball_radius": 1.0}, placement={},
+        )  # fmt: skip
 
 
 def test_no_input_is_replaced(part_files, measured_file, tmp_path):

@@ -469,6 +469,11 @@ def test_series_from_first_part_to_history(shop):
     assert shop.run("history other.journal") == INPUT
 
 
+@pytest.mark.parametrize("nominal", ["none.json", "#Part", "."])
+def test_a_nominal_that_is_no_file_is_named(shop, nominal):
+    shop.fails(INPUT, f"{nominal}: --nominal names a file that does not exist", extra=f"--nominal {nominal}")
+
+
 def test_a_report_replaces_no_input(shop):
     assert shop.correct("--report rep") == DONE
     before = snapshot(shop.directory)

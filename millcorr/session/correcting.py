@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`millcorr correct` and `check`: read, correct, prove, and only then write everything as a whole."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import asdict
+from pathlib import Path
+
+from millcorr import contour_check, freecad_process, pipeline
+from millcorr import report as reports
+from millcorr.errors import UsageError
+from millcorr.readers import Reading
+from millcorr.series import journal as journals
+from millcorr.series import production as serial
+from millcorr.series.process_control import Control
+from millcorr.whole_file import refuse_places, replaced_whole
+
+from .inputs import UNSAID, measured_inputs, nominal_file, program_request, require_measured
+from .words import in_words
+
+
+def correct_program(
+    program: Path,
+    *,
+    measured: Sequence[Path],
+    reading: Reading = UNSAID,
+    nominal: str | None = None,
+    tool_diameter: float | None = None,
+    output: Path | None = None,
+    report: Path | None = None,
+    settings: pipeline.Settings | None = None,
+    setup: Path | None = None,
+    table: bool = False,
+    journal: str | None = None,
+    once: bool = False,
+    control: str | None = None,
+    **limits: float | None,
+) -> str:
+    """Correct an NC program from a measured file; without `output`, only check.
+
+    Parameters
+    ----------
+    program : Path
+        NC program.
+    measured : sequence of Path
+        Measured points of one part, or of several whose deviations are averaged.
+    reading : Reading
+        How the measured files are to be read.
+    nominal : str, optional
+        Drawing or first program; by default the contour that the program cuts.
+    tool_diameter : float
+        mm.
+    output : Path, optional
+        Corrected program.
+    report : Path, optional
+        Directory for the report.
+    settings : pipeline.Settings, optional
+    setup : Path, optional
+        Setup for the methods that simulate; it may name the tool's diameter.
+    table : bool
+        Whether every used point is to be listed, see `contour_check.table`.
+    journal : str, optional
+        Journal of the series; '' for the one beside the nominal or the program.
+    once : bool
+        Whether the very run that the journal has already, with its output in place, is done and no error.
+    control, **limits
+        Process control: see `serial.control_from`.
+
+    Returns
+    -------
+    str
+        What was found and done, in a few lines.
+
+    Raises
+    ------
+    MillcorrError
+        See `pipeline.correct` and `serial.corrected`; nothing is written then.
+    """
+    inputs = {"program": program, "nominal": nominal_file(nominal), "setup": setup}
+    inputs |= measured_inputs(measured, reading)
+    chosen = settings or pipeline.Settings()
+    require_measured(measured, setup, chosen)
+    rules = serial.control_from(control, chosen.dead_band, journal=journal is not None, **limits)
+    book = None if journal is None else Path(journal) if journal else serial.default_journal(program, nominal)
+    outside = {"--output": output, "--journal": book}
+    refuse_places(outside, inputs, report, reports.FILES)
+    request = program_request(program, measured, reading, nominal, tool_diameter, chosen, setup)
+    outputs: dict[str, str] = {}
+    if output is not None:
+        outputs["program"] = str(output)
+    try:
+        with _judged(request, output, book, rules) as (result, part, notes), replaced_whole(output, result.text):
+            if book is not None:
+                outputs["journal"] = f"{book}, part {part}"
+            if report is not None:
+                reports.write(result, report, outputs=outputs, notes=notes)
+                outputs["report"] = str(report / "report.html")
+    except journals.RepeatedError as error:
+        if not (once and output is not None and error.is_same_run(request.program.digest, output)):
+            raise
+        return f"done before: {output} is in its place; {error}"
+    words = in_words(result.summary(), outputs, checked_only=output is None)
+    if not table:
+        return words
+    return f"{contour_check.table(contour_check.touched_points(result))}\n{words}"
+
+
+@contextmanager
+def _judged(
+    request: pipeline.Request, output: Path | None, journal: Path | None, control: Control | None
+) -> Iterator[tuple[pipeline.Result, int, tuple[str, ...]]]:
+    """The result, the number of the part in its journal (0 without one), and notes for the report."""
+    if output is None:
+        yield pipeline.correct(request, check=True), 0, ("Check only: no program was written.",)
+    elif journal is None:
+        yield pipeline.correct(request), 0, ()
+    else:
+        with serial.corrected(request, output, journal, control) as outcome:
+            yield outcome.result, outcome.part, outcome.notes
+
+
+def correct_document(
+    document: Path,
+    *,
+    measured: Sequence[Path],
+    reading: Reading = UNSAID,
+    operation: str | None = None,
+    nominal: str | None = None,
+    tool_diameter: float | None = None,
+    output: Path | None = None,
+    gcode: Path | None = None,
+    report: Path | None = None,
+    settings: pipeline.Settings | None = None,
+    setup: Path | None = None,
+) -> str:
+    """Correct an operation of a FreeCAD document, in a process of FreeCAD's command line.
+
+    Parameters
+    ----------
+    document : Path
+        FreeCAD document with a job.
+    operation : str, optional
+        Label of the operation; may be left out where the document has one Profile.
+    gcode : Path, optional
+        Posted program.
+    measured, reading, nominal, tool_diameter, output, report, settings, setup
+        As in `correct_program`; `nominal` is the label of an object of the document, as ``#LABEL``, or a file.
+
+    Returns
+    -------
+    str
+        What was found and done, in a few lines.
+
+    Raises
+    ------
+    MillcorrError
+        See `pipeline.correct`; nothing is written then.
+    """
+    require_measured(measured, setup, settings or pipeline.Settings())
+    if tool_diameter is not None and not 0 < tool_diameter < float("inf"):
+        raise UsageError(f"--tool-diameter {tool_diameter:g}: must be a length above 0")
+    if output is not None and output.suffix.lower() != ".fcstd":
+        raise UsageError(f"--output {output}: a corrected document is an .FCStd file; its program goes to --gcode")
+    inputs = {"document": document, "nominal": nominal_file(nominal), "setup": setup}
+    inputs |= measured_inputs(measured, reading)
+    refuse_places({"--output": output, "--gcode": gcode}, inputs, report, reports.FILES)
+    places = {"output": output, "gcode": gcode, "report": report}
+    summary = freecad_process.call(
+        "correct",
+        {
+            "document": str(document.resolve()),
+            "operation": operation,
+            "measured": [str(path.resolve()) for path in measured],
+            "nominal": nominal,
+            "tool_diameter": tool_diameter,
+            "setup": None if setup is None else str(setup.resolve()),
+            **{name: None if place is None else str(place.resolve()) for name, place in places.items()},
+            **reading.as_dict(),
+            **asdict(settings or pipeline.Settings()),
+        },
+    )
+    outputs = {
+        name: str(place / "report.html" if name == "report" else place)
+        for name, place in (("document", output), ("program", gcode), ("report", report))
+        if place is not None
+    }
+    return in_words(summary, outputs, checked_only=output is None)

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`millcorr simulate`: a program or an operation cut in the model of a setup."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from millcorr import pipeline, setup_file
+from millcorr.errors import UsageError
+from millcorr.report import simulation as report_simulation
+from millcorr.report.remedies import Asked
+from millcorr.report.simulation import NOTHING
+from millcorr.whole_file import refuse_places
+
+from .inputs import UNSAID, nominal_file, operation_contour, program_request, read_nominal
+
+
+def simulate_program(
+    program: Path | None = None,
+    *,
+    document: Path | None = None,
+    operation: str | None = None,
+    setup: Path,
+    report: Path,
+    nominal: str | None = None,
+    settings: pipeline.Settings,
+    heights: Sequence[float] = (),
+    asked: Asked = NOTHING,
+) -> str:
+    """Cut a program in the model of a setup, and write what happens: table, plots and an animation.
+
+    Parameters
+    ----------
+    program : Path, optional
+        NC program, or else
+    document : Path, optional
+        FreeCAD document with the operation.
+    operation : str, optional
+        Its label; may be left out where the document has one Profile.
+    setup : Path
+        Tool, material, machine and stock.
+    report : Path
+        Directory.
+    nominal : str, optional
+        Profile; by default the contour that the program cuts.
+    settings : pipeline.Settings
+        For the corrected line.
+    heights : sequence of float
+        mm above the tool's tip at which the wall is wanted; none leaves it out.
+    asked : Asked, optional
+        Remedies to write as programs, and a log of the machine.
+
+    Returns
+    -------
+    str
+        What was found, in a few lines.
+
+    Raises
+    ------
+    MillcorrError
+        If program or setup cannot be used, or a remedy is refused; nothing is written then.
+    """
+    inputs = {"program": program, "document": document, "nominal": nominal_file(nominal), "setup": setup}
+    inputs |= {"log": asked.trace}
+    refuse_places({"--slowed": asked.slowed, "--tilted": asked.tilted}, inputs, report, report_simulation.FILES)
+    if program is not None:
+        if operation is not None:
+            raise UsageError("--operation belongs to --document")
+        request = program_request(program, (), UNSAID, nominal, None, settings, setup)
+    elif document is None:
+        raise UsageError("--program or --document is needed: what is to be cut")
+    else:
+        if asked.slowed is not None or asked.tilted is not None:
+            raise UsageError("--slowed and --tilted belong to --program: give the program that the job is posted as")
+        request = _operation_request(document, operation, nominal, settings, setup)
+    return report_simulation.write(request, report, heights=heights, asked=asked)
+
+
+def _operation_request(
+    document: Path, operation: str | None, nominal: str | None, settings: pipeline.Settings, setup: Path
+) -> pipeline.Request:
+    """What a simulation of an operation asks of the pipeline."""
+    known = setup_file.load(setup)
+    profile, path, radius = operation_contour(document, operation)
+    if nominal is not None:
+        profile = read_nominal(nominal, radius, settings, None, document)
+    return pipeline.Request(path, radius, None, profile, settings, setup=known)
