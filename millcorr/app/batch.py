@@ -10,8 +10,10 @@ Example
 
 from __future__ import annotations
 
+import hashlib
 import os
 import re
+import shutil
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import replace
@@ -26,6 +28,8 @@ from millcorr import pipeline, verification
 from millcorr import report as reports
 from millcorr.errors import InputError, MillcorrError, RefusedError, UsageError
 from millcorr.readers import Reading
+from millcorr.series import production
+from millcorr.series.process_control import ACCEPTED, LIMITS
 from millcorr.whole_file import refuse_places
 
 from . import base_geometry, compat, correction, documents, dressup, measurement_object, sources, views
@@ -43,6 +47,8 @@ def correct_document(
     output: str | Path | None = None,
     gcode: str | Path | None = None,
     report: str | Path | None = None,
+    journal: str | Path | None = None,
+    control: str | None = None,
     **options: Any,
 ) -> pipeline.Result:
     """Correct one operation of a document from a measured part.
@@ -69,6 +75,11 @@ def correct_document(
         Program to write, made by the job's own post processor and read back to prove it.
     report : str or Path, optional
         Directory for the report.
+    journal : str or Path, optional
+        Journal of the series, see `millcorr.series.production`; for a document that is a file, with an output. Where
+        the rules say no correction the output is the very bytes of the document.
+    control : str, optional
+        ``"ewma:K"``, with the limits of `process_control.LIMITS` among the options.
     **options
         ``tool_diameter`` in mm, how to read the measured files (fields of `millcorr.readers.Reading`: ``points,
         probe_radius, units, format, mapping, part, work_offset, ...``) and how to correct (fields of
@@ -86,11 +97,20 @@ def correct_document(
         If the input cannot be trusted or the correction is refused.
     """
     reading = Reading.taken_from(options)
+    limits = {name: options.pop(name) for name in LIMITS if name in options}
+    rules = production.control_from(control, options.get("dead_band") or 0.0, journal=journal is not None, **limits)
+    accepted: tuple[str, ...] = ()
+    if rules is not None and ACCEPTED in (options.get("accept") or ()):
+        # It is about this part and no setting of the dressup.
+        accepted = (ACCEPTED,)
+        options["accept"] = [name for name in options["accept"] if name != ACCEPTED]
     chosen = correction.properties_of(options)
     compat.prepare_modules()
     source = Path(document) if isinstance(document, str | Path) else None
     files = [] if measured is None else [measured] if isinstance(measured, str | Path) else list(measured)
     _refuse_inputs(source, files, output, gcode, report)
+    if journal is not None and (source is None or output is None):
+        raise UsageError("--journal belongs to a document that is a file, and to an --output: it records both")
     with ExitStack() as stack:
         here = stack.enter_context(documents.opened(document))
         stack.enter_context(_all_or_nothing(here))
@@ -100,6 +120,17 @@ def correct_document(
             chosen["Nominal"] = sources.nominal_object(here, nominal)
         chosen["FurtherParts"] = parts[1:]
         obj = _dressed(base, parts[0] if parts else None, chosen)
+        part: production.Judged | None = None
+        if journal is not None and source is not None and output is not None:
+            request, _ = correction.request_of(obj)
+            settings = replace(request.settings, accept=request.settings.accept + accepted)
+            cut_with = (source.name, sha256(source))
+            part = stack.enter_context(
+                production.judged(replace(request, settings=settings), Path(journal), rules, before=cut_with)
+            )
+            if not part.corrected:
+                return _kept(part, source, operation, Path(output), gcode, report)
+            obj.Smoothed = part.smoothed
         corrected = correction.correct(obj)
         # Only what is new: another FreeCAD would lay the operation's own path anew, and the part was cut with
         # the one that is stored.
@@ -109,8 +140,36 @@ def correct_document(
         text = None if gcode is None else _posted(obj)
         if text is not None:
             corrected = proved(obj, text, corrected)
-        _write(here, source, corrected, text, output, gcode, report)
+        if part is not None:
+            corrected = replace(corrected, result=_with_words(corrected.result, part.result))
+        _write(here, source, corrected, text, output, gcode, report, part)
         return corrected.result
+
+
+def _with_words(result: pipeline.Result, judged: pipeline.Result) -> pipeline.Result:
+    """A result with what the series says of it."""
+    return replace(result, advice=judged.advice, warnings=judged.warnings)
+
+
+def _kept(
+    part: production.Judged, source: Path, operation: Any, output: Path, gcode: Any, directory: Any
+) -> pipeline.Result:
+    """Write what a part leads to that is not corrected: the very bytes of the document, its program and the report."""
+    text: str | None = None
+    if gcode is not None:
+        # Of the document as it is stored, without the dressup that was tried.
+        with documents.opened(source) as stored:
+            text = _posted(find_operation(stored, operation))
+    with ExitStack() as stack:
+        ready: list[tuple[Path, Path]] = []
+        if gcode is not None and text is not None:
+            ready.append((stack.enter_context(_beside(Path(gcode))), Path(gcode)))
+            ready[-1][0].write_bytes(text.encode("utf-8"))
+        ready.append((stack.enter_context(_beside(output)), output))
+        shutil.copyfile(source, ready[-1][0])
+        written = {"document": str(output)} | ({} if gcode is None else {"program": str(gcode)})
+        _put(ready, part, part.result, directory, written, [])
+    return part.result
 
 
 def export_report(obj: Any, directory: str | Path) -> None:
@@ -283,11 +342,17 @@ def _write(
     output: str | Path | None,
     gcode: str | Path | None,
     directory: str | Path | None,
+    part: production.Judged | None = None,
 ) -> None:
-    """Write document and program beside their places, then the report, then put them in place."""
+    """Write program and document beside their places, then the report, then put them in place."""
     with ExitStack() as stack:
         ready: list[tuple[Path, Path]] = []
         written = {}
+        if gcode is not None and text is not None:
+            beside = stack.enter_context(_beside(Path(gcode)))
+            beside.write_bytes(text.encode("utf-8"))
+            ready.append((beside, Path(gcode)))
+            written["program"] = str(gcode)
         if output is not None:
             beside = stack.enter_context(_beside(Path(output)))
             document.saveCopy(str(beside))
@@ -295,18 +360,36 @@ def _write(
                 views.carry_over(source, beside)
             ready.append((beside, Path(output)))
             written["document"] = str(output)
-        if gcode is not None and text is not None:
-            beside = stack.enter_context(_beside(Path(gcode)))
-            beside.write_bytes(text.encode("utf-8"))
-            ready.append((beside, Path(gcode)))
-            written["program"] = str(gcode)
+        notes = [] if written else ["Check only: no program was written."]
+        if text is not None:
+            notes.append("The path error is that of the program as FreeCAD posted it, read back.")
+        _put(ready, part, corrected.result, directory, written, notes)
+
+
+def _put(
+    ready: list[tuple[Path, Path]],
+    part: production.Judged | None,
+    result: pipeline.Result,
+    directory: str | Path | None,
+    written: dict[str, str],
+    notes: list[str],
+) -> None:
+    """Write the report, then put files in their places; the document last: by it the journal knows that all is done."""
+    with ExitStack() as stack:
+        if part is not None:
+            beside, output = ready[-1]
+            number = stack.enter_context(part.entered(output, sha256(beside)))
+            written = {**written, "journal": f"part {number}"}
+            notes = [*part.notes, *notes]
         if directory is not None:
-            notes = [] if written else ["Check only: no program was written."]
-            if text is not None:
-                notes.append("The path error is that of the program as FreeCAD posted it, read back.")
-            reports.write(corrected.result, directory, outputs=written, notes=notes)
+            reports.write(result, directory, outputs=written, notes=notes)
         for beside, place in ready:
             os.replace(beside, place)
+
+
+def sha256(path: Path) -> str:
+    """SHA-256 of a file."""
+    return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
 @contextmanager

@@ -13,6 +13,7 @@ from millcorr import pipeline, setup_file
 from millcorr.errors import InputError, UsageError
 from millcorr.measurement import Measurement
 from millcorr.profile import Profile
+from millcorr.series.places import field_of_text
 from millcorr.setup_file import Setup
 
 from . import base_geometry, compat, convert, motion
@@ -98,7 +99,12 @@ def request_of(obj: Any) -> tuple[pipeline.Request, list[Any]]:
         If operation, profile or measurement cannot be used.
     """
     request, commands, readers = _described(obj)
-    return _measured(request, readers), commands
+    return _measured(request, readers, _smoothed(obj)), commands
+
+
+def _smoothed(obj: Any) -> str:
+    """Property of a dressup; empty on what is none."""
+    return getattr(obj, "Smoothed", "")
 
 
 def _described(obj: Any) -> tuple[pipeline.Request, list[Any], list[Callable[[], Measurement]]]:
@@ -135,9 +141,13 @@ def _setup(obj: Any) -> Setup | None:
     return replace(setup_file.load(place), source=Path(place).name)
 
 
-def _measured(request: pipeline.Request, readers: list[Callable[[], Measurement]]) -> pipeline.Request:
+def _measured(request: pipeline.Request, readers: list[Callable[[], Measurement]], smoothed: str) -> pipeline.Request:
+    """The request with its measurements, and with what a series has smoothed up to these very ones, if it has."""
     parts = [read() for read in readers]
-    return replace(request, measurement=parts[0], further=tuple(parts[1:])) if parts else request
+    if not parts:
+        return request
+    field = field_of_text(smoothed, [part.fingerprint for part in parts]) if smoothed else None
+    return replace(request, measurement=parts[0], further=tuple(parts[1:]), smoothed=field)
 
 
 def _nominal(obj: Any, operation: Any, program: Any) -> Profile | None:
@@ -191,9 +201,10 @@ def prepared(obj: Any) -> Callable[[], Correction]:
         If operation or settings cannot be used.
     """
     request, commands, readers = _described(obj)
+    smoothed = _smoothed(obj)
 
     def finish() -> Correction:
-        asked = _measured(request, readers)
+        asked = _measured(request, readers, smoothed)
         result, header = _corrected(asked)
         return Correction(asked, result, commands, header)
 
@@ -210,9 +221,11 @@ def _corrected(request: pipeline.Request) -> tuple[pipeline.Result, tuple[str, .
     """Result of a request and the path's header; the very ones from before if nothing differs."""
     nominal = None if request.nominal is None else pickle.dumps(request.nominal.as_dict())
     setup = repr(request.setup)
+    smoothed = None if request.smoothed is None else pickle.dumps(request.smoothed)
     # Measurements are the same objects as long as their files are: a kept result holds on to them.
     measured = tuple(map(id, request.measurements))
-    key = (request.program.name, request.program.data, request.radius, measured, nominal, request.settings, setup)
+    program = request.program
+    key = (program.name, program.data, request.radius, measured, nominal, request.settings, setup, smoothed)
     kept = _results.get(key)
     if kept is None:
         result = pipeline.correct(request)

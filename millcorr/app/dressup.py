@@ -220,6 +220,17 @@ PROPERTIES = (
     Property("String", "Corrected", "Origin", _text("App::Property", "When the correction was made"), "", READ_ONLY),
     Property(
         "String",
+        "Smoothed",
+        "Origin",
+        _text(
+            "App::Property",
+            "Deviation smoothed over the parts of a series, which is taken out in place of the measured one",
+        ),
+        "",
+        HIDDEN,
+    ),
+    Property(
+        "String",
         "CutPath",
         "Origin",
         _text("App::Property", "SHA-256 of the measurement, and of the operation's path when it came"),
@@ -229,7 +240,9 @@ PROPERTIES = (
 )
 
 _RESULTS = tuple(
-    row for row in PROPERTIES if row.group in ("Result", "Origin") and row.name not in ("Corrected", "CutPath")
+    row
+    for row in PROPERTIES
+    if row.group in ("Result", "Origin") and row.name not in ("Corrected", "Smoothed", "CutPath")
 )
 
 

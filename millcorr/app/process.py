@@ -10,14 +10,24 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from millcorr import errors
 from millcorr.errors import MillcorrError, UsageError
+from millcorr.series.journal import RepeatedError
 
 from . import batch, compat, demonstration, documents, measuring, sources
 
 
-def correct(**arguments: Any) -> dict[str, Any]:
-    """Correct a document; arguments as `batch.correct_document`. Gives the numbers of the report."""
-    summary: dict[str, Any] = batch.correct_document(**arguments).summary()
+def correct(*, once: bool = False, **arguments: Any) -> dict[str, Any]:
+    """Correct a document; arguments as `batch.correct_document`. Gives the numbers of the report.
+
+    With `once`, the very run that the journal has already is no error: it gives "done_before", in words.
+    """
+    try:
+        summary: dict[str, Any] = batch.correct_document(**arguments).summary()
+    except RepeatedError as error:
+        if not (once and error.is_same_run(batch.sha256(Path(arguments["document"])), Path(arguments["output"]))):
+            raise
+        return {"done_before": str(error)}
     return summary
 
 
@@ -72,7 +82,8 @@ def answer(request: dict[str, Any], answer_file: str) -> None:
         out: dict[str, Any] = {"value": function(**request["arguments"])}
     except MillcorrError as error:
         out = {
-            "error": type(error).__name__,
+            # Of a class of its own where that is one that the other side knows.
+            "error": next(kind.__name__ for kind in type(error).__mro__ if kind.__module__ == errors.__name__),
             "message": str(error),
             "traceback": traceback.format_exc(),
             "file": getattr(error, "file", None),

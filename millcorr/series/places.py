@@ -130,13 +130,13 @@ class Places:
         )
 
 
-def field_in_text(places: Places, value: Floats) -> str:
-    """A field through values at the places, (n,) mm, as text; see `field_of_text`."""
-    return json.dumps({"places": json.loads(places.text()), "value": value.tolist()})
+def field_in_text(places: Places, value: Floats, measured: Sequence[str]) -> str:
+    """A field through values at the places, (n,) mm, as text, with the fingerprints of what it follows from."""
+    return json.dumps({"places": json.loads(places.text()), "value": value.tolist(), "measured": list(measured)})
 
 
-def field_of_text(text: str) -> Correction:
-    """The field of a text of `field_in_text`.
+def field_of_text(text: str, measured: Sequence[str]) -> Correction | None:
+    """The field of a text of `field_in_text`; None where it follows from other measurements.
 
     Raises
     ------
@@ -148,7 +148,7 @@ def field_of_text(text: str) -> Correction:
         places, value = Places.from_text(json.dumps(read["places"])), np.array(read["value"], dtype=np.float64)
         if value.shape != (len(places),) or not np.isfinite(value).all():
             raise ValueError("values and places do not belong together")
-        return places.field(value)
+        return places.field(value) if read["measured"] == list(measured) else None
     except (ValueError, TypeError, LookupError) as error:
         raise InputError(f"the smoothed deviation of a series is damaged ({error}): correct from the part again") from (
             error

@@ -215,7 +215,7 @@ def judged(
             decision = process_control.decide(chain.state, seen, control, uncorrected=not marks, accepted=accepted)
             if decision.kind == "smoothed":
                 result = pipeline.correct(replace(request, smoothed=places.field(decision.smoothed)))
-                smoothed = field_in_text(places, decision.smoothed)
+                smoothed = field_in_text(places, decision.smoothed, [fingerprint for _, fingerprint in measured])
             elif decision.kind == "keep":
                 result = unchanged(own, places.field(np.nan_to_num(commanded)) if marks else None)
             _refuse_steps(control, result, bool(marks))

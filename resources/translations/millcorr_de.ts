@@ -156,6 +156,10 @@
         <translation>Korrigiert</translation>
     </message>
     <message>
+        <source>Smoothed</source>
+        <translation>Geglättet</translation>
+    </message>
+    <message>
         <source>Cut path</source>
         <translation>Gefräste Bahn</translation>
     </message>
@@ -302,6 +306,10 @@
     <message>
         <source>When the correction was made</source>
         <translation>Wann die Korrektur gemacht wurde</translation>
+    </message>
+    <message>
+        <source>Deviation smoothed over the parts of a series, which is taken out in place of the measured one</source>
+        <translation>Über die Teile einer Serie geglättete Abweichung, die anstelle der gemessenen herausgenommen wird</translation>
     </message>
     <message>
         <source>SHA-256 of the measurement, and of the operation's path when it came</source>

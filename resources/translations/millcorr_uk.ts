@@ -156,6 +156,10 @@
         <translation>Скориговано</translation>
     </message>
     <message>
+        <source>Smoothed</source>
+        <translation>Згладжене</translation>
+    </message>
+    <message>
         <source>Cut path</source>
         <translation>Фрезерована траєкторія</translation>
     </message>
@@ -302,6 +306,10 @@
     <message>
         <source>When the correction was made</source>
         <translation>Коли зроблено корекцію</translation>
+    </message>
+    <message>
+        <source>Deviation smoothed over the parts of a series, which is taken out in place of the measured one</source>
+        <translation>Відхилення, згладжене за деталями серії, яке усувається замість виміряного</translation>
     </message>
     <message>
         <source>SHA-256 of the measurement, and of the operation's path when it came</source>
