@@ -34,6 +34,9 @@ STATE_SUFFIX = ".state"
 LOST = 1
 """Exit status of a job whose process was killed or whose worker was lost."""
 
+ANSWER_TIME = 10.0
+"""A scheduler that has not answered after so many seconds is not there."""
+
 BAR = 30
 """Characters of the bar over all jobs."""
 
@@ -417,7 +420,7 @@ def _executor(workers: int | None, dask: str | None) -> Iterator[Executor]:
     except ModuleNotFoundError as error:
         raise UsageError("--dask needs the package distributed: pip install distributed") from error
     try:
-        client = Client(dask, timeout=10)
+        client = Client(dask, timeout=ANSWER_TIME)
     except (OSError, ValueError, TimeoutError) as error:
         raise UsageError(f"--dask {dask}: no scheduler answers there: {error}") from error
     with client:
