@@ -22,7 +22,7 @@ from .reconstruction import CompensatedContour
 from .regeneration import BAND
 from .regeneration.carried import carried_correction
 from .regeneration.path_following import follow
-from .theoretical_contour import SAME_POINT, CutContour, cut_contours, cutting_runs, path_profile
+from .theoretical_contour import SAME_POINT, CutContour, cut_at_vertices, cut_contours, cutting_runs, path_profile
 from .toolpath import Compensation, Kind, Toolpath
 
 Floats = NDArray[np.float64]
@@ -175,6 +175,35 @@ def _measured(contours: list[Contour], measurement: Measurement) -> list[Contour
         return []
     count = np.bincount(owner, minlength=len(contours))
     return [c for c, n in zip(contours, count, strict=True) if n > 0.02 * len(owner)]
+
+
+def cut_onto_the_contour(toolpath: Toolpath, following: Bools) -> tuple[Toolpath, Ints]:
+    """Leads that run onto a contour and along it in one move, cut where the contour begins.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    following : (n,) bool
+        Moves that follow the contour as a whole.
+
+    Returns
+    -------
+    Toolpath
+        With the other feed moves cut at the following moves' ends; the same one where none lies on them.
+    row : (m,) int64
+        The move that each of its moves comes from.
+    """
+    feeds = np.zeros(len(toolpath), dtype=bool)
+    for run in cutting_runs(toolpath):
+        feeds[run] = True
+    leads, rest = np.flatnonzero(feeds & ~following), np.flatnonzero(~feeds | following)
+    ends = np.vstack([toolpath.start[following, :2], toolpath.end[following, :2]])
+    parts, part_of = cut_at_vertices(toolpath.take(leads), ends)
+    if len(parts) == len(leads):
+        return toolpath, np.arange(len(toolpath))
+    row = np.concatenate([rest, leads[part_of]])
+    order = np.argsort(row, kind="stable")
+    return Toolpath.concatenate([toolpath.take(rest), parts]).take(order), row[order]
 
 
 def beside_the_path(toolpath: Toolpath, following: Bools) -> Bools:

@@ -13,7 +13,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import __version__, alignment, distrust, gcode, provenance
-from .commanded import Commanded, beside_the_path, choose_side, commanded_offset, nominal_of
+from .commanded import (
+    EXACT,
+    Commanded,
+    beside_the_path,
+    choose_side,
+    commanded_offset,
+    cut_onto_the_contour,
+    nominal_of,
+)
 from .compensation import Correction, dead_band
 from .deviation import Deviation, deviations, statistics
 from .errors import DistrustError, InputError, LimitError, UsageError
@@ -304,8 +312,15 @@ def correct(request: Request, *, check: bool = False) -> Result:
         nominal = _own_contour(program, toolpath, settings, measurement, request.radius, path_radius, usable, warnings)
     reach = settings.limit if carried else 0.0
     nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, request.nominal is not None)
+    row_of, whole = np.flatnonzero(kept), (toolpath, usable)
+    cut, row = cut_onto_the_contour(toolpath, commanded.following)
+    if len(cut) > len(toolpath):
+        _, found = _turned_to_the_path(nominal, cut, path_radius, usable[row], reach, False)
+        # What only touches the contour is no part of it, and stays one move.
+        if len(np.unique(row[found.following])) > commanded.following.sum():
+            toolpath, commanded, usable, row_of = cut, found, usable[row], row_of[row]
     rows = np.zeros(len(kept), dtype=bool)
-    rows[kept] = beside_the_path(toolpath, commanded.following)
+    rows[row_of[beside_the_path(toolpath, commanded.following)]] = True
     program.require_plain(rows)
 
     before: Simulation | None = None
@@ -395,16 +410,17 @@ def correct(request: Request, *, check: bool = False) -> Result:
     header = _header(request)
 
     def lay(correction: Correction) -> Emission:
+        moves, free = (toolpath, usable) if correction.largest > EXACT else whole
         return emit(
             program,
             nominal,
             correction,
             path_radius,
             settings,
-            rows=usable,
+            rows=free,
             nominal_from_path=request.nominal is None,
             header=header,
-            toolpath=toolpath,
+            toolpath=moves,
             expected=commanded.expected,
         )
 
@@ -414,6 +430,9 @@ def correct(request: Request, *, check: bool = False) -> Result:
     else:
         foreseen, correction, written = foresee(aim, before, first, settings, program.name, lay, warnings)
         foreseen = replace(foreseen, axes=axes, machine=machine_found)
+    if correction.largest > EXACT:
+        of_program = replace(written.regeneration, origin=row_of[written.regeneration.origin])
+        written = replace(written, regeneration=of_program)
     applied = np.zeros(len(work.deviation))
     if len(work.deviation):
         applied = correction.at(work.deviation.stretch, work.deviation.s, nominal)

@@ -26,7 +26,7 @@ Ints = NDArray[np.int64]
 SAME_POINT = 2e-4
 """Path points closer than this, in mm, are the same vertex (programs round to 0.001 or finer)."""
 ON_THE_MOVE = 2e-3
-"""A vertex this near, in mm, lies on a move: an end of a move on a slope is rounded in both axes, in 0.0001 inch, too."""
+"""A vertex this near, in mm, lies on a move: on a slope the ends of moves are rounded, down to 0.0001 inch."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -218,7 +218,8 @@ def _contours_of_run(toolpath: Toolpath, run: Ints, radius: float, material_righ
     moves, origin = toolpath.take(run), run
     loops = closed_loops(moves, np.arange(len(moves)))
     if not loops:
-        moves, row = _cut_where_it_meets_itself(moves)
+        # A path that starts within an edge and ends some way beyond that point has no vertex twice.
+        moves, row = cut_at_vertices(moves, np.vstack([moves.start[:, :2], moves.end[-1:, :2]]))
         origin = run[row]
         loops = closed_loops(moves, np.arange(len(moves)))
     for a, b in loops:
@@ -232,14 +233,24 @@ def _contours_of_run(toolpath: Toolpath, run: Ints, radius: float, material_righ
         yield _offset(toolpath, run[first:], radius, material_right, False)
 
 
-def _cut_where_it_meets_itself(moves: Toolpath) -> tuple[Toolpath, Ints]:
-    """Connected moves, each cut where another of their vertices lies on it, and the row that each part comes from.
+def cut_at_vertices(moves: Toolpath, vertices: Floats) -> tuple[Toolpath, Ints]:
+    """Lines and arcs in the XY plane, each cut where one of the vertices lies on it.
 
-    A path that starts within an edge and ends some way beyond that point has no vertex twice.
+    Parameters
+    ----------
+    moves : Toolpath
+    vertices : (n, 2) float64
+        Points in mm; on a move are those nearer than `ON_THE_MOVE`, except at its ends.
+
+    Returns
+    -------
+    Toolpath
+    row : (m,) int64
+        The move that each part comes from.
     """
     from shapely import STRtree, box, points
 
-    vertex = np.unique(np.vstack([moves.start[:, :2], moves.end[-1:, :2]]), axis=0)
+    vertex = np.unique(vertices, axis=0)
     arc = moves.kind == Kind.ARC
     arm = moves.start[:, :2] - moves.centre[:, :2]
     r = np.where(arc, np.hypot(*arm.T), 0.0)
@@ -269,6 +280,8 @@ def _cut_where_it_meets_itself(moves: Toolpath) -> tuple[Toolpath, Ints]:
     out = moves.take(row)
     start, end = out.start.copy(), out.end.copy()
     start[:, :2], end[:, :2] = begin, finish
+    rise = end[:, 2] - start[:, 2]
+    start[:, 2], end[:, 2] = start[:, 2] + rise * u, np.where(last, end[:, 2], start[:, 2] + rise * (u + share))
     return out.with_moves(start=start, end=end, sweep=out.sweep * share), row
 
 

@@ -137,3 +137,51 @@ def test_an_arc_that_ends_beyond_its_start() -> None:
     arcs = program.toolpath.take(program.toolpath.kind == Kind.ARC)
     r = np.hypot(*arcs.position(np.linspace(0, 1, 17))[:, :, :2].reshape(-1, 2).T)
     np.testing.assert_allclose(r, 14.98, atol=1e-3)
+
+
+STRAIGHT_IN = """%
+O7
+G21 G90 G17 G40
+G0 X-5. Y-20.
+G1 Z-3. F200.
+Y50. F500.
+G2 X10. Y65. R15.
+G1 X70.
+G2 X85. Y50. R15.
+G1 Y10.
+G2 X70. Y-5. R15.
+G1 X10.
+G2 X-5. Y10. R15.
+G1 Y20.
+G0 Z5.
+M30
+%
+"""
+
+
+def rounded(excess: float) -> np.ndarray:
+    """Points of an 80 x 60 rectangle with corners of radius 10, this much larger, (n, 2)."""
+    u = np.linspace(0.0, 1.0, 40)
+    a = u[1:-1] * np.pi / 2
+    x, y, r = 10 + 60 * u, 10 + 40 * u, 10 + excess
+    edges = [(x, -excess + 0 * x), (x, 60 + excess + 0 * x), (-excess + 0 * y, y), (80 + excess + 0 * y, y)]
+    corners = [(70, 50, 0), (10, 50, 1), (10, 10, 2), (70, 10, 3)]
+    edges += [(cx + r * np.cos(a + k * np.pi / 2), cy + r * np.sin(a + k * np.pi / 2)) for cx, cy, k in corners]
+    return np.concatenate([np.column_stack(edge) for edge in edges])
+
+
+@pytest.mark.parametrize("excess", [0.03, -0.02])
+def test_a_lead_that_runs_along_the_first_edge_in_one_move(excess: float) -> None:
+    """The stretch of it that cuts the edge is corrected like the others, and the lead goes along."""
+    program, lines = corrected(STRAIGHT_IN, rounded(excess))
+    assert f"G0 X{-5 + excess:g} Y-20." in lines
+    cut = program.toolpath.take(program.toolpath.kind != Kind.RAPID)
+    points = cut.position(np.linspace(0.0, 1.0, 33))[:, :, :2].reshape(-1, 2)
+    edge = points[(points[:, 0] < 5) & (points[:, 1] > 10) & (points[:, 1] < 50)]
+    np.testing.assert_allclose(edge[:, 0], -5 + excess, atol=1e-3)
+    assert np.ptp(edge[:, 1]) > 35
+
+
+def test_a_lead_that_runs_along_the_first_edge_stays_one_line_without_a_correction() -> None:
+    _, lines = corrected(STRAIGHT_IN, rounded(0.0), accept=("identical-to-nominal",))
+    assert lines == STRAIGHT_IN.splitlines()
