@@ -200,19 +200,22 @@ def _run(arguments: argparse.Namespace, output: Path | None) -> None:
         "report": arguments.report,
         "settings": pipeline.Settings(**settings),
     }
+    once = getattr(arguments, "once", False)
     if arguments.program is not None:
         if arguments.operation is not None or getattr(arguments, "gcode", None) is not None:
             raise UsageError("--operation and --gcode belong to --document; with --program use --output")
         table = getattr(arguments, "table", False)
-        once = getattr(arguments, "once", False)
         done = session.correct_program(arguments.program, **common, table=table, once=once, **_series(arguments))
     else:
-        if _series(arguments):
-            raise UsageError("--journal and --control belong to --program: what a journal records are programs")
         if getattr(arguments, "table", False):
             raise UsageError("--table belongs to --program; with --document use --report, which writes points.csv")
         done = session.correct_document(
-            arguments.document, operation=arguments.operation, gcode=getattr(arguments, "gcode", None), **common
+            arguments.document,
+            operation=arguments.operation,
+            gcode=getattr(arguments, "gcode", None),
+            once=once,
+            **common,
+            **_series(arguments),
         )
     _say(done)
 

@@ -134,6 +134,10 @@ def correct_document(
     report: Path | None = None,
     settings: pipeline.Settings | None = None,
     setup: Path | None = None,
+    journal: str | None = None,
+    once: bool = False,
+    control: str | None = None,
+    **limits: float | None,
 ) -> str:
     """Correct an operation of a FreeCAD document, in a process of FreeCAD's command line.
 
@@ -147,6 +151,8 @@ def correct_document(
         Posted program.
     measured, reading, nominal, tool_diameter, output, report, settings, setup
         As in `correct_program`; `nominal` is the label of an object of the document, as ``#LABEL``, or a file.
+    journal, once, control, **limits
+        As in `correct_program`; '' is the journal beside the nominal's file.
 
     Returns
     -------
@@ -163,10 +169,17 @@ def correct_document(
         raise UsageError(f"--tool-diameter {tool_diameter:g}: must be a length above 0")
     if output is not None and output.suffix.lower() != ".fcstd":
         raise UsageError(f"--output {output}: a corrected document is an .FCStd file; its program goes to --gcode")
-    inputs = {"document": document, "nominal": nominal_file(nominal), "setup": setup}
+    first = nominal_file(nominal)
+    if journal == "" and first is None:
+        raise UsageError(
+            "--journal with --document needs a name: every part's document has another one, the journal is that of all"
+        )
+    serial.control_from(control, (settings or pipeline.Settings()).dead_band, journal=journal is not None, **limits)
+    book = None if journal is None else Path(journal) if journal else serial.default_journal(document, nominal)
+    inputs = {"document": document, "nominal": first, "setup": setup}
     inputs |= measured_inputs(measured, reading)
-    refuse_places({"--output": output, "--gcode": gcode}, inputs, report, reports.FILES)
-    places = {"output": output, "gcode": gcode, "report": report}
+    refuse_places({"--output": output, "--gcode": gcode, "--journal": book}, inputs, report, reports.FILES)
+    places = {"output": output, "gcode": gcode, "report": report, "journal": book}
     summary = freecad_process.call(
         "correct",
         {
@@ -177,13 +190,20 @@ def correct_document(
             "tool_diameter": tool_diameter,
             "setup": None if setup is None else str(setup.resolve()),
             **{name: None if place is None else str(place.resolve()) for name, place in places.items()},
+            "control": control,
+            "once": once,
+            **{name: value for name, value in limits.items() if value is not None},
             **reading.as_dict(),
             **asdict(settings or pipeline.Settings()),
         },
     )
+    if "done_before" in summary:
+        return f"done before: {output} is in its place; {summary['done_before']}"
     outputs = {
         name: str(place / "report.html" if name == "report" else place)
         for name, place in (("document", output), ("program", gcode), ("report", report))
         if place is not None
     }
+    if book is not None:
+        outputs["journal"] = str(book)
     return in_words(summary, outputs, checked_only=output is None)

@@ -9,7 +9,9 @@ import FreeCAD
 import numpy as np
 import pytest
 
+from millcorr import freecad_process
 from millcorr import gcode as nc
+from millcorr.__main__ import main
 from millcorr.app import batch, compat, convert, correction, demonstration, documents, motion, process
 from millcorr.errors import InputError, LimitError, RefusedError, UsageError
 from millcorr.readers import text
@@ -123,3 +125,18 @@ def test_a_series_refuses_and_leaves_nothing(part_files, tmp_path):
     assert [e.part for e in series.entries] == [1, 2]
     with pytest.raises(UsageError, match="a document that is a file"):
         batch.correct_document(part_files[0], measured=tmp_path / "part-1.csv", points="contact", journal="j")
+
+
+def test_from_the_command_line(part_files, measured_file, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(freecad_process, "call", lambda name, arguments: process.FUNCTIONS[name](**arguments))
+    points = ["--measured", str(measured_file[0]), "--points", "contact", "--output", "JOB-1.FCStd"]
+    command = ["correct", "--document", str(part_files[0]), *points, "--journal", "shop.journal"]
+    assert main([*command, "--control", "ewma:2", "--control-limit", "0.004"]) == 0
+    assert "journal     shop.journal" in capsys.readouterr().out
+    assert main(command) == 4 and "this measurement is part 1" in capsys.readouterr().err
+    assert main([*command, "--once"]) == 0 and "done before: JOB-1.FCStd is in its place" in capsys.readouterr().out
+    assert main([*command[:-1], "--output", "JOB-2.FCStd"]) == 2 and "needs a name" in capsys.readouterr().err
+    assert main(["history", "shop.journal"]) == 0
+    assert "demo.FCStd (first program" in capsys.readouterr().out
+    assert files(tmp_path) == {"JOB-1.FCStd", "shop.journal"}
