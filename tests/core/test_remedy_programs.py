@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import re
 
@@ -11,7 +12,7 @@ import pytest
 
 from millcorr import gcode
 from millcorr.__main__ import main
-from millcorr.kinematics import AxisDynamics, Control, corner_errors, motion
+from millcorr.kinematics import AxisDynamics, ContourControl, Control, corner_errors, motion
 from tests.core.test_tilt import APART, HOLLOW
 from tests.core.test_wall_in_simulation import CORNER, HEIGHTS, SETUP
 
@@ -75,6 +76,13 @@ def test_slowed_corner(directory, capsys):
     # Five points: two more than the three that the program has, and a comment.
     lines = written.text.splitlines()
     assert len(lines) == len(FAST.splitlines()) + 3 and "slowed at corners" in lines[0] + lines[1]
+    # What the axes leave is in the predicted surface, and beside it.
+    with open(directory / "slowed" / "predicted.csv", encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    left = np.array([float(row["kinematic"]) for row in rows])
+    range_ = found(directory, "slowed")["kinematic_error_mm"]
+    assert (left.min(), left.max()) == pytest.approx((range_["min"], range_["max"]), rel=1e-8)
+    assert 0.005 < left.max() < corner["before_mm"]
     page = (directory / "slowed" / "simulation.html").read_text(encoding="utf-8")
     assert "Corners run slower" in page and "line 4, X0.000 Y0.000" in page
 
@@ -147,9 +155,9 @@ def test_what_is_refused_writes_nothing(directory, capsys, program, setup, words
     assert (directory / "fast.nc").read_text() == FAST
 
 
-def log(directory, name, text, columns, noise, seed=3):
+def log(directory, name, text, columns, noise, contour=None, seed=3):
     """A log of the corner, cut by ramps of 50 and 60 ms and a gain of 40/s, begun at 7 s, in steps of 2 ms."""
-    control = Control(AxisDynamics(0.05, kv=40.0), AxisDynamics(0.06, kv=40.0), AxisDynamics(0.06, kv=40.0))
+    control = Control(AxisDynamics(0.05, kv=40.0), AxisDynamics(0.06, kv=40.0), AxisDynamics(0.06, kv=40.0), contour)
     m = motion(gcode.parse(text).toolpath, control, step=0.002)
     rng = np.random.default_rng(seed)
     values = np.column_stack([m.x, m.y]) if columns == "t,x,y" else 60.0 * m.feed[:, None]
@@ -192,3 +200,15 @@ def test_what_the_setup_states_is_known(directory, capsys):
     assert run(directory, "fast.nc", "stiff.toml", "refused", "--trace", "other.csv") == 4
     assert "not one of this program" in capsys.readouterr().err
     assert not (directory / "refused").exists()
+
+
+def test_speed_change_at_corners_by_a_log(directory):
+    """2 mm/s are allowed, the setup begins at 200 mm/min: found within four standard uncertainties of 120."""
+    log(directory, "contour.csv", FAST, "t,x,y", 0.001, ContourControl(speed_change=2.0))
+    known = "position_gain_per_s = 40.0\ncontour_control = true\ncontour_speed_change_mm_min = 200.0\n"
+    text = (directory / "inert.toml").read_text(encoding="utf-8").replace("y_ms = 50.0\n", f"y_ms = 60.0\n{known}")
+    (directory / "contour.toml").write_text(text, encoding="utf-8")
+    wanted = ["--trace", "contour.csv", "--identify", "contour_speed_change_mm_min"]
+    assert run(directory, "fast.nc", "contour.toml", "contour", *wanted) == 0
+    one = found(directory, "contour")["identified"]["machine"]["contour_speed_change_mm_min"]
+    assert abs(one["value"] - 120.0) < 4 * one["uncertainty"] < 12.0
