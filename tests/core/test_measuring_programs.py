@@ -478,6 +478,34 @@ def test_from_the_milling_program_to_the_corrected_one(dialect: str, tmp_path: P
     assert np.abs(corners[:3] - expected[:3]).max() < rounding(dialect) + 1e-3
 
 
+@pytest.mark.parametrize("dialect", EVERY)
+def test_an_open_inclined_edge_from_the_program_to_the_corrected_one(dialect: str, tmp_path: Path) -> None:
+    """The edge of petrakov-2025, 30.27 degrees off X, with 0.09 mm left on it: the path goes 0.09 mm deeper."""
+    from millcorr import gcode, pipeline
+    from tests.core.loop_programs import EDGE
+
+    source = gcode.parse(EDGE, "edge.nc")
+    chosen = pipeline.Settings(side="left", filter="none", method="transfer", depth=2.0)
+    nominal = pipeline.nominal_from_program(source, 8.0, chosen, None)
+    (begin, _), (n, _) = nominal.at(0, np.array([0.0, float(nominal.total[0])]))
+    # The cutter runs on the left, towards larger Y, where the material is not.
+    assert n == pytest.approx([-np.sin(np.radians(30.269)), np.cos(np.radians(30.269))], abs=1e-4)
+    made = program(nominal, dialect, count=8, z=-7.5)
+    assert len(made.plan) == 8 and not made.plan.left_out
+    left = 0.09
+    result = run(made, dialect, lambda p: (p - begin) @ n - left)
+    assert result.machine.nearest > made.plan.probe.clearance / 2
+    measured = read_back(result, made, tmp_path)
+    corrected = pipeline.correct(pipeline.Request(source, 8.0, measured, nominal, chosen))
+    assert len(corrected.deviation) == 8
+    assert np.abs(corrected.deviation.value - left).max() < rounding(dialect)
+    # MS = 0.09 / (2 - 0.09); the next path commands 2 (1 + MS).
+    deeper = 2.0 * left / (2.0 - left)
+    path = gcode.parse(corrected.text, "corrected.nc").toolpath
+    cut = path.end[path.kind != 0][-1, :2]
+    assert (cut - begin) @ n == pytest.approx(8.0 - deeper, abs=rounding(dialect) + 1e-3)
+
+
 def test_a_cutter_too_slim_for_the_ball_makes_a_warning() -> None:
     """A cutter of 6 mm clears 6 mm; the ball of 5 mm with a clearance of 2 mm needs 7."""
     from millcorr import gcode
