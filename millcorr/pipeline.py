@@ -392,9 +392,8 @@ def correct(request: Request, *, check: bool = False) -> Result:
             )  # fmt: skip
         else:
             work = target_of(parts, nominal, settings, bool(carried), warnings)
-            made = distrust.examine_determined(
-                work.deviation, work.deviation.value - work.commanded, work.filtered - work.commanded, work.trust
-            )
+            seen, repeats = work.deviation.value - work.commanded, work.filtered - work.commanded
+            made = distrust.examine_determined(work.deviation, seen, repeats, work.trust, nominal)
             warnings += distrust.refuse_dangerous(made, settings.accept, sources[0])
         if request.smoothed is not None:
             left = request.smoothed.at(work.deviation.stretch, work.deviation.s, nominal)

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.deviation import Deviation
+from millcorr.profile import Profile
 
 from .findings import Finding
 
@@ -34,9 +35,28 @@ AT_LEAST = 2
 IGNORED = 1e-3
 """Points with less trust than this were taken as outliers."""
 
+NARROW = 5.0
+"""Errors of a machine come again with the pitch of its ball screws, 5 mm or more; what is raised on less of the contour
+is no such wave."""
+
+HIGH = 0.03
+"""What a machine does on a shorter way, at the reversal of an axis, stays below this, in mm."""
+
+ABOVE_USUAL = 6.0
+"""So many standard deviations of all points of a stretch about their running median a lump must be high."""
+
+TAKEN = 0.015
+"""What a filter lets through of a lump is worth stopping for from here on, in mm."""
+
+MOST_RAISED = 0.1
+"""Where more of the points are raised it is the part."""
+
+ENOUGH = 16
+"""Among fewer points on a stretch it cannot be told what is usual."""
+
 
 def examine_determined(
-    deviation: Deviation, machine: Floats, determined: Floats, trust: Floats | None
+    deviation: Deviation, machine: Floats, determined: Floats, trust: Floats | None, profile: Profile
 ) -> tuple[Finding, ...]:
     """Whether a filter's determined part goes beyond what was measured, or makes measured places worse.
 
@@ -48,11 +68,13 @@ def examine_determined(
         What the machine added at the points, and the determined part of it, mm; NaN where it is not known.
     trust : (n,) float64 or None
         The filter's trust in each point, 0 (outlier) to 1; None: all are trusted.
+    profile : Profile
+        Nominal.
 
     Returns
     -------
     tuple of Finding
-        At most one, with the worst stretch.
+        At most one, with the worst stretch or lump.
 
     Notes
     -----
@@ -88,13 +110,68 @@ def examine_determined(
                 f"{left * 1000:+.0f} um in place of {machine[rows[at]] * 1000:+.0f}"
             )
             worst = max(worst or (0.0, ""), (float(more[at]), seen))
-    if worst is None:
-        return ()
+    lumps = _swarf(deviation, machine, determined, block, profile)
+    if worst is None or lumps:
+        return lumps
     text = (
         f"{worst[1]}: a chip under the probe, or a filter too coarse or too fine for these points; leave such points "
         "out, measure there again, or take another --filter"
     )
     return (Finding("overshoot", text, True),)
+
+
+def _swarf(
+    deviation: Deviation, machine: Floats, determined: Floats, block: Ints, profile: Profile
+) -> tuple[Finding, ...]:
+    """A few neighbouring points far above the others that the determined part follows."""
+    from scipy.ndimage import median_filter
+
+    stretches = profile.stretches()
+    worst: tuple[float, str] | None = None
+    for key in np.unique(block):
+        rows = np.flatnonzero((block == key) & np.isfinite(machine))
+        rows = rows[np.argsort(deviation.s[rows], kind="stable")]
+        if len(rows) < ENOUGH:
+            continue
+        s = deviation.s[rows]
+        stretch = stretches[int(deviation.stretch[rows[0]])]
+        size = max(min(2 * int(2.0 * NARROW / max(float(np.median(np.diff(s))), 1e-6)) + 1, len(rows) // 2), 7)
+        base = median_filter(machine[rows], size=size, mode="wrap" if stretch.closed else "nearest")
+        over = machine[rows] - base
+        # Waves and steps of the part itself, and what is left of them beside a running median.
+        raised = over > max(HIGH, ABOVE_USUAL * 1.482602 * float(np.median(np.abs(over))))
+        if stretch.closed:
+            # No lump lies across the place to begin at.
+            low = int(np.argmax(~raised & ~np.roll(raised, 1)))
+            rows, base, raised = (np.roll(array, -low) for array in (rows, base, raised))
+            s = np.concatenate([s[low:], s[:low] + stretch.length])
+        if raised.mean() > MOST_RAISED:
+            continue
+        step = np.diff(raised.astype(int))
+        begin, end = np.flatnonzero(step == 1) + 1, np.flatnonzero(step == -1)
+        # Next to a corner machines do leave such errors.
+        begin, end = begin[: len(begin) - int(raised[-1])], end[int(raised[0]) :]
+        wide, apart = s[end] - s[begin], np.maximum(s[begin] - s[begin - 1], s[end + 1] - s[end])
+        for first, last, width in zip(begin, end, np.maximum(wide, apart), strict=True):
+            run = rows[first : last + 1]
+            taken = float((determined[run] - base[first : last + 1]).max())
+            if width > NARROW or taken < TAKEN:
+                continue
+            at = first + int(np.argmax(machine[run]))
+            height = machine[rows[at]] - base[at]
+            seen = (
+                f"{len(run)} {'point' if len(run) == 1 else 'neighbouring points'} near {_place(deviation, rows[at])} "
+                f"{'lies' if len(run) == 1 else 'lie up to'} {height * 1000:+.0f} um over what is round them, on {s[last + 1] - s[first - 1]:.2g} mm of the contour, and the "
+                f"correction would take {taken * 1000:.0f} um of that away"
+            )
+            worst = max(worst or (0.0, ""), (float(height), seen))
+    if worst is None:
+        return ()
+    text = (
+        f"{worst[1]}: so high and narrow is swarf under the probe, not an error of a machine; clean the part and "
+        "measure there again, leave the points out, or take --filter robust:MM"
+    )
+    return (Finding("swarf", text, True),)
 
 
 def _place(deviation: Deviation, row: int) -> str:

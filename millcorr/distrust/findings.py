@@ -33,6 +33,7 @@ NAMES = (
     "too-few-points",
     "unmeasured",
     "overshoot",
+    "swarf",
     "earlier-program",
     "same-part",
     "first-part",

@@ -33,9 +33,9 @@ def test_a_lump_that_a_filter_swings_about_is_dangerous() -> None:
     d = deviations(changed(PLAIN), NOMINAL)
     order = np.argsort(d.s)
     determined = d.value.copy()
-    assert distrust.examine_determined(d, d.value, determined, None) == ()
+    assert distrust.examine_determined(d, d.value, determined, None, NOMINAL) == ()
     determined[order[10:13]] -= 0.15
-    (finding,) = distrust.examine_determined(d, d.value, determined, np.ones(len(d)))
+    (finding,) = distrust.examine_determined(d, d.value, determined, np.ones(len(d)), NOMINAL)
     assert finding.name == "overshoot" and finding.dangerous
 
 
@@ -43,7 +43,7 @@ def test_an_outlier_that_a_filter_leaves_alone_is_no_overshoot() -> None:
     d = deviations(changed(PLAIN), NOMINAL)
     machine, trust = d.value.copy(), np.ones(len(d))
     machine[20], trust[20] = 0.3, 0.0
-    assert distrust.examine_determined(d, machine, d.value, trust) == ()
+    assert distrust.examine_determined(d, machine, d.value, trust, NOMINAL) == ()
 
 
 def test_points_on_a_small_part_of_the_contour_are_dangerous() -> None:

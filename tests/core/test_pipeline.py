@@ -251,8 +251,9 @@ def test_a_gouge_is_refused() -> None:
         return 0.3 * np.exp(-(((s - 50.0) / 0.8) ** 2))
 
     measurement = programs.measured(nominal, dent, spacing=0.2)
+    settings = pipeline.Settings(filter="none", accept=("swarf",))
     with pytest.raises(LimitError, match="gouge|crosses"):
-        pipeline.correct(pipeline.Request(PROGRAM, 5.0, measurement, nominal, pipeline.Settings(filter="none")))
+        pipeline.correct(pipeline.Request(PROGRAM, 5.0, measurement, nominal, settings))
 
 
 def test_wrong_tool_diameter_is_refused() -> None:
