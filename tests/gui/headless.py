@@ -2,6 +2,7 @@
 """What is done without a window before and after the stories, in FreeCADCmd."""
 
 import json
+import shutil
 import sys
 from pathlib import Path
 
@@ -43,6 +44,14 @@ def prepare(directory):
     )
 
 
+def same(obj, program):
+    """The object has this path; headless and with a window FreeCAD may have different numpys."""
+    seen, expected = obj.Path.toGCode().split(), program.split()
+    assert len(seen) == len(expected), (len(seen), len(expected))
+    for a, b in zip(seen, expected, strict=True):
+        assert a == b or abs(float(a[1:]) - float(b[1:])) <= 1e-5, (a, b)
+
+
 def replay_correct(directory):
     """Run the lines that the window recorded: the same path comes out."""
     from millcorr.app import compat
@@ -53,17 +62,16 @@ def replay_correct(directory):
     document = FreeCAD.openDocument(str(work / "demo.FCStd"))
     FreeCAD.setActiveDocument(document.Name)
     names = {"App": FreeCAD}
+    shutil.rmtree(work / "exported")
     for line in recorded["lines"]:
         exec(line, names)
     # The last change in the window was undone.
     obj = document.getObject("DressupMillcorr")
     obj.Gain = 1.0
     document.recompute()
-    seen, expected = obj.Path.toGCode().split(), recorded["path"].split()
-    assert len(seen) == len(expected), (len(seen), len(expected))
-    # Headless and with a window FreeCAD may have different numpys.
-    for a, b in zip(seen, expected, strict=True):
-        assert a == b or abs(float(a[1:]) - float(b[1:])) <= 1e-5, (a, b)
+    same(obj, recorded["path"])
+    assert document.getObject("MillcorrProfile").Shape.Edges, "no compensated profile"
+    assert (work / "exported" / "report.html").exists(), "no report"
 
 
 def replay_shop(directory):
@@ -82,3 +90,4 @@ def replay_shop(directory):
         exec(line, names)
     for name, text in recorded["files"].items():
         assert (work / name).read_text(encoding="utf-8") == text, name
+    same(document.getObject("DressupMillcorr"), recorded["path"])

@@ -324,6 +324,32 @@ def edited(document, obj):
     pictures("hidden", False)
     FreeCADGui.runCommand("Millcorr_Picture", 0)
     until(lambda: obj.ViewObject.Proxy._picture.shown, "picture switched on")
+    taken_out(document, obj)
+
+
+def taken_out(document, obj):
+    """Compensated profile and report: a step of undo for what is in the document, none for a file."""
+    objects, undone = len(document.Objects), document.UndoCount
+    select(obj)
+    FreeCADGui.runCommand("Millcorr_Profile", 0)
+    wait(300)
+    equal([len(document.Objects), document.UndoCount], [objects + 1, undone + 1], "objects and undo after the profile")
+    document.undo()
+    equal(len(document.Objects), objects, "objects after undo of the profile")
+    document.redo()
+    wait(200)
+    profile = document.Objects[-1]
+    check(profile.Shape.Edges and profile.Shape.Edges[0].Curve.TypeId.endswith("BSplineCurve"), "no NURBS")
+    equal(profile.Name, "MillcorrProfile", "name of the profile")
+    select(obj)
+    ask = QtGui.QFileDialog.getExistingDirectory
+    QtGui.QFileDialog.getExistingDirectory = staticmethod(lambda *given: path("exported"))
+    try:
+        FreeCADGui.runCommand("Millcorr_Report", 0)
+    finally:
+        QtGui.QFileDialog.getExistingDirectory = ask
+    check(os.path.exists(path("exported/report.html")), "no report is exported")
+    equal(document.UndoCount, undone + 1, "undo after the report")
 
 
 def kept(document, obj):

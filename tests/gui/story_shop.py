@@ -186,13 +186,16 @@ def task_panel(kind):
 
 
 def transfer(document, obj):
-    from millcorr.app import measurement_object
-
     check(not active("Millcorr_Transfer"), "transfer can be used without a measured part")
     check("measured part" in tooltip("Millcorr_Transfer"), tooltip("Millcorr_Transfer"))
-    obj.Measurement = measurement_object.create(document, path("cmm.csv"), "contact")
-    obj.LeaveStock = 0.0
-    document.recompute()
+    for line in (
+        "from millcorr.app import measurement_object",
+        f"measured = measurement_object.create(App.ActiveDocument, {path('cmm.csv')!r}, 'contact')",
+        f"App.ActiveDocument.{obj.Name}.Measurement = measured",
+        f"App.ActiveDocument.{obj.Name}.LeaveStock = 0.0",
+        "App.ActiveDocument.recompute()",
+    ):
+        FreeCADGui.doCommand(line)
     select(obj)
     check(active("Millcorr_Transfer"), tooltip("Millcorr_Transfer"))
     FreeCADGui.runCommand("Millcorr_Transfer", 0)
@@ -212,8 +215,10 @@ def transfer(document, obj):
     wait(300)
     equal(obj.Method, "transfer", "method")
     equal(list(obj.Depth), [0.4], "depth")
+    program = obj.Path.toGCode()
     document.undo()
     equal(obj.Method, "mirror", "method after undo")
+    return program
 
 
 def simulate(document):
@@ -384,15 +389,16 @@ def preferences():
     page.close()
 
 
-def leave_lines():
+def leave_lines(program):
     """For a FreeCAD without a window to run again; a journal would refuse the same part."""
     files = {
         name: open(path(name), encoding="utf-8").read()
         for name in ("demo-corrected.nc", "demo-combined.nc", "probe.ngc")
     }
-    lines = [line for line in recorded if "jobs.run" not in line]
+    # A macro of a button asks in the window.
+    lines = [line for line in recorded if "jobs.run" not in line and ".FCMacro" not in line]
     with open(path("shop.json"), "w", encoding="utf-8") as stream:
-        json.dump({"lines": lines, "files": files}, stream)
+        json.dump({"lines": lines, "files": files, "path": program}, stream)
 
 
 def whats_this():
@@ -445,11 +451,10 @@ def story():
     top()
     measuring(document)
     simulate(document)
-    leave_lines()
     whats_this()
     macros()
     obj = split(document)
-    transfer(document, obj)
+    leave_lines(transfer(document, obj))
     plots(document, obj)
     preferences()
 

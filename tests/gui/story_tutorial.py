@@ -10,8 +10,8 @@ from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.environ["MILLCORR_TESTS"])
 
-from story_shop import SETUP, dialog, put
-from window import SHOTS, check, path, play, screen, select, tidy, top, until, wait, window
+from story_shop import dialog, put
+from window import SETUP, SHOTS, check, path, play, screen, select, tidy, top, until, wait, window
 
 
 def picture(name):
