@@ -219,7 +219,11 @@ def _contours_of_run(toolpath: Toolpath, run: Ints, radius: float, material_righ
     loops = closed_loops(moves, np.arange(len(moves)))
     if not loops:
         # A path that starts within an edge and ends some way beyond that point has no vertex twice.
-        moves, row = cut_at_vertices(moves, np.vstack([moves.start[:, :2], moves.end[-1:, :2]]))
+        meetings = [moves.start[:, :2], moves.end[-1:, :2]]
+        if radius:
+            # Nor has one that runs past its first corner at both ends, as the cutter may and the contour may not.
+            meetings.append(_crossings(moves))
+        moves, row = cut_at_vertices(moves, np.vstack(meetings))
         origin = run[row]
         loops = closed_loops(moves, np.arange(len(moves)))
     for a, b in loops:
@@ -231,6 +235,21 @@ def _contours_of_run(toolpath: Toolpath, run: Ints, radius: float, material_righ
             # The control moves onto the contour during the first compensated move.
             first = 1
         yield _offset(toolpath, run[first:], radius, material_right, False)
+
+
+def _crossings(moves: Toolpath) -> Floats:
+    """Points where lines that do not follow each other cross; (n, 2)."""
+    from shapely import STRtree, linestrings
+
+    lines = np.flatnonzero(moves.kind == Kind.LINE)
+    a, b = moves.start[lines, :2], moves.end[lines, :2]
+    drawn = linestrings(np.stack([a, b], axis=1))
+    i, j = STRtree(drawn).query(drawn, predicate="crosses")
+    i, j = i[i < j], j[i < j]
+    u, v, gap = (b - a)[i], (b - a)[j], (a[j] - a[i])
+    share = _cross(gap, v) / np.where(_cross(u, v) == 0, np.inf, _cross(u, v))
+    out: Floats = a[i] + share[:, None] * u
+    return out
 
 
 def cut_at_vertices(moves: Toolpath, vertices: Floats) -> tuple[Toolpath, Ints]:
