@@ -21,7 +21,7 @@ from millcorr.deviation import Deviation
 from millcorr.engagement import stock_of
 from millcorr.engagement.contact_steps import Contacts
 from millcorr.engagement.stock_region import StockRegion
-from millcorr.errors import FormatError, RefusedError
+from millcorr.errors import FormatError, LimitError, RefusedError
 from millcorr.footpoint import FootPointSearch
 from millcorr.kinematics import Control, Halts, Motion, halts_of, motion
 from millcorr.measurement import Measurement
@@ -40,6 +40,9 @@ Ints = NDArray[np.int64]
 
 ROUNDS = 8
 """Corrections are simulated at most so many times; each leaves about a tenth of the one before."""
+
+AXES = 0.5
+"""Share of an error from which on it is the doing of the axes."""
 
 FINEST, COARSEST = 0.1, 0.5
 """Bounds of the distance of predicted points along the contour, in mm."""
@@ -300,25 +303,39 @@ def settle(
     Raises
     ------
     RefusedError
-        If the bound is not reached.
+        If the bound is not reached; LimitError where what the next round would need cannot be laid.
     MillcorrError
         As `correction_from`, `lay` and `cut`.
     """
     passes: list[Simulation] = []
     for _ in range(1 if bound is None else ROUNDS):
-        correction, notes = aim.correction(nominal, radius, limit)
-        emission = lay(correction)
+        try:
+            correction, notes = aim.correction(nominal, radius, limit)
+            emission = lay(correction)
+        except LimitError as error:
+            if not passes:
+                raise
+            raise LimitError(f"{_still_left(passes, bound)}: {error}") from error
         done = cut(emission)
         passes.append(done)
         over = np.nan_to_num(done.error_of(aim.contour, aim.s, aim.value))
         if bound is None or done.largest <= bound:
             return aim, correction, notes, emission, tuple(passes)
         aim = replace(aim, value=aim.value - aim.yields * over)
-    assert bound is not None
+    raise RefusedError(f"{_still_left(passes, bound)}: the cutter cannot follow so quick a change; allow more")
+
+
+def _still_left(passes: list[Simulation], bound: float | None) -> str:
+    """What the last round left, where it is most, and whether that is the doing of the axes."""
+    done = passes[-1]
     d = done.deviation
     worst = int(np.argmax(np.abs(d.value)))
-    raise RefusedError(
-        f"after {ROUNDS} rounds {d.value[worst]:+.4f} mm are still predicted at X{d.foot[worst, 0]:.3f} "
-        f"Y{d.foot[worst, 1]:.3f}, more than --iterate {bound:g} mm: the cutter cannot follow so quick a change; "
-        "allow more"
+    x, y = d.foot[worst]
+    rounds = "1 round" if len(passes) == 1 else f"{len(passes)} rounds"
+    text = (
+        f"after {rounds} {d.value[worst]:+.4f} mm are still predicted at X{x:.3f} Y{y:.3f}, more than --iterate "
+        f"{bound:g} mm"
     )
+    if abs(done.kinematic[worst]) > AXES * abs(d.value[worst]):
+        text += ", which the axes leave: lower the feed there (simulate --slowed)"
+    return text

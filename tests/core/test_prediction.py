@@ -351,3 +351,12 @@ def test_a_height_that_is_never_stated_changes_nothing():
     stated, never = found
     assert never.kinematic == pytest.approx(stated.kinematic, abs=1e-6)
     assert 0.0 < stated.kinematic.max() < 0.1
+
+
+def test_what_the_axes_leave_at_a_corner_is_named():
+    """No moved path takes out what a corner loses within a few tenths of a millimetre: the remedy is the feed."""
+    square = gcode.parse("G21 G90 G17\nG0 X-20 Y0\nG0 Z0\nG1 X0 F1000\nG1 Y20\nG0 Z5\n", "square.nc")
+    inert = light(acceleration_time_x_ms=50.0, acceleration_time_y_ms=50.0)
+    wanted = Settings(side="left", method="predicted", iterate=0.002)
+    with pytest.raises(RefusedError, match=r"more than --iterate 0\.002 mm, which the axes leave: lower the feed"):
+        pipeline.correct(pipeline.Request(square, 3.0, None, None, wanted, setup=inert))
