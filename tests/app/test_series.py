@@ -69,7 +69,8 @@ def test_a_series_of_documents(part_files, tmp_path):
     first = series.next(20.0, gcode=tmp_path / "1.nc", report=tmp_path / "report")
     assert first.correction.largest == pytest.approx(0.021, abs=1e-3)
     assert "part 1" in (tmp_path / "report" / "report.html").read_text(encoding="utf-8")
-    kept = series.next(23.0, gcode=tmp_path / "2.nc")
+    kept = series.next(23.0, gcode=tmp_path / "2.nc", report=tmp_path / "kept")
+    assert "NOT CORRECTED" in (tmp_path / "kept" / "report.html").read_text(encoding="utf-8")
     assert (tmp_path / "JOB-2.FCStd").read_bytes() == (tmp_path / "JOB-1.FCStd").read_bytes()
     assert kept.advice[0].startswith("NOT CORRECTED") and "very bytes of JOB-1.FCStd" in kept.advice[0]
     moves = [nc.read(tmp_path / f"{n}.nc").toolpath for n in (1, 2)]
