@@ -355,7 +355,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
             alone = distrust.refuse_dangerous(distrust.examine_file(read), settings.accept, read.source)
             warnings += [note for note in naming(alone) if note not in warnings]
             _refuse_wrong_allowance(part, nominal, allowance)
-            moved, fit = _believed(part, nominal, request, depth, warnings)
+            moved, fit = _believed(part, nominal, request, depth, allowance, warnings)
             aligned = aligned or fit
             # A cutter that leaves an allowance reaches the nominal where one larger by it would.
             reaching = request.radius + allowance
@@ -632,14 +632,14 @@ def _turned_to_the_path(
 
 
 def _believed(
-    measurement: Measurement, nominal: Profile, request: Request, depth: float, warnings: list[str]
+    measurement: Measurement, nominal: Profile, request: Request, depth: float, allowance: float, warnings: list[str]
 ) -> tuple[Measurement, alignment.Alignment | None]:
     """The measurement, aligned if that is asked for, after looking whether it can be what it is said to be."""
     settings = request.settings
     freedom = alignment.Freedom.parse(settings.align)
     known = contact_known(measurement, nominal)
     residue = axis_residue(measurement, known, nominal)
-    findings = distrust.examine_points(known, nominal, request.radius, depth)
+    findings = distrust.examine_points(known, nominal, request.radius, depth, allowance)
     if residue is not None:
         findings = (distrust.Finding(*residue), *findings)
     measurement = known

@@ -161,7 +161,8 @@ def _swarf(
             height = machine[rows[at]] - base[at]
             seen = (
                 f"{len(run)} {'point' if len(run) == 1 else 'neighbouring points'} near {_place(deviation, rows[at])} "
-                f"{'lies' if len(run) == 1 else 'lie up to'} {height * 1000:+.0f} um over what is round them, on {s[last + 1] - s[first - 1]:.2g} mm of the contour, and the "
+                f"{'lies' if len(run) == 1 else 'lie up to'} {height * 1000:+.0f} um over what is round, on "
+                f"{s[last + 1] - s[first - 1]:.2g} mm of the contour, and the "
                 f"correction would take {taken * 1000:.0f} um of that away"
             )
             worst = max(worst or (0.0, ""), (float(height), seen))

@@ -51,7 +51,7 @@ SAMPLE = 2000
 
 
 def examine_points(
-    measurement: Measurement, profile: Profile, cutter_radius: float, depth: float = 0.0
+    measurement: Measurement, profile: Profile, cutter_radius: float, depth: float = 0.0, allowance: float = 0.0
 ) -> tuple[Finding, ...]:
     """Signs of a wrong unit, frame, side or probe radius, from where the points lie.
 
@@ -64,6 +64,9 @@ def examine_points(
         mm; tells a wrong side.
     depth : float
         Depth in mm along the normal that the part was cut at, where elastic deviations are expected; 0 elsewhere.
+    allowance : float
+        Stock in mm that is said to be left over the profile. To the geometry it is the same as so much more of a ball,
+        and in `ball_radius` already.
 
     Returns
     -------
@@ -86,7 +89,7 @@ def examine_points(
         if wrong_frame is not None:
             return (wrong_frame, *own)
     if abs(offset) >= CONSTANT_OFFSET and scatter <= SMALL_SCATTER * abs(offset):
-        constant = _constant_offset(offset, scatter, ball, cutter_radius, depth)
+        constant = _constant_offset(offset, scatter, ball - allowance, cutter_radius, depth, allowance)
         if constant.dangerous:
             return (constant, *own)
         own = (constant, *own)
@@ -216,8 +219,11 @@ def _extent(points: Floats) -> float:
     return float(np.hypot(*np.ptp(points, axis=0))) if len(points) else 0.0
 
 
-def _constant_offset(offset: float, scatter: float, ball: float, cutter_radius: float, depth: float) -> Finding:
-    seen = f"the points lie {offset:+.3f} mm off the profile all along, with only {scatter:.3f} mm of scatter"
+def _constant_offset(
+    offset: float, scatter: float, ball: float, cutter_radius: float, depth: float, allowance: float
+) -> Finding:
+    surface = f"the surface {allowance:g} mm over the profile" if allowance else "the profile"
+    seen = f"the points lie {offset:+.3f} mm off {surface} all along, with only {scatter:.3f} mm of scatter"
     near = SMALL_SCATTER
     if ball > 0 and abs(offset + ball) < near * ball:
         return Finding("compensated-twice", f"{seen}: they are contact points already: --points contact", True)
@@ -233,10 +239,17 @@ def _constant_offset(offset: float, scatter: float, ball: float, cutter_radius: 
     if elastic.expected(offset, offset, depth) and (ball > 0 or not elastic.like_a_ball(offset)):
         text = f"{seen}: what a transfer function of {elastic.transfer(offset, depth):.3f} leaves of {depth:g} mm"
         return Finding("constant-offset", f"{text}; check --tool-diameter if that seems much", False)
+    if allowance:
+        text = (
+            f"{seen}: check --allowance {allowance:g}, by this {allowance + offset:.2f} mm were left, and --points and "
+            "--probe-radius"
+        )
+        return Finding("constant-offset", text, True)
     if ball == 0 and CONSTANT_OFFSET < offset < 10:
         text = (
             f"{seen}: they look like centres of a ball of about that radius: --points centre with the radius from the "
-            "probe's calibration; or the tool differs from --tool-diameter"
+            "probe's calibration; or stock was left there (--allowance), or the tool differs from --tool-diameter"
         )
         return Finding("ball-not-compensated", text, True)
-    return Finding("constant-offset", f"{seen}: check --tool-diameter, --probe-radius and the work frame", True)
+    stock = " --allowance (stock left on the part)," if offset > 0 else ""
+    return Finding("constant-offset", f"{seen}: check --tool-diameter,{stock} --probe-radius and the work frame", True)

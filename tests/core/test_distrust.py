@@ -8,7 +8,7 @@ import pytest
 
 from millcorr import gcode, pipeline
 from millcorr.distrust import NAMES
-from millcorr.errors import DistrustError, InputError, RefusedError, UsageError
+from millcorr.errors import DistrustError, InputError, MillcorrError, RefusedError, UsageError
 from millcorr.measurement import Measurement
 from millcorr.simulated_machine import reference_contour
 from tests.core.loop_programs import measured
@@ -221,3 +221,25 @@ def test_a_ball_not_taken_off_is_seen_at_every_depth_that_would_leave_as_much(ra
         left = radius + 0.02 * radius
         with pytest.raises(DistrustError, match="--accept ball-not-compensated"):
             run(measured(NOMINAL, lambda k, s, left=left: np.full(len(s), left)), method="transfer", depth=depth)
+
+
+@pytest.mark.parametrize("allowance", [0.1, 0.3, 0.8])
+@pytest.mark.parametrize("radius", [0.0, 1.0])
+@pytest.mark.parametrize("said", [0.1, 1.0, 10.0, None])
+def test_an_allowance_that_was_forgotten_or_mistyped_is_refused(
+    allowance: float, radius: float, said: float | None
+) -> None:
+    """A first cut of as much again as it leaves; a stiff machine leaves 1/21 of that on top."""
+    left = allowance * (1.0 + 0.05 / 1.05)
+    part = measured(NOMINAL, lambda k, s: radius + left + 0.001 * np.sin(s / 9.0))
+    part = changed(part.points.copy(), radius)
+    given = {} if said is None else {"allowance": said * allowance}
+    if said == 1.0:
+        assert run(part, method="transfer", depth=allowance, **given).text
+        return
+    with pytest.raises(MillcorrError) as caught:
+        run(part, method="transfer", depth=allowance, **given)
+    text = str(caught.value)
+    # Without an allowance 0.1 mm more than all that was to be cut off are no elasticity; else the option is named.
+    assert "--allowance" in text or (allowance == 0.1 and said in (None, 0.1) and "depth" in text), text
+    assert "radius seems" not in text
