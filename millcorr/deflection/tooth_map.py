@@ -360,8 +360,10 @@ def _tiles(track: _Track, stock: StockRegion, radius: float, grid: float) -> Ite
     every = max(1, int(size / 4 / max(float(np.hypot(*(track.end - track.start).T).max()), 1e-9)))
     around = np.arange(-int(np.ceil(radius / size)) - 1, int(np.ceil(radius / size)) + 2)
     home = np.unique(np.floor((points[::every] - low) / size).astype(np.int64), axis=0)
-    tiles = np.unique((home[:, None, None, :] + np.stack(np.meshgrid(around, around), axis=-1)).reshape(-1, 2), axis=0)
+    tiles = (home[:, None, None, :] + np.stack(np.meshgrid(around, around), axis=-1)).reshape(-1, 2)
     tiles = tiles[((tiles >= 0) & (tiles < count)).all(axis=1)]
+    # Numbers sort ten times as fast as rows.
+    tiles = np.column_stack(np.divmod(np.unique(tiles[:, 0] * count[1] + tiles[:, 1]), count[1]))
     middle = low + (tiles + 0.5) * size
     search = None if stock.profile is None else FootPointSearch(stock.profile, margin=20.0 + abs(stock.allowance))
     over = np.full(len(tiles), -np.inf) if search is None else search.find(middle).distance - stock.allowance
