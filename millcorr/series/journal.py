@@ -42,7 +42,10 @@ VERSION = 1
 """Of the schema, SQLite's user_version."""
 
 PATIENCE = 60.0
-"""Seconds to wait for another run to let go of the journal."""
+"""Seconds to wait for another run to let go of the journal, to read it."""
+
+TURN = 600.0
+"""The same to write it: many jobs of a batch may hold one journal after the other, FreeCAD's for many seconds each."""
 
 _SCHEMA = f"""
 CREATE TABLE chain (
@@ -314,7 +317,7 @@ class Journal:
 
 
 @contextmanager
-def held(path: str | Path, *, patience: float = PATIENCE) -> Iterator[Journal]:
+def held(path: str | Path, *, patience: float = TURN) -> Iterator[Journal]:
     """Hold a journal for writing, alone; it is made where it does not exist.
 
     Parameters
