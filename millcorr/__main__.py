@@ -134,6 +134,7 @@ def _simulate(arguments: argparse.Namespace) -> None:
             asked=Asked(
                 slowed=arguments.slowed,
                 corner_error=arguments.corner_error,
+                shifted=arguments.shifted,
                 tilted=arguments.tilted,
                 trace=arguments.trace,
                 identify=tuple(arguments.identify),

@@ -9,7 +9,7 @@ from typing import Any, NoReturn
 
 from . import __version__
 
-OUTPUTS = ("output", "gcode", "report", "slowed", "tilted")
+OUTPUTS = ("output", "gcode", "report", "slowed", "shifted", "tilted")
 """Options that name what a verb writes."""
 
 MACHINE_KEYS = (
@@ -170,6 +170,8 @@ def _add_simulate(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("--iterate", metavar="MM", type=float, help=bound)
     wall = "height above the tool's tip at which the wall is wanted, with its shift and tilt; give several"
     verb.add_argument("--heights", metavar="MM", type=float, action="append", default=[], help=wall)
+    moved = "write the program with its contour moved by the wall's mean error over the --heights"
+    verb.add_argument("--shifted", metavar="OUT.nc", type=Path, help=moved)
     lean = "write the program with the tool tilted before each wall, for machines with a [tilt] table; needs --heights"
     verb.add_argument("--tilted", metavar="OUT.nc", type=Path, help=lean)
     slow = "write the program with lower feeds at corners that the machine rounds off by more than --corner-error"

@@ -656,7 +656,7 @@ def _header(request: Request) -> tuple[str, ...]:
     if left:
         return (f"millcorr {__version__} first cut, leaves {left:g} mm", f"of {PurePath(program.name).name}")
     if request.shift is not None:
-        return (f"millcorr {__version__} contour moved for a tilted tool, by at most {request.shift.largest:.4f} mm",)
+        return (f"millcorr {__version__} contour moved against a bending tool, at most {request.shift.largest:.4f} mm",)
     if request.measurement is None:
         return (f"millcorr {__version__} path laid on the exact nominal, no correction",)
     return provenance.header(

@@ -12,15 +12,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import __version__, gcode, pipeline
+from .compensation import Correction
 from .deflection.height_error import HeightError, WallModel
 from .deflection.real_path import SPACING, RealPath, real_path
-from .deflection.tilt import NEAR, Remedy, even_shift, remedies, tip_shifts
+from .deflection.tilt import NEAR, Remedy, even_shift, mean_shift, on_nominal, remedies, tip_shifts
 from .deflection.tilt_axes import tilted
 from .errors import FormatError, LimitError, UsageError
 from .kinematics import halts_of
 from .prediction import Simulation, halts_and_notes
 from .prediction.corner_feed import CornerFeeds, slow_corners
 from .prediction.real_feed import control_of
+from .profile import Profile
 from .settings import Settings
 from .setup_file import Setup
 
@@ -83,6 +85,71 @@ def slowed(program: gcode.Program, setup: Setup, bound: float | None, tolerance:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
+class ShiftedProgram:
+    """A program whose contour is moved by the mean error of its walls over the heights, and what it is to leave.
+
+    Parameters
+    ----------
+    data : bytes
+    largest : float
+        Largest move of the contour, mm.
+    before, after : float
+        Largest absolute error over all heights in mm: of the program as it came, and of the written one read back.
+    """
+
+    data: bytes
+    largest: float
+    before: float
+    after: float
+
+
+def shifted_program(request: pipeline.Request, simulation: Simulation, error: HeightError) -> ShiftedProgram:
+    """Program whose contour is moved by the mean error of its walls over the heights.
+
+    Parameters
+    ----------
+    request : Request
+        The program, how to understand and how to write it.
+    simulation : Simulation
+        Of this program.
+    error : HeightError
+
+    Returns
+    -------
+    ShiftedProgram
+
+    Raises
+    ------
+    MillcorrError
+        As `mean_shift` and `pipeline.correct`.
+    """
+    nominal = simulation.nominal
+    correction, _ = mean_shift(error, nominal, limit=request.settings.limit)
+    made = on_nominal(error, nominal)[0] >= 0
+    shifted = _moved(request, nominal, correction)
+    setup = simulation.setup
+    found = WallModel.of(path_as_run(shifted, setup), setup, simulation.stock).errors(error.heights)
+    number, s = on_nominal(found, nominal, NEAR + correction.largest)
+    rows = np.flatnonzero(number >= 0)
+    left = found.value[rows] + correction.at(number[rows], s[rows], nominal)[:, None]
+    before = float(np.nanmax(np.abs(error.value[made])))
+    return ShiftedProgram(shifted.data, correction.largest, before, float(np.nanmax(np.abs(left))))
+
+
+def _moved(request: pipeline.Request, nominal: Profile, correction: Correction) -> gcode.Program:
+    """The program with its contour moved by a correction known beforehand, read back."""
+    asked = request.settings
+    settings = Settings(
+        side=asked.side,
+        cutter_compensation=asked.cutter_compensation,
+        tolerance=asked.tolerance,
+        output_moves=asked.output_moves,
+    )
+    wanted = pipeline.Request(request.program, request.radius, None, nominal, settings, shift=correction)
+    return gcode.parse(pipeline.correct(wanted).text, request.program.name)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
 class TiltedProgram:
     """A program whose walls are made by a leaning tool, and what it is predicted to leave.
 
@@ -137,22 +204,7 @@ def tilted_program(
     tilted(request.program, error, remedy, setup.tilt)
     shift = tip_shifts(error, remedy)
     correction, _ = even_shift(error, remedy, nominal, shift, limit=asked.limit)
-    moved = pipeline.correct(
-        pipeline.Request(
-            request.program,
-            request.radius,
-            None,
-            nominal,
-            Settings(
-                side=asked.side,
-                cutter_compensation=asked.cutter_compensation,
-                tolerance=asked.tolerance,
-                output_moves=asked.output_moves,
-            ),
-            shift=correction,
-        )
-    )
-    shifted = gcode.parse(moved.text, request.program.name)
+    shifted = _moved(request, nominal, correction)
     near = NEAR + correction.largest
     model = WallModel.of(path_as_run(shifted, setup), setup, simulation.stock)
     found = remedies(model.errors(error.heights), nominal, near=near)

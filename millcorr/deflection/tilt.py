@@ -117,7 +117,7 @@ def remedies(error: HeightError, nominal: Profile, *, near: float = NEAR) -> Rem
     model, heights = error.model, error.heights
     if len(heights) < 2:
         raise InputError("tilt: the slope of the wall needs two heights at least")
-    number, _ = _on_nominal(error, nominal, near)
+    number, _ = on_nominal(error, nominal, near)
     made = number >= 0
     found, inverse = np.unique(number[made], return_inverse=True)
     if not len(found):
@@ -194,7 +194,7 @@ def mean_shift(error: HeightError, nominal: Profile, *, limit: float) -> tuple[C
         If the program makes no place of the nominal.
     """
     model = error.model
-    number, s = _on_nominal(error, nominal)
+    number, s = on_nominal(error, nominal)
     rows = np.flatnonzero(number >= 0)
     if not len(rows):
         raise InputError(f"mean shift: the program makes no wall within {NEAR:g} mm of the nominal: check --nominal")
@@ -265,12 +265,25 @@ def even_shift(
         As `millcorr.compensation.correction_from`.
     """
     rows = np.flatnonzero(remedy.step >= 0)
-    number, s = _on_nominal(error, nominal)
+    number, s = on_nominal(error, nominal)
     return correction_from(nominal, number[rows], s[rows], shift[remedy.step[rows]], limit=limit)
 
 
-def _on_nominal(error: HeightError, nominal: Profile, near: float = NEAR) -> tuple[Ints, Floats]:
-    """Stretch of the nominal that each step makes, -1 for none, and arc length in mm."""
+def on_nominal(error: HeightError, nominal: Profile, near: float = NEAR) -> tuple[Ints, Floats]:
+    """Places of the nominal that the steps of a wall make.
+
+    Parameters
+    ----------
+    error : HeightError
+    nominal : Profile
+    near : float
+        A place of the path whose contact is within this of the nominal, in mm, makes it.
+
+    Returns
+    -------
+    (n,) int64, (n,) float64
+        Stretch of the nominal, -1 for none, and arc length from its contour's start in mm, one a step.
+    """
     model = error.model
     e = model.engagement
     number, s = np.full(len(e), -1, dtype=np.int64), np.full(len(e), np.nan)

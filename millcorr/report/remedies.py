@@ -11,7 +11,7 @@ from typing import Any
 
 from millcorr.prediction.corner_feed import CornerFeeds
 from millcorr.prediction.logged_machine import LoggedMachine
-from millcorr.remedy_programs import TiltedProgram
+from millcorr.remedy_programs import ShiftedProgram, TiltedProgram
 
 from .html import html_table, um
 from .plots import MICRO, UM
@@ -26,7 +26,7 @@ class Asked:
 
     Parameters
     ----------
-    slowed, tilted : Path, optional
+    slowed, shifted, tilted : Path, optional
         Programs to write.
     corner_error : float, optional
         Largest distance in mm between a corner and the path of the tool, for `slowed`.
@@ -38,6 +38,7 @@ class Asked:
 
     slowed: Path | None = None
     corner_error: float | None = None
+    shifted: Path | None = None
     tilted: Path | None = None
     trace: Path | None = None
     identify: tuple[str, ...] = ()
@@ -49,18 +50,28 @@ class Done:
 
     asked: Asked
     slowed: CornerFeeds | None = None
+    shifted: ShiftedProgram | None = None
     tilted: TiltedProgram | None = None
     machine: LoggedMachine | None = None
 
     def outputs(self) -> dict[Path, bytes]:
         """Programs to write."""
-        made = ((self.asked.slowed, self.slowed), (self.asked.tilted, self.tilted))
+        a = self.asked
+        made = ((a.slowed, self.slowed), (a.shifted, self.shifted), (a.tilted, self.tilted))
         return {place: found.data for place, found in made if place is not None and found is not None}
 
     def summary(self) -> dict[str, Any]:
         """What simulation.json says of it: lengths in mm, times in s."""
         return {
             "slowed": None if self.slowed is None else self._slowed(self.slowed),
+            "shifted": None
+            if self.shifted is None
+            else {
+                "program": str(self.asked.shifted),
+                "path_moved_mm": self.shifted.largest,
+                "largest_before_mm": self.shifted.before,
+                "largest_after_mm": self.shifted.after,
+            },
             "tilted": None if self.tilted is None else self._tilted(self.tilted),
             "identified": None if self.machine is None else self.machine.summary(),
         }
@@ -109,9 +120,16 @@ class Done:
             yield from (f"            {line}" for line in m.lines())
         if self.slowed is not None:
             yield f"slowed      {self._slowed_in_words(self.slowed)}: {self.asked.slowed}"
+        if self.shifted is not None:
+            yield f"shifted     {self._shifted_in_words(self.shifted)}: {self.asked.shifted}"
         if self.tilted is not None:
             before, after = (UM * v.max() for v in (self.tilted.remedy.worst[:, 0], self.tilted.after))
             yield f"tilted      walls off by {before:.1f} {MICRO} at most: {after:.1f} {MICRO}: {self.asked.tilted}"
+
+    @staticmethod
+    def _shifted_in_words(found: ShiftedProgram) -> str:
+        before, after, largest = (f"{UM * v:.1f} {MICRO}" for v in (found.before, found.after, found.largest))
+        return f"walls off by {before} at most: {after}, by moving the contour up to {largest}"
 
     def _slowed_in_words(self, found: CornerFeeds) -> str:
         bound = f"{UM * (self.asked.corner_error or 0):g} {MICRO}"
@@ -134,6 +152,11 @@ class Done:
         if self.slowed is not None:
             yield f"<h2>Corners run slower</h2><p>{escape(self._slowed_in_words(self.slowed))}.</p>" + self._corners(
                 self.slowed
+            )
+        if self.shifted is not None:
+            yield (
+                f"<h2>Shifted contour</h2><p>{escape(str(self.asked.shifted))}: "
+                f"{escape(self._shifted_in_words(self.shifted))}. It has been read back and predicted again.</p>"
             )
         if self.tilted is not None:
             t = self.tilted

@@ -22,7 +22,7 @@ from millcorr.prediction import Simulation
 from millcorr.prediction.corner_feed import CornerFeeds
 from millcorr.prediction.logged_machine import LoggedMachine, logged_machine
 from millcorr.prediction.signals import Signals, csv_lines
-from millcorr.remedy_programs import TiltedProgram, slowed, tilted_program
+from millcorr.remedy_programs import TiltedProgram, shifted_program, slowed, tilted_program
 from millcorr.simulation import simulated
 from millcorr.whole_file import replaced_whole, write_together
 
@@ -88,6 +88,8 @@ def write(
     wanted = report_wall.heights_of(heights)
     if asked.tilted is not None and len(wanted) < 2:
         raise UsageError("--tilted needs --heights MM at two heights at least: the tool leans by the wall's slope")
+    if asked.shifted is not None and not len(wanted):
+        raise UsageError("--shifted needs --heights MM: the contour is moved by the wall's mean error over them")
     request, machine = _as_logged(request, asked)
     before, after, refused = simulated(request)
     notes = [f"No corrected path is shown: {refused}"] if refused else []
@@ -104,6 +106,7 @@ def write(
     done = Done(
         asked,
         _slowed(request, before, asked),
+        None if wall is None or asked.shifted is None else shifted_program(request, before, wall.before),
         None if wall is None or asked.tilted is None else _tilted(request, before, wall),
         machine,
     )

@@ -63,7 +63,8 @@ def simulate_program(
     """
     inputs = {"program": program, "document": document, "nominal": nominal_file(nominal), "setup": setup}
     inputs |= {"log": asked.trace}
-    refuse_places({"--slowed": asked.slowed, "--tilted": asked.tilted}, inputs, report, report_simulation.FILES)
+    outputs = {"--slowed": asked.slowed, "--shifted": asked.shifted, "--tilted": asked.tilted}
+    refuse_places(outputs, inputs, report, report_simulation.FILES)
     if program is not None:
         if operation is not None:
             raise UsageError("--operation belongs to --document")
@@ -71,8 +72,9 @@ def simulate_program(
     elif document is None:
         raise UsageError("--program or --document is needed: what is to be cut")
     else:
-        if asked.slowed is not None or asked.tilted is not None:
-            raise UsageError("--slowed and --tilted belong to --program: give the program that the job is posted as")
+        for option, place in outputs.items():
+            if place is not None:
+                raise UsageError(f"{option} belongs to --program: give the program that the job is posted as")
         request = _operation_request(document, operation, nominal, settings, setup)
     return report_simulation.write(request, report, heights=heights, asked=asked)
 

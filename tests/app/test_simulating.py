@@ -64,7 +64,7 @@ def test_an_operation_is_simulated_from_the_command_line(part_files, setup, here
     assert figures["predicted_error_mm"]["max"] == pytest.approx(as_cut.deviation.value.max(), rel=1e-9)
     assert figures["predicted_error_after_mm"] < 0.5 * as_cut.largest
     assert "warning     cutting coefficients" in said
-    with pytest.raises(UsageError, match="belong to --program"):
+    with pytest.raises(UsageError, match="--slowed belongs to --program"):
         session.simulate_program(document=part_files[0], asked=session.Asked(slowed=tmp_path / "slow.nc"), **common)
     with pytest.raises(UsageError, match="operation called Nothing"):
         session.simulate_program(document=part_files[0], operation="Nothing", **common)

@@ -120,6 +120,21 @@ def test_tilted_walls(directory, capsys):
     assert "Tilted tool" in page
 
 
+def test_shifted_contour(directory, capsys):
+    """Without an axis to tilt: 25 um at 0.5 mm fall by the mean over the heights, what leans stays."""
+    assert run(directory, "corner.nc", "plain.toml", "shifted", *heights(), "--shifted", "shifted.nc") == 0
+    assert "shifted     walls off by 25.0 " in capsys.readouterr().out
+    shifted = found(directory, "shifted")["shifted"]
+    before = found(directory, "shifted")["wall"]["stretches"][0]["before_mm"]
+    assert shifted["largest_before_mm"] == pytest.approx(0.025, abs=1e-4)
+    # The closed loop gives a little back: a smaller cut bends less.
+    assert shifted["largest_after_mm"] == pytest.approx(before[0] - np.mean(before), abs=2e-4)
+    path, plain = (gcode.parse(t).toolpath for t in ((directory / "shifted.nc").read_text(), CORNER))
+    moved = path.end[-2, 1] - plain.end[-2, 1], path.start[3, 1] - plain.start[3, 1]
+    assert moved == pytest.approx((0.0, -np.mean(before)), abs=2e-4)
+    assert shifted["path_moved_mm"] == pytest.approx(np.mean(before), abs=2e-4)
+
+
 def test_both_at_once_with_inertia(directory):
     """The corners of plunge and wall are slowed in one program, the walls are tilted on the real path in another."""
     words = ["--tilted", "t.nc", "--slowed", "s.nc", "--corner-error", "0.01"]
@@ -141,6 +156,7 @@ def test_both_at_once_with_inertia(directory):
         ("fast.nc", "inert.toml", ["--slowed", "new.nc", "--corner-error", "1e-6"], 4, "fast.nc:4"),
         ("fast.nc", "inert.toml", ["--slowed", "fast.nc", "--corner-error", "0.02"], 2, "the original must stay"),
         ("apart.nc", "tilt.toml", ["--tilted", "new.nc"], 2, "--heights"),
+        ("corner.nc", "plain.toml", ["--shifted", "new.nc"], 2, "--heights"),
         ("apart.nc", "plain.toml", [*heights(), "--tilted", "new.nc"], 4, "no [tilt] table"),
         ("corner.nc", "tilt.toml", [*heights(), "--tilted", "new.nc"], 4, "line 5: the tool has to turn"),
         ("apart.nc", "tilt.toml", ["--identify", "position_gain_per_s"], 2, "--trace"),
