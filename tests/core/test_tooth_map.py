@@ -144,7 +144,7 @@ def test_refusals():
         pieces = pieces_of_toolpath(STRAIGHT.toolpath, np.arange(3))
         tooth_map(STRAIGHT, TOOL, StockRegion(None, 0.0, (Swept(pieces, 5.0),)), 2.5)
     with pytest.raises(InputError, match="million columns"):
-        tooth_map(STRAIGHT, TOOL, STOCK, 2.5, grid=4e-4)
+        tooth_map(STRAIGHT, TOOL, STOCK, 2.5, grid=2e-4)
     no_feed = real_path(gcode.parse("G90 G17 G21\nG0 X0 Y0\nG1 X1").toolpath)
     with pytest.raises(UsageError, match="no feed"):
         tooth_map(no_feed, TOOL, STOCK, 2.5)
