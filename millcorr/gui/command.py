@@ -11,7 +11,9 @@ import FreeCADGui
 
 from . import guide
 from .icons import icon
-from .text import translate
+from .text import QT_TRANSLATE_NOOP, translate
+
+_text = QT_TRANSLATE_NOOP
 
 _lacking: dict[str, str] = {}
 """What each command's tooltip says now that it lacks."""
@@ -33,6 +35,8 @@ class Command:
         Does it: opens a panel or a dialog, or runs recorded lines with `panel.run`.
     shortcut : str
         Keys, in the way FreeCAD writes them.
+    beside : bool
+        Whether it can be used while a task is open in the task view: it leaves document and task alone.
     """
 
     name: str
@@ -41,6 +45,7 @@ class Command:
     lacks: Callable[[], str]
     act: Callable[[], Any]
     shortcut: str = ""
+    beside: bool = False
 
     def GetResources(self) -> dict[str, str]:
         """What FreeCAD shows."""
@@ -50,11 +55,14 @@ class Command:
             "ToolTip": translate(self.name, self.tooltip),
             "WhatsThis": guide.whats_this(self.name, self.menu, self.tooltip),
             "Accel": self.shortcut,
+            # FreeCAD asks even while a task is open, so that the tooltip can say so.
+            "CmdType": "ForEdit",
         }
 
     def IsActive(self) -> bool:
         """Whether the command can run; its tooltip tells what is missing otherwise."""
-        lacking = self.lacks()
+        busy = not self.beside and bool(FreeCADGui.Control.activeDialog())
+        lacking = _text("Millcorr", "the open task ended: OK or Cancel") if busy else self.lacks()
         if _lacking.get(self.name, "") != lacking:
             _lacking[self.name] = lacking
             self._tell(lacking)

@@ -153,6 +153,7 @@ COMMANDS = (
         lacks_contour,
         _probe,
         "M, M",
+        beside=True,
     ),
     Command(
         "Millcorr_Plots",
@@ -161,6 +162,7 @@ COMMANDS = (
         lacks_plots,
         _plots,
         "M, L",
+        beside=True,
     ),
     Command(
         "Millcorr_Simulate",
@@ -169,6 +171,7 @@ COMMANDS = (
         lacks_contour,
         _simulate,
         "M, S",
+        beside=True,
     ),
     Command(
         "Millcorr_Program",
@@ -177,6 +180,7 @@ COMMANDS = (
         _never,
         _program,
         "M, N",
+        beside=True,
     ),
     Command(
         "Millcorr_Batch",
@@ -185,6 +189,7 @@ COMMANDS = (
         _never,
         _batch,
         "M, B",
+        beside=True,
     ),
     Command(
         "Millcorr_History",
@@ -193,6 +198,7 @@ COMMANDS = (
         _never,
         _history,
         "M, H",
+        beside=True,
     ),
     Command(
         "Millcorr_Help",
@@ -200,6 +206,7 @@ COMMANDS = (
         _text("Millcorr_Help", "The documentation, page by page"),
         _never,
         _help,
+        beside=True,
     ),
 )
 """The commands, in the order of menu and toolbar."""

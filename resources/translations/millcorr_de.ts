@@ -1027,6 +1027,10 @@
         <translation>wartet</translation>
     </message>
     <message>
+        <source>the open task ended: OK or Cancel</source>
+        <translation>die offene Aufgabe beendet: OK oder Abbrechen</translation>
+    </message>
+    <message>
         <source>Needs:</source>
         <translation>Braucht:</translation>
     </message>

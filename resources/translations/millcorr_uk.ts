@@ -1027,6 +1027,10 @@
         <translation>чекає</translation>
     </message>
     <message>
+        <source>the open task ended: OK or Cancel</source>
+        <translation>завершити відкрите завдання: OK або Скасувати</translation>
+    </message>
+    <message>
         <source>Needs:</source>
         <translation>Потрібно:</translation>
     </message>

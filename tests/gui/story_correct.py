@@ -173,6 +173,11 @@ def preview(document):
     check(float(figure(made, "Std. dev.", 1)) < 0.2 * float(figure(made, "Std. dev.")), "residual")
     shot("panel")
     pictures("panel", True)
+    for name, usable in (("Dressup", False), ("Split", False), ("Plots", False), ("Help", True), ("Program", True)):
+        action = FreeCADGui.Command.get(f"Millcorr_{name}").getAction()[0]
+        equal(action.isEnabled(), usable, f"{name} while a task is open")
+    check("open task" in tooltip("Millcorr_Dressup"), f"tooltip while a task is open: {tooltip('Millcorr_Dressup')}")
+    check("make one first" in tooltip("Millcorr_Plots"), f"tooltip of plots: {tooltip('Millcorr_Plots')}")
     for name in ("dark", "light"):
         theme(name)
         shot(f"panel-{name}")
