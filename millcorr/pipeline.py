@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import hashlib
 import logging
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import PurePath
@@ -137,6 +139,8 @@ class Result:
         What to expect of the next part, and what the readers did or left out beyond copying numbers.
     warnings : tuple of str
         What may be wrong or was not possible.
+    noted : tuple of (24,) int64
+        Deviations of each part that the corrected program notes, to recognise the part by.
     """
 
     request: Request
@@ -160,6 +164,7 @@ class Result:
     text: bytes
     advice: tuple[str, ...]
     warnings: tuple[str, ...]
+    noted: tuple[Ints, ...] = ()
 
     @property
     def correction_uncertainty(self) -> Floats:
@@ -240,7 +245,7 @@ class Result:
 
     def header(self) -> tuple[str, ...]:
         """Comment lines that mark the corrected program."""
-        return _header(self.request)
+        return _header(self.request, self.noted)
 
 
 def correct(request: Request, *, check: bool = False) -> Result:
@@ -334,6 +339,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
         request = replace(request, measurement=before.surface())
 
     aligned: alignment.Alignment | None = None
+    noted: list[Ints] = []
     if before is not None:
         deviation = deviations(before.surface(), nominal, cutter_radius=request.radius)
         offset = commanded_offset(commanded, deviation)
@@ -361,6 +367,10 @@ def correct(request: Request, *, check: bool = False) -> Result:
             reaching = request.radius + allowance
             sources.append(read.source)
             deviation = numbered_as_read(deviations(moved, nominal, cutter_radius=reaching), moved)
+            noted.append(provenance.values_of(deviation, nominal))
+            otherwise = None if again else provenance.recognised(carried, noted[-1], distrust.resolution(read))
+            if otherwise is not None:
+                provenance.refuse_mark(otherwise, program.name)
             # A first cut that millcorr wrote runs on the exact parallel; what this program is off by came after it.
             cut_by_another = allowance or again is not None
             offset = np.zeros(len(deviation)) if cut_by_another else commanded_offset(commanded, deviation)
@@ -406,7 +416,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
             rest = commanded.expected.correction if carried and again is None else None
             correction = correction_through(work, nominal, settings, warnings, rest)
 
-    header = _header(request)
+    header = _header(request, noted)
 
     def lay(correction: Correction) -> Emission:
         moves, free = (toolpath, usable) if correction.largest > EXACT else whole
@@ -463,6 +473,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
             *(f"{m.source}: {note}" for m in request.measurements for note in m.notes),
         ),
         warnings=tuple(warnings),
+        noted=tuple(noted),
     )
 
 
@@ -651,18 +662,22 @@ def _believed(
     return measurement, aligned
 
 
-def _header(request: Request) -> tuple[str, ...]:
+def _header(request: Request, noted: Sequence[Ints]) -> tuple[str, ...]:
     program, left = request.program, request.settings.leave_stock
     if left:
         return (f"millcorr {__version__} first cut, leaves {left:g} mm", f"of {PurePath(program.name).name}")
     if request.shift is not None:
-        return (f"millcorr {__version__} contour moved against a bending tool, at most {request.shift.largest:.4f} mm",)
+        # Marked like any correction: the path no longer shows the nominal.
+        moved = f"contour moved against a bending tool by at most {request.shift.largest:.4f} mm"
+        digest = hashlib.sha256(f"{program.digest} {moved}".encode()).hexdigest()
+        return provenance.header([("nothing, predicted", digest)], (program.name, program.digest), moved)
     if request.measurement is None:
         return (f"millcorr {__version__} path laid on the exact nominal, no correction",)
     return provenance.header(
         [(m.source, m.fingerprint) for m in request.measurements],
         (program.name, program.digest),
         request.settings.in_words(),
+        noted,
     )
 
 

@@ -133,6 +133,12 @@ def test_shifted_contour(directory, capsys):
     moved = path.end[-2, 1] - plain.end[-2, 1], path.start[3, 1] - plain.start[3, 1]
     assert moved == pytest.approx((0.0, -np.mean(before)), abs=2e-4)
     assert shifted["path_moved_mm"] == pytest.approx(np.mean(before), abs=2e-4)
+    # Its path no longer shows what the part should be: whoever corrects it has to say.
+    (directory / "points.csv").write_text("x,y,z\n-20,-5,1\n-10,-5,1\n-5,-5,1\n")
+    arguments = ["--program", str(directory / "shifted.nc"), "--tool-diameter", "10", "--side", "left"]
+    measured = ["--measured", str(directory / "points.csv"), "--points", "contact"]
+    assert main(["correct", *arguments, *measured, "--output", str(directory / "next.nc")]) != 0
+    assert "--nominal" in capsys.readouterr().err
 
 
 def test_both_at_once_with_inertia(directory):
