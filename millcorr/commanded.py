@@ -124,13 +124,17 @@ def nominal_of(
     """
     found: list[CutContour] = []
     trouble: list[str] = []
-    for run in cutting_runs(toolpath):
-        only = np.zeros(len(toolpath), dtype=bool)
-        only[run] = usable[run]
-        try:
-            found += list(cut_contours(toolpath, path_radius, material_right, only))
-        except InputError as error:
-            trouble.append(str(error))
+    try:
+        found = list(cut_contours(toolpath, path_radius, material_right, usable))
+    except InputError:
+        # What is wrong with one run of moves is no reason to give up the others.
+        for run in cutting_runs(toolpath):
+            only = np.zeros(len(toolpath), dtype=bool)
+            only[run] = usable[run]
+            try:
+                found += list(cut_contours(toolpath, path_radius, material_right, only))
+            except InputError as error:
+                trouble.append(str(error))
     contours = _different([c.contour for c in found])
     if not contours:
         raise InputError(f"{name}: {trouble[0] if trouble else 'the program cuts no contour in the XY plane'}")

@@ -25,6 +25,8 @@ Ints = NDArray[np.int64]
 
 SAME_POINT = 2e-4
 """Path points closer than this, in mm, are the same vertex (programs round to 0.001 or finer)."""
+TAB_SHARE = 0.25
+"""Holding tabs take no more of a contour than this; what is run above the cut over a longer way is a way back."""
 ON_THE_MOVE = 2e-3
 """A vertex this near, in mm, lies on a move: on a slope the ends of moves are rounded, down to 0.0001 inch."""
 
@@ -205,13 +207,44 @@ def cut_contours(
         If the path turns tighter than the radius on the material's side, or holds a spline move (the offset of
         a spline is none: give the nominal).
     """
+    parts: list[Ints] = []
     for run in cutting_runs(toolpath):
-        if rows is not None:
-            for part in np.split(run, np.flatnonzero(np.diff(rows[run].astype(int))) + 1):
-                if rows[part[0]]:
-                    yield from _contours_of_run(toolpath, part, radius, material_right)
+        usable = np.ones(len(run), dtype=bool) if rows is None else rows[run]
+        stretches = np.split(np.arange(len(run)), np.flatnonzero(np.diff(usable.astype(int))) + 1)
+        parts += [run[stretch] for stretch in stretches if usable[stretch[0]]]
+    for chain in _joined_on_the_spot(toolpath, parts):
+        together = np.concatenate(chain)
+        closed = all(closed_loops(toolpath, part) for part in chain)
+        if not closed and _over_tabs(toolpath, chain) and closed_loops(toolpath, together):
+            # The cutter rises on the spot: the stretches between the tabs are closed only together.
+            chain = [together]
+        for part in chain:
+            yield from _contours_of_run(toolpath, part, radius, material_right)
+
+
+def _over_tabs(toolpath: Toolpath, chain: list[Ints]) -> bool:
+    """Whether runs at several heights are one pass with holding tabs, and not one with a way back above the part."""
+    if len(chain) == 1:
+        return False
+    height = np.array([toolpath.end[run[-1], 2] for run in chain])
+    length = np.array([np.nan_to_num(toolpath.take(run).length()).sum() for run in chain])
+    return bool(length[height > height.min() + 1e-6].sum() <= TAB_SHARE * length.sum())
+
+
+def _joined_on_the_spot(toolpath: Toolpath, runs: list[Ints]) -> list[list[Ints]]:
+    """Runs between which the cutter only rises or plunges at feed, with the compensation in force, listed together."""
+    delta = toolpath.end[:, :2] - toolpath.start[:, :2]
+    still = (toolpath.kind == Kind.LINE) & (np.abs(np.nan_to_num(delta, nan=1.0)) < 1e-9).all(axis=1)
+    moving = np.cumsum(~still)
+    chains: list[list[Ints]] = []
+    for run in runs:
+        before = chains[-1][-1][-1] if chains else 0
+        same = toolpath.compensation[before] == toolpath.compensation[run[0]]
+        if chains and same and run[0] > before + 1 and moving[run[0]] == moving[before] + 1:
+            chains[-1].append(run)
         else:
-            yield from _contours_of_run(toolpath, run, radius, material_right)
+            chains.append([run])
+    return chains
 
 
 def _contours_of_run(toolpath: Toolpath, run: Ints, radius: float, material_right: bool) -> Iterator[CutContour]:

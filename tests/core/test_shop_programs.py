@@ -195,3 +195,52 @@ def test_a_path_that_runs_past_its_first_corner_at_both_ends(end: str) -> None:
     expected = "G0X-4.97Y-20. G1Z-2.F100. G1Y44.96F300. X64.98 Y-4.99".split()
     assert [line for line in lines if line in expected] == expected
     assert lines[-len(end.splitlines()) :] == end.splitlines()
+
+
+TABS = """G21G90
+G0X-5.Y-20.Z5.
+G1Z-3.F200.
+{first}.F500.
+Z-1.5
+Y26.
+Z-3.
+Y50.
+G2X10.Y65.I15.J0.
+G1X70.
+G2X85.Y50.I0.J-15.
+G1Y34.
+Z-1.5
+Y28.
+Z-3.
+Y10.
+G2X70.Y-5.I-15.J0.
+G1X10.
+G2X-5.Y10.I0.J15.
+{last}
+G0Z5.
+M2
+"""
+
+
+@pytest.mark.parametrize(("first", "last"), [("Y10.F500.\nY20", "G1X-20."), ("Y20", "G1Y20.\nX-20.")])
+def test_tabs_over_which_the_cutter_rises_on_the_spot(first: str, last: str) -> None:
+    """The stretches between the tabs are one closed contour, with all of them on the exact parallel."""
+    program, _ = corrected(TABS.format(first=first, last=last), rounded(0.03))
+    cut = program.toolpath.take(program.toolpath.kind != Kind.RAPID)
+    points = cut.position(np.linspace(0.0, 1.0, 33))[:, :, :2].reshape(-1, 2)
+    edge = points[(points[:, 1] > 10) & (points[:, 1] < 50) & (points[:, 0] > -5.1)]
+    left = edge[:, 0] < 40
+    np.testing.assert_allclose(edge[left, 0], -4.97, atol=1e-3)
+    np.testing.assert_allclose(edge[~left, 0], 84.97, atol=1e-3)
+    assert (program.toolpath.end[:, 2] == -1.5).sum() == 4
+
+
+def test_the_way_back_above_an_open_edge_is_no_part_of_the_contour() -> None:
+    """Two passes over an L-shaped edge, with the way back at feed above the part."""
+    once = "Y45.F300.\nX65.\nZ5.\nX-5.Y-5.F2000.\n"
+    text = f"G21G90\nG0X-5.Y-5.Z5.\nG1Z-2.F100.\n{once}Z-4.F100.\n{once}G0Z20.\nM2\n"
+    y, x = np.linspace(0.5, 39.5, 40), np.linspace(0.5, 64.5, 65)
+    points = np.concatenate([np.column_stack([0 * y - 0.02, y]), np.column_stack([x, 0 * x + 40.03])])
+    _, lines = corrected(text, points)
+    assert lines.count("Y44.97F300.") == 2
+    assert [line for line in lines if line.startswith("X-")] == ["X-4.98Y-5.F2000.", "X-5.Y-5.F2000."]
