@@ -26,7 +26,7 @@ from .commanded import (
 )
 from .compensation import Correction, dead_band
 from .deviation import Deviation, deviations, statistics
-from .errors import DistrustError, InputError, LimitError, UsageError
+from .errors import DistrustError, FormatError, InputError, LimitError, UsageError
 from .filtering import Filter, Separation
 from .footpoint import FootPointSearch
 from .largest import largest_correction
@@ -43,6 +43,7 @@ from .regeneration.vanishing_arcs import without_vanishing_arcs
 from .settings import Settings as Settings
 from .setup_file import Setup
 from .targets import Elastic, Part, Target, correction_through, target_of
+from .theoretical_contour import cutting_runs
 from .toolpath import Compensation, Kind, Toolpath
 from .verification import Verification
 
@@ -617,6 +618,14 @@ def _usable(program: gcode.Program, radius: float, settings: Settings) -> tuple[
         raise InputError(f"{program.name}: the program has no feed move that could follow a contour")
     if not (feeds & usable).any():
         program.require_plain(feeds)
+    if program.opaque and not any(usable[run].any() for run in cutting_runs(program.toolpath)):
+        why = program.opaque[0]
+        raise FormatError(
+            f"nothing that runs along a contour is read: {why.reason}; write the moves in place of this line, as plain "
+            "G0 to G3 moves",
+            program.name,
+            why.first + 1,
+        )
     compensated = program.toolpath.compensation != Compensation.OFF
     if not compensated.any():
         return usable, radius

@@ -244,3 +244,10 @@ def test_the_way_back_above_an_open_edge_is_no_part_of_the_contour() -> None:
     _, lines = corrected(text, points)
     assert lines.count("Y44.97F300.") == 2
     assert [line for line in lines if line.startswith("X-")] == ["X-4.98Y-5.F2000.", "X-5.Y-5.F2000."]
+
+
+def test_a_contour_in_a_subprogram_is_refused_at_its_call() -> None:
+    """The line that calls it is named, with what to do; not that nothing is there."""
+    text = "O1\nG21G90\nG0X-15.Y-5.\nG1Z-2.F200.\nM98P2\nG90G0Z50.\nM30\nO2\nG1X-5.F400.\nX65.\nY45.\nX-5.\nY-5.\nM99\n"
+    with pytest.raises(FormatError, match="part.nc:5: .*a subprogram is called.*write the moves in place of this line"):
+        corrected(text, rectangle(0.0, 0.0, 60.0, 40.0))
