@@ -51,6 +51,9 @@ TAKEN = 0.015
 MOST_RAISED = 0.1
 """Where more of the points are raised it is the part."""
 
+OF_SWING = 0.25
+"""A running median over 20 mm cuts this share of the swing off the crests of waves of 30 mm, and less of longer ones."""
+
 ENOUGH = 16
 """Among fewer points on a stretch it cannot be told what is usual."""
 
@@ -138,8 +141,9 @@ def _swarf(
         size = max(min(2 * int(2.0 * NARROW / max(float(np.median(np.diff(s))), 1e-6)) + 1, len(rows) // 2), 7)
         base = median_filter(machine[rows], size=size, mode="wrap" if stretch.closed else "nearest")
         over = machine[rows] - base
-        # Waves and steps of the part itself, and what is left of them beside a running median.
-        raised = over > max(HIGH, ABOVE_USUAL * 1.482602 * float(np.median(np.abs(over))))
+        # Waves and steps of the part itself, what is left of them beside a running median, and what it cuts off crests.
+        usual = 1.482602 * float(np.median(np.abs(over)))
+        raised = over > max(HIGH, ABOVE_USUAL * usual, OF_SWING * float(np.ptp(base)))
         if stretch.closed:
             # No lump lies across the place to begin at.
             low = int(np.argmax(~raised & ~np.roll(raised, 1)))

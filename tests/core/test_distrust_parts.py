@@ -10,7 +10,7 @@ import pytest
 
 from millcorr import distrust, gcode, pipeline
 from millcorr.deviation import deviations
-from millcorr.errors import DistrustError
+from millcorr.errors import DistrustError, RefusedError
 from millcorr.filtering import Filter
 from millcorr.measurement import Measurement
 from millcorr.probe import axis_residue, contact_known
@@ -161,3 +161,37 @@ def test_another_frame_is_named_before_the_side_is_asked_for() -> None:
     mirrored = changed(PLAIN * [-1, 1, 1])
     with pytest.raises(DistrustError, match="--accept mirrored"):
         pipeline.correct(pipeline.Request(PROGRAM, 5.0, mirrored, None, pipeline.Settings(filter="none")))
+
+
+def inch(m: Measurement) -> Measurement:
+    return replace(m, points=np.round(m.points / 25.4, 5) * 25.4, unit="inch")
+
+
+def coarser(m: Measurement) -> Measurement:
+    return replace(m, points=np.round(m.points, 3))
+
+
+def centres(m: Measurement) -> Measurement:
+    d = deviations(m, NOMINAL)
+    points = m.points[d.index].copy()
+    points[:, :2] += 1.5 * d.normal
+    return replace(m, points=np.round(points, 4), ball_radius=1.5, lines=m.lines[d.index])
+
+
+def turned_round(m: Measurement) -> Measurement:
+    return replace(m, points=np.round(m.points[::-1], 3))
+
+
+@pytest.mark.parametrize("saved", [inch, coarser, centres, turned_round])
+@pytest.mark.parametrize("error", [wave, lambda k, s: np.full(len(s), 0.02)])
+def test_a_measurement_saved_otherwise_is_not_applied_twice(saved, error) -> None:
+    """In inches, with fewer digits, as centres of a ball, in another order; also where the error has no shape."""
+    rng = np.random.default_rng(5)
+    found = measured(NOMINAL, lambda k, s: error(k, s) + 0.001 * rng.standard_normal(len(s)))
+    first = replace(found, points=np.round(found.points, 4))
+    program = gcode.parse(correct(first).text, "second.nc")
+    with pytest.raises(RefusedError, match=r"second\.nc:\d+: this measurement was applied on"):
+        correct(replace(saved(first), source="again.csv"), program=program)
+    # What the corrected program leaves is another part, however small its noise.
+    left = measured(NOMINAL, lambda k, s: 0.001 * rng.standard_normal(len(s)))
+    assert correct(coarser(left), program=program).text
