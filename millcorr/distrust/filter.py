@@ -52,10 +52,13 @@ MOST_RAISED = 0.1
 """Where more of the points are raised it is the part."""
 
 OF_SWING = 0.25
-"""A running median over 20 mm cuts this share of the swing off the crests of waves of 30 mm, and less of longer ones."""
+"""A running median over 20 mm cuts this share of the swing off crests of waves of 30 mm, and less of longer ones."""
 
 ENOUGH = 16
 """Among fewer points on a stretch it cannot be told what is usual."""
+
+MOST_NEIGHBOURS = 401
+"""A running median is taken over so many values at most: SciPy's needs memory for all of them at every point."""
 
 
 def examine_determined(
@@ -127,8 +130,6 @@ def _swarf(
     deviation: Deviation, machine: Floats, determined: Floats, block: Ints, profile: Profile
 ) -> tuple[Finding, ...]:
     """A few neighbouring points far above the others that the determined part follows."""
-    from scipy.ndimage import median_filter
-
     stretches = profile.stretches()
     worst: tuple[float, str] | None = None
     for key in np.unique(block):
@@ -139,7 +140,7 @@ def _swarf(
         s = deviation.s[rows]
         stretch = stretches[int(deviation.stretch[rows[0]])]
         size = max(min(2 * int(2.0 * NARROW / max(float(np.median(np.diff(s))), 1e-6)) + 1, len(rows) // 2), 7)
-        base = median_filter(machine[rows], size=size, mode="wrap" if stretch.closed else "nearest")
+        base = _running_median(machine[rows], size, stretch.closed)
         over = machine[rows] - base
         # Waves and steps of the part itself, what is left of them beside a running median, and what it cuts off crests.
         usual = 1.482602 * float(np.median(np.abs(over)))
@@ -147,7 +148,7 @@ def _swarf(
         if stretch.closed:
             # No lump lies across the place to begin at.
             low = int(np.argmax(~raised & ~np.roll(raised, 1)))
-            rows, base, raised = (np.roll(array, -low) for array in (rows, base, raised))
+            rows, base, raised = np.roll(rows, -low), np.roll(base, -low), np.roll(raised, -low)
             s = np.concatenate([s[low:], s[:low] + stretch.length])
         if raised.mean() > MOST_RAISED:
             continue
@@ -177,6 +178,23 @@ def _swarf(
         "measure there again, leave the points out, or take --filter robust:MM"
     )
     return (Finding("swarf", text, True),)
+
+
+def _running_median(value: Floats, size: int, closed: bool) -> Floats:
+    """Running median over `size` neighbours; of medians of small groups where that is many, which needs the memory."""
+    from scipy.ndimage import median_filter
+
+    mode = "wrap" if closed else "nearest"
+    group = -(-size // MOST_NEIGHBOURS)
+    if group == 1:
+        out: Floats = median_filter(value, size=size, mode=mode)
+        return out
+    groups = len(value) // group
+    middle = np.median(value[: groups * group].reshape(groups, group), axis=1)
+    slow = median_filter(middle, size=size // group | 1, mode=mode)
+    at = (np.arange(groups) + 0.5) * group - 0.5
+    between: Floats = np.interp(np.arange(len(value)), at, slow, period=len(value) if closed else None)
+    return between
 
 
 def _place(deviation: Deviation, row: int) -> str:
