@@ -92,6 +92,7 @@ class Request:
     smoothed: Correction | None = None
     setup: Setup | None = None
     shift: Correction | None = None
+    in_series: bool = False
 
     @property
     def measurements(self) -> tuple[Measurement, ...]:
@@ -369,7 +370,9 @@ def correct(request: Request, *, check: bool = False) -> Result:
             sources.append(read.source)
             deviation = numbered_as_read(deviations(moved, nominal, cutter_radius=reaching), moved)
             noted.append(provenance.values_of(deviation, nominal))
-            otherwise = None if again else provenance.recognised(carried, noted[-1], distrust.resolution(read))
+            # Parts of a series come back to the same size by wear; its journal knows which it has seen.
+            known = again is not None or request.in_series
+            otherwise = None if known else provenance.recognised(carried, noted[-1], distrust.resolution(read))
             if otherwise is not None:
                 provenance.refuse_mark(otherwise, program.name)
             # A first cut that millcorr wrote runs on the exact parallel; what this program is off by came after it.

@@ -195,6 +195,7 @@ def judged(
     accepted = process_control.ACCEPTED in request.settings.accept
     others = tuple(name for name in request.settings.accept if name != process_control.ACCEPTED)
     request = replace(request, settings=replace(request.settings, accept=others))
+    request = replace(request, in_series=True)
     own = pipeline.correct(request)
     places = Places.of(own.nominal)
     seen = places.sampled(own.nominal, own.deviation, own.filtered)
