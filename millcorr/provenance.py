@@ -148,14 +148,20 @@ def recognised(carried: Sequence[Mark], values: Ints, step: float) -> Mark | Non
     Notes
     -----
     Rounding two coordinates on either side moves a deviation by up to one step. A part of the corrected program
-    differs by all that was corrected.
+    differs by all that was corrected: where that is itself no more than digits so coarse can hide, nothing is said.
     """
     within = step * TENTHS + 1.0
     for mark in carried:
-        apart = (values - mark.values + MODULUS // 2) % MODULUS - MODULUS // 2
-        if ((np.abs(apart) <= within).sum(axis=1) >= ENOUGH).any():
+        same = np.abs(_signed(values - mark.values)) <= within
+        told = np.abs(_signed(mark.values)) > 2 * within
+        if ((same.sum(axis=1) >= ENOUGH) & (2 * told.sum(axis=1) > PLACES)).any():
             return mark
     return None
+
+
+def _signed(values: Ints) -> Ints:
+    """Values modulo `MODULUS` as the nearest to zero."""
+    return (values + MODULUS // 2) % MODULUS - MODULUS // 2
 
 
 def marks(comments: Iterable[tuple[int, str]]) -> tuple[Mark, ...]:

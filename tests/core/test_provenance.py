@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import hashlib
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -12,7 +13,7 @@ from hypothesis import strategies as st
 from millcorr.errors import InputError, RefusedError
 from millcorr.gcode import parse
 from millcorr.gcode.writer import write
-from millcorr.provenance import header, marks, refuse_second_use
+from millcorr.provenance import MODULUS, PLACES, Mark, header, marks, recognised, refuse_second_use
 
 PROGRAMS = {
     "plain": b"G21 G90\nG1 X0 Y0 Z0 F100\nX10\n",
@@ -107,3 +108,16 @@ def test_corrected_program_does_not_show_the_nominal():
     carried = marks(parse(marked(PROGRAMS["plain"], [("a.csv", digest("a"))]), "t.nc").comments())
     with pytest.raises(InputError, match=r"part\.nc:1: .*--nominal"):
         refuse_second_use(carried, [digest("new")], "part.nc", has_nominal=False)
+
+
+def test_coarse_digits_do_not_make_the_next_part_the_one_before():
+    """10 µm taken off, the next part within 2 µm: in steps of 0.01 mm nobody can say that these are the same points."""
+    first = np.full(PLACES, 100) + np.arange(PLACES)
+    second = np.resize([20, -20], PLACES)
+    mark = Mark(3, "2026-01-01", ("0" * 16,), "1" * 16, first[None, :] % MODULUS)
+    assert recognised([mark], first % MODULUS, 0.001) is mark
+    assert recognised([mark], second % MODULUS, 0.001) is None
+    assert recognised([mark], second % MODULUS, 0.01) is None
+    large = Mark(3, "2026-01-01", ("0" * 16,), "1" * 16, 4 * first[None, :] % MODULUS)
+    assert recognised([large], (4 * first + 60) % MODULUS, 0.01) is large
+    assert recognised([large], second % MODULUS, 0.01) is None
