@@ -204,14 +204,15 @@ def _add_probe(verb: argparse.ArgumentParser) -> None:
     for name, default, text in (
         ("z", None, "height to measure at (default: the middle of the deepest cut)"),
         ("safe-z", None, "height at which the probe passes over everything (default: the program's)"),
-        ("clearance", 2.0, "distance from which a touch begins"),
-        ("overtravel", 1.0, "how far behind the surface a touch gives up"),
-        ("stock", 0.0, "stock that is still on the contour"),
+        ("clearance", 2.0, "distance from which a touch begins (default 2)"),
+        ("overtravel", 1.0, "how far behind the surface a touch gives up (default 1)"),
+        ("stock", 0.0, "stock that is still on the contour (default 0)"),
         ("free-width", None, "how far beside the contour it is free"),
-        ("feed", 100.0, "feed of the touch, mm/min"),
-        ("positioning-feed", 1000.0, "feed of moves at measuring height, mm/min"),
+        ("feed", 100.0, "feed of the touch, mm/min (default 100)"),
+        ("positioning-feed", 1000.0, "feed of moves at measuring height, mm/min (default 1000)"),
     ):
-        verb.add_argument(f"--{name}", metavar="MM", type=float, default=default, help=text)
+        unit = "MM/MIN" if "feed" in name else "MM"
+        verb.add_argument(f"--{name}", metavar=unit, type=float, default=default, help=text)
     verb.add_argument("--tool", metavar="N", type=int, help="number of the probe in the magazine")
     verb.add_argument("--log", metavar="NAME", help="name of the file that the control writes")
 

@@ -232,7 +232,8 @@ def correction_from(
         point, _ = profile.at(stretches[int(number[worst])].contour, np.array([s[worst]]))
         raise LimitError(
             f"a correction of {value[worst]:+.4f} mm is needed at X{point[0, 0]:.3f} Y{point[0, 1]:.3f} "
-            f"({int((np.abs(value) > limit).sum())} points), more than --limit {limit:g} mm; nothing was corrected"
+            f"({int((np.abs(value) > limit).sum())} points), more than --limit {limit:g} mm; nothing was "
+            "corrected: look at the place in the report of `check`, and say a larger --limit if it is right"
         )
     courses: list[Course | None] = []
     warnings: list[str] = []

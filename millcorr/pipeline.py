@@ -702,9 +702,10 @@ def _advice(work: Target, loops: int, settings: Settings) -> tuple[str, ...]:
     if settings.gain != 1.0:
         left = 100 * (1 - settings.gain)
         return (f"gain {settings.gain:g} leaves {left:.0f} % of the determined deviation on purpose",)
-    ordinal = {1: "", 2: "twice ", 3: "three times "}.get(loops, f"{loops} times ")
+    stiff = 100 * (0.05 / 1.05) ** loops
+    ordinal = {1: "", 2: "taken twice, ", 3: "taken three times, "}.get(loops, f"taken {loops} times, ")
     return (
-        f"tool and machine give way: a share MS/(1+MS) of every shift comes back, {ordinal}taken of the first "
-        f"deviation by now (a stiff machine, MS 0.05: {100 * (0.05 / 1.05) ** loops:.2g} % is left); measure the next "
-        "part, or take that into account at once: --method transfer --depth MM",
+        "tool and machine give way: a share MS/(1+MS) of every correction comes back, so the next part still shows "
+        f"that share, {ordinal}of the first deviation (a stiff machine, MS 0.05: {stiff:.2g} %); "
+        "measure the next part, or take that into account at once: --method transfer --depth MM",
     )

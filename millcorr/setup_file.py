@@ -153,11 +153,13 @@ class Machine:
     )
     position_gain_per_s: float | None = _key(0.1, 10_000.0, default=None, hint="1/s, not (m/min)/mm: Kv 1 is 16.67/s")
 
-    def stiffness(self) -> tuple[float, float]:
-        """Stiffnesses (kx, ky) in N/mm; UsageError where the setup has none."""
+    def stiffness(self, source: str = "") -> tuple[float, float]:
+        """Stiffnesses (kx, ky) in N/mm; UsageError, naming the source, where the setup has none."""
         if self.kx_n_per_mm is None or self.ky_n_per_mm is None:
             missing = "kx_n_per_mm" if self.kx_n_per_mm is None else "ky_n_per_mm"
-            raise UsageError(f"setup: [machine] {missing} is missing: deflection needs the stiffness of both axes")
+            raise UsageError(
+                f"{source or 'setup'}: [machine] {missing} is missing: deflection needs the stiffness of both axes"
+            )
         return self.kx_n_per_mm, self.ky_n_per_mm
 
 

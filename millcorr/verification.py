@@ -91,7 +91,8 @@ def verify(
     if error[worst] > tolerance:
         raise LimitError(
             f"the corrected path would be {error[worst] * 1000:.2f} um off at X{x:.3f} Y{y:.3f}, more than the "
-            f"tolerance of {tolerance * 1000:g} um" + (" (the cutter gouges there)" if off[worst] < 0 else "")
+            f"tolerance of {tolerance * 1000:g} um"
+            + (" (the cutter gouges there)" if off[worst] < 0 else ": where that does no harm, a larger --tolerance")
         )
     return result
 

@@ -47,7 +47,7 @@ def refuse_places(
         if place.is_dir():
             raise UsageError(f"{option} {place} is a directory; name the file to write")
         if not place.absolute().parent.is_dir():
-            raise UsageError(f"{option} {place}: there is no directory {place.parent}")
+            raise UsageError(f"{option} {place}: there is no directory {place.parent}: make it first")
         taken[place.resolve()] = f"file of {option}"
     if report is None:
         return
@@ -87,7 +87,7 @@ def replaced_whole(path: Path | None, data: bytes) -> Iterator[None]:
         return
     path = path.resolve()
     if not path.parent.is_dir():
-        raise UsageError(f"{path}: there is no directory {path.parent}")
+        raise UsageError(f"{path}: there is no directory {path.parent}: make it first")
     try:
         handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
     except OSError as error:

@@ -260,9 +260,11 @@ class _Search:
         r = residuals(p)
         left = float(np.abs(r).mean())
         if not left < _EXPLAINED * ideal:
+            unit = "mm" if len(self.axes) else "mm/s"
             raise FitError(
-                f"{name}: the model leaves {left:.4g} where an ideal machine leaves {ideal:.4g}: the trace is not one "
-                "of this program on such a control, or shows no change of feed or direction"
+                f"{name}: the model leaves {left:.4g} {unit} where an ideal machine leaves {ideal:.4g} {unit}: the "
+                "trace is not one of this program on such a control, or shows too few changes of feed and direction: "
+                "log corners at a higher feed"
             )
         jacobian = np.empty((len(r), len(p)))
         for k, step in enumerate([1e-5, *[1e-4] * len(self.fit)]):

@@ -126,7 +126,7 @@ def elastic_pass(toolpath: Toolpath, setup: Setup, stock: StockRegion, *, step: 
     RefusedError
         If the cut is stiffer than the machine, so that the loop need not settle, or it does not settle.
     """
-    kx, ky = setup.machine.stiffness()
+    kx, ky = setup.machine.stiffness(setup.source)
     stiffness = np.array([kx, ky])
     path = CutterPath.of(toolpath, setup, step)
     rigid = engaged(path, setup, arcs_of(path, setup, stock))

@@ -97,8 +97,9 @@ def _chain(chain: Chain) -> str:
 
 def _settings(entry: Entry) -> str:
     control = entry.settings.get("control")
-    rules = "" if control is None else "; control: " + ", ".join(f"{k} {v:g}" for k, v in control.items())
-    return str(entry.settings["correction"]) + rules
+    said = ", ".join(f"{k.replace('_', ' ')} {v:g}" for k, v in (control or {}).items())
+    rules = f"; control: {said}" if said else ""
+    return f"{entry.settings['correction']}{rules}; lengths in mm"
 
 
 def deviations(entries: Sequence[Entry]) -> Plot:

@@ -90,8 +90,8 @@ def page(
         about="toolpath correction",
         files=f"Every {'simulated' if nothing_measured(result) else 'measured'} point is in <b>deviations.csv</b>, "
         "the contour check in <b>contour.csv</b> and "
-        "<b>points.csv</b>, every number in <b>report.json</b>, the compensated profile as NURBS in "
-        "<b>profile.json</b> and <b>profile.step</b>.",
+        "<b>points.csv</b>, every number in <b>report.json</b>, the nominal in <b>nominal.json</b>, the "
+        "compensated profile as NURBS in <b>profile.json</b> and <b>profile.step</b>.",
         date=date,
     )
 
@@ -435,8 +435,13 @@ _SETTING_NAMES = {
     "tolerance": "Tolerance of the path",
     "output_moves": "Kinds of move written",
     "cutter_compensation": "With G41, G42 the program gives",
+    "depth_along": "Depth along",
+    "transfer_function": "Transfer function",
+    "leave_stock": "Stock left on",
 }
-_LENGTHS = ("limit", "dead_band", "tolerance")
+_LENGTHS = ("limit", "dead_band", "tolerance", "leave_stock")
+_ELASTIC_ONLY = ("depth_along", "transfer_function")
+"""Settings that say nothing where the deviation is mirrored."""
 
 
 def _settings(result: Result) -> str:
@@ -446,7 +451,9 @@ def _settings(result: Result) -> str:
     facts.append(("Program gives", distance))
     facts.append(("Nominal", "given" if result.request.nominal is not None else "the contour that the program cuts"))
     for name, value in summary["settings"].items():
-        if value is None or value == ():
+        if value is None or value == () or (name in _ELASTIC_ONLY and result.request.settings.method == "mirror"):
+            continue
+        if name == "leave_stock" and not value:
             continue
         text = f"{value:g}" if isinstance(value, float) else str(value)
         facts.append((_SETTING_NAMES.get(name, name.replace("_", " ")), text + (" mm" if name in _LENGTHS else "")))

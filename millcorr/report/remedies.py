@@ -124,12 +124,12 @@ class Done:
             yield f"shifted     {self._shifted_in_words(self.shifted)}: {self.asked.shifted}"
         if self.tilted is not None:
             before, after = (UM * v.max() for v in (self.tilted.remedy.worst[:, 0], self.tilted.after))
-            yield f"tilted      walls off by {before:.1f} {MICRO} at most: {after:.1f} {MICRO}: {self.asked.tilted}"
+            yield f"tilted      walls from {before:.1f} to {after:.1f} {MICRO} off at most: {self.asked.tilted}"
 
     @staticmethod
     def _shifted_in_words(found: ShiftedProgram) -> str:
-        before, after, largest = (f"{UM * v:.1f} {MICRO}" for v in (found.before, found.after, found.largest))
-        return f"walls off by {before} at most: {after}, by moving the contour up to {largest}"
+        before, after, largest = (f"{UM * v:.1f}" for v in (found.before, found.after, found.largest))
+        return f"walls from {before} to {after} {MICRO} off at most, by moving the contour up to {largest} {MICRO}"
 
     def _slowed_in_words(self, found: CornerFeeds) -> str:
         bound = f"{UM * (self.asked.corner_error or 0):g} {MICRO}"

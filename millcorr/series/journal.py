@@ -339,7 +339,7 @@ def held(path: str | Path, *, patience: float = TURN) -> Iterator[Journal]:
     if path.is_dir():
         raise UsageError(f"--journal {path} is a directory; name a file")
     if not path.resolve().parent.is_dir():
-        raise UsageError(f"--journal {path}: there is no directory {path.resolve().parent}")
+        raise UsageError(f"--journal {path}: there is no directory {path.resolve().parent}: make it first")
     # SQLite would open it for reading only, and lock nothing.
     if not os.access(path if path.exists() else path.resolve().parent, os.W_OK):
         raise InputError(f"{path}: the journal cannot be written: no permission")

@@ -42,18 +42,19 @@ def inspect(measured: Path, reading: Reading = UNSAID) -> str:
             measurement = replace(reading, points="contact", probe=None, probe_radius=None).read(measured)
         except UsageError:
             raise first from None
-        said = "  (the file does not say; correcting needs --points contact, centre or axis)"
+        said = "the file does not say of what: correcting needs --points contact, centre or axis"
     low, high = measurement.points.min(axis=0), measurement.points.max(axis=0)
     levels = np.unique(measurement.levels())
+    counted = f"{len(levels)} level{'s' if len(levels) > 1 else ''}"
     lines = [
         f"file        {measured}",
         f"format      {measurement.format}",
         f"unit        {measurement.unit}" + ("" if measurement.unit == "mm" else "; all lengths here in mm"),
-        f"points      {len(measurement)}, {_kind(measurement)}{said}",
+        f"points      {len(measurement)}, {said or _kind(measurement)}",
         f"normals     {'none' if measurement.normals is None else 'of every point'}",
         f"nominal     {'none' if measurement.nominal is None else 'in the file'}",
         f"extents     X{low[0]:.3f} to {high[0]:.3f}, Y{low[1]:.3f} to {high[1]:.3f}"
-        + (f", Z{low[2]:.3f} to {high[2]:.3f} on {len(levels)} levels" if measurement.has_z else ", no Z"),
+        + (f", Z{low[2]:.3f} to {high[2]:.3f} on {counted}" if measurement.has_z else ", no Z"),
     ]
     deviation = measurement.from_nominal()
     if deviation is not None:

@@ -23,9 +23,10 @@ def in_words(summary: Mapping[str, Any], outputs: Mapping[str, str], *, checked_
         values = "".join(f"{um(row[name]):>9}" for name in ("mean", "min", "max", "height", "std"))
         lines.append(f"{title:<15}{values}")
     random, largest = um(summary["random_std"]), summary["correction"]
+    random = "not known" if random == "-" else f"{random} um"
     at = "X{:.3f} Y{:.3f}".format(*largest["place"]) if largest["largest"] else ""
     moved = f"{largest['largest'] * 1000:+.2f} um" + (f" at {at}" if at else "")
-    lines.append(f"random part std {random} um; largest correction {moved}")
+    lines.append(f"random part std {random}; largest correction {moved}")
     lines += _elastic(summary["transfer"])
     lines.append(
         f"proof       emitted path within {um(proof['path_error_max'])} um of the compensated profile's exact parallel"

@@ -38,7 +38,8 @@ def test_inspect_of_text_names_what_is_missing(tmp_path: Path, capsys: pytest.Ca
     file.write_text("x,y\n1,2\n3,4\n")
     assert main(["inspect", str(file)]) == 0
     said = capsys.readouterr().out
-    assert "--points contact, centre or axis" in said and "no Z" in said
+    assert "points      2, the file does not say of what: correcting needs --points contact, centre or axis" in said
+    assert "no Z" in said
 
 
 def test_convert_writes_text_that_reads_back(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

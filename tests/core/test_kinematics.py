@@ -542,7 +542,7 @@ def test_constants_of_a_steady_move_are_refused(fit):
 def test_constants_that_a_trace_does_not_determine_are_refused():
     truth = linear(0.05, 40)
     whole = logged(truth)
-    with pytest.raises(FitError, match="not one of this program"):
+    with pytest.raises(FitError, match="mm: the trace is not one of this program"):
         identify(whole, path("G1 X-10 F3000|Y-10"), linear(0.03, 60), ("time", "kv"))
     # The move along X says nothing on Y.
     only_x = logged(truth, toolpath=path("G1 X3 F3000"))

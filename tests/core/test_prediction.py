@@ -218,7 +218,7 @@ def test_bad_setups_name_the_key(table, key, value, named):
 def test_missing_stock_and_stiffness_are_named():
     with pytest.raises(FormatError, match=r"\[stock\]"):
         with_key("stock", "allowance_mm", None)
-    with pytest.raises(UsageError, match="kx_n_per_mm is missing"):
+    with pytest.raises(UsageError, match=r"^setup\.toml: \[machine\] kx_n_per_mm is missing"):
         simulate(program(), with_key("machine", "kx_n_per_mm", None), nominal())
 
 

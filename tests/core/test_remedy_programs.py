@@ -97,7 +97,7 @@ def test_corners_within_the_bound_stay(directory, capsys):
 def test_tilted_walls(directory, capsys):
     """25 um at 0.5 mm fall to less than 3, with the tip's path moved for a control that keeps the tip."""
     assert run(directory, "apart.nc", "tilt.toml", "tilted", *heights(), "--tilted", "tilted.nc") == 0
-    assert "walls off by 25.0 \N{MICRO SIGN}m at most: 2.2" in capsys.readouterr().out
+    assert "walls from 25.0 to 2.2 \N{MICRO SIGN}m off at most" in capsys.readouterr().out
     tilted = found(directory, "tilted")["tilted"]
     text = (directory / "tilted.nc").read_text()
     words = re.findall(r"A(-?[\d.]+) B(-?[\d.]+)", text)
@@ -123,7 +123,7 @@ def test_tilted_walls(directory, capsys):
 def test_shifted_contour(directory, capsys):
     """Without an axis to tilt: 25 um at 0.5 mm fall by the mean over the heights, what leans stays."""
     assert run(directory, "corner.nc", "plain.toml", "shifted", *heights(), "--shifted", "shifted.nc") == 0
-    assert "shifted     walls off by 25.0 " in capsys.readouterr().out
+    assert "shifted     walls from 25.0 " in capsys.readouterr().out
     shifted = found(directory, "shifted")["shifted"]
     before = found(directory, "shifted")["wall"]["stretches"][0]["before_mm"]
     assert shifted["largest_before_mm"] == pytest.approx(0.025, abs=1e-4)

@@ -339,6 +339,8 @@ def test_page_says_what_was_done(disc):
         "p.nc",
     ):
         assert words in text, words
+    for words in ("Depth along", "Transfer function", "leave stock", "Stock left on"):
+        assert words not in text, words
     for warning in disc.warnings:
         assert warning in text
 
