@@ -25,6 +25,10 @@ REACH = 1.0
 BRANCH_GAP = 0.02
 """A point whose next branch is no more than this farther, in mm, has no certain foot point."""
 
+ACROSS = 0.5
+"""Cosine of 60 degrees: a point whose own normal is farther than that off the profile's lies on another surface. The
+probe touches within some 10 degrees of the normal, or along an axis that is at most 45 degrees off it."""
+
 REACHED = 1e-3
 """A cutter that touches the profile at one place and cuts into it elsewhere by no more than this, in mm, reaches
 that place: a hollow joint of facets of 0.02 rad keeps a cutter of radius 5 mm only 0.25 um away."""
@@ -150,7 +154,11 @@ def deviations(
     unsure = (feet.rival < np.maximum(BRANCH_GAP, np.abs(value))) | (np.abs(value) + feet.rival <= usual)
     if normals is not None:
         length = np.hypot(*normals.T)
-        unsure &= (normals * normal).sum(axis=1) < 0.9 * np.maximum(length, 1e-12)
+        along = (normals * normal).sum(axis=1)
+        unsure &= along < 0.9 * np.maximum(length, 1e-12)
+        # Normals the wrong way round are the whole file's matter, not a point's.
+        across = (length > 0.5) & (np.abs(along) < ACROSS * length)
+        reasons[across & (reasons < 0)] = 5
     reasons[unsure & (reasons < 0)] = 3
     if cutter_radius > 0:
         rows = np.flatnonzero(reasons < 0)
@@ -161,6 +169,7 @@ def deviations(
         "at a corner, where the profile has no single normal and the file gives none",
         "two branches of the profile are equally near and the file gives no normal",
         "in an inner corner or hollow that the cutter cannot reach",
+        "touched on another surface: its own normal is more than 60 degrees off the profile's there",
     )
     used = np.flatnonzero(reasons < 0)
     rejected = tuple(Rejected(int(i), texts[reasons[i]]) for i in np.flatnonzero(reasons >= 0))

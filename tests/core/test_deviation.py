@@ -224,6 +224,21 @@ def test_beyond_open_ends():
     assert all("beyond the end" in reasons(result)[i] for i in (0, 4))
 
 
+def test_points_of_another_side_near_an_open_end_are_told_by_their_normals():
+    """The end face of a bar, 0.3 mm off the end of its long side: near the profile, and no deviation of it."""
+    profile = profile_of([Element(np.zeros(2), np.array([40.0, 0.0]))], closed=False)
+    points = np.array([[10.0, 0.01], [39.9, 0.3], [39.9, -0.4], [20.0, -0.02]])
+    side = np.array([0.0, -1.0])
+    end = np.array([1.0, 0.0])
+    tilted = np.cos(np.radians(50)) * side + np.sin(np.radians(50)) * end
+    d = deviations(measured(points, np.stack([side, end, end, tilted])), profile)
+    assert d.index.tolist() == [0, 3]
+    assert set(reasons(d)) == {1, 2} and all("another surface" in why for why in reasons(d).values())
+    # The other way round, and without normals, every point counts: that is for the whole file to say.
+    turned = deviations(measured(points, -np.tile(side, (4, 1))), profile)
+    assert len(turned.index) == len(deviations(measured(points), profile).index) == 4
+
+
 def test_far_points_are_called_far_wherever_they_lie():
     """Outside, at the middle between all sides, past a corner."""
     profile = rectangle(60.0, 40.0).profile
