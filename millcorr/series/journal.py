@@ -435,7 +435,9 @@ def _named_errors(path: Path) -> Iterator[None]:
             raise FormatError(f"the journal is damaged ({said}): restore it from a copy", path) from error
         raise InputError(f"{path}: the journal cannot be read or written ({said})") from error
     except sqlite3.DatabaseError as error:
-        raise FormatError(f"not a journal of millcorr, or damaged ({error}): restore it from a copy", path) from error
+        raise FormatError(
+            f"not a journal of millcorr, or damaged ({error}): give the journal, or restore it from a copy", path
+        ) from error
 
 
 _COLUMNS = (

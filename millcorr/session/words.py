@@ -48,7 +48,7 @@ def _elastic(transfer: Mapping[str, Any] | None) -> list[str]:
     spread = "" if known is None or known != known else f" +- {known:.4f}"
     lines = [
         f"transfer    MS {transfer['ms_mean']:.4f} ({transfer['ms_min']:.4f} to {transfer['ms_max']:.4f}){spread}, "
-        f"depth {depth} mm, next {transfer['next_depth']:g} mm, {transfer['taken']} along {transfer['depth_along']}"
+        f"depth {depth} mm, next {transfer['next_depth']:.4g} mm, {transfer['taken']} along {transfer['depth_along']}"
     ]
     offset = transfer["offset"]
     if offset:
