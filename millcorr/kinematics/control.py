@@ -116,9 +116,12 @@ class AxisDynamics:
 
     def left_of_piece(self, first: Floats, last: Floats, since_first: Floats, since_last: Floats) -> Floats:
         """Way still to go of a command whose speed went along a line from `first` to `last`, so many s ago each."""
-        slope = (first - last) / (since_first - since_last)
+        lasted = since_first - since_last
+        # A piece that takes no time leaves nothing, and has no slope.
+        slope = np.divide(first - last, lasted, out=np.zeros_like(lasted), where=lasted > 0)
         out: Floats = last * self.left(since_last) - first * self.left(since_first)
         out += slope * (self.left_of_ramp(since_last) - self.left_of_ramp(since_first))
+        out[lasted <= 0] = 0.0
         return out
 
     def _tail(self, wait: Floats, order: int) -> Floats:

@@ -146,6 +146,18 @@ def test_settling_counts_what_came_before_a_short_last_move():
     assert evaluate(plan, np.array([plan.duration]))[0][0, 0] == pytest.approx(20 - 0.01, abs=1e-9)
 
 
+def test_a_piece_that_takes_no_time_leaves_nothing():
+    axis = linear(0.05, 40.0).axes[0]
+    none, some = np.array([0.01]), np.array([0.03])
+    assert axis.left_of_piece(some, 2 * some, none, none).tolist() == [0.0]
+    # Split anywhere, a ramp leaves what it leaves whole.
+    whole = axis.left_of_piece(np.array([10.0]), np.array([30.0]), some, none)
+    halves = axis.left_of_piece(
+        np.array([10.0, 20.0]), np.array([20.0, 30.0]), np.array([0.03, 0.02]), np.array([0.02, 0.01])
+    )
+    assert halves.sum() == pytest.approx(whole[0], rel=1e-12)
+
+
 @pytest.mark.parametrize("w", [0.0, 1e-6, 0.3, 0.999, 1.0, 4.0, 60.0])
 def test_psi_is_its_integral(w):
     nodes, weights = np.polynomial.legendre.leggauss(60)
