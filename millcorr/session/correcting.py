@@ -83,7 +83,7 @@ def correct_program(
     chosen = settings or pipeline.Settings()
     require_measured(measured, setup, chosen)
     rules = serial.control_from(control, chosen.dead_band, journal=journal is not None, **limits)
-    book = None if journal is None else Path(journal) if journal else serial.default_journal(program, nominal)
+    book = _book(journal, program, nominal)
     outside = {"--output": output, "--journal": book}
     refuse_places(outside, inputs, report, reports.FILES)
     request = program_request(program, measured, reading, nominal, tool_diameter, chosen, setup)
@@ -105,6 +105,13 @@ def correct_program(
     if not table:
         return words
     return f"{contour_check.table(contour_check.touched_points(result))}\n{words}"
+
+
+def _book(journal: str | None, cut: Path, nominal: str | None) -> Path | None:
+    """Place of the journal that was asked for; '' is the one beside the nominal or what was cut."""
+    if journal is None:
+        return None
+    return Path(journal) if journal else serial.default_journal(cut, nominal)
 
 
 @contextmanager
@@ -175,7 +182,7 @@ def correct_document(
             "--journal with --document needs a name: every part's document has another one, the journal is that of all"
         )
     serial.control_from(control, (settings or pipeline.Settings()).dead_band, journal=journal is not None, **limits)
-    book = None if journal is None else Path(journal) if journal else serial.default_journal(document, nominal)
+    book = _book(journal, document, nominal)
     inputs = {"document": document, "nominal": first, "setup": setup}
     inputs |= measured_inputs(measured, reading)
     refuse_places({"--output": output, "--gcode": gcode, "--journal": book}, inputs, report, reports.FILES)
