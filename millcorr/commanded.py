@@ -23,7 +23,7 @@ from .deviation import REACH, Deviation
 from .errors import InputError, LimitError
 from .footpoint import FootPointSearch, Place
 from .measurement import Measurement
-from .profile import Contour, Profile
+from .profile import Profile
 from .read_only import ReadOnlyArrays
 from .reconstruction import CompensatedContour
 from .regeneration import BAND
@@ -42,6 +42,9 @@ EXACT = 1e-6
 ALONG = 2.0
 """Moves nearer to a path than so many times the program's rounding run on it: of two rounded points each is off by once
 as much at most."""
+
+COVERS = 0.5
+"""A pass that runs on less of a path than this share does not cut it again: it leads onto it."""
 
 FEW = 0.02
 """A contour that made a smaller share of the points is not the one that was measured: that many may be outliers."""
@@ -92,6 +95,10 @@ class CommandedSurface(ReadOnlyArrays):
 
     toolpath: Toolpath
     radius: Floats
+
+    def only(self, rows: Bools) -> CommandedSurface:
+        """What some of the moves leave by themselves."""
+        return CommandedSurface(self.toolpath, np.where(rows, self.radius, np.nan))
 
     def offset(self, foot: Floats, normal: Floats, z: Floats | None = None, *, reach: float = REACH) -> Floats:
         """How far the surface lies from places along their normals.
@@ -381,11 +388,10 @@ def beside_the_path(toolpath: Toolpath, following: Bools) -> Bools:
 
     A retraction to an unknown height (G28 Z0) goes along without being rewritten.
     """
-    travel = np.nan_to_num(toolpath.end[:, :2] - toolpath.start[:, :2], nan=1.0)
-    jump = toolpath.kind == int(Kind.RAPID)
-    rapid = jump & (np.abs(travel).max(axis=1) > 0)
-    section = np.cumsum(rapid)
-    out: Bools = np.isin(section, section[following]) & ~rapid & ~(jump & np.isnan(toolpath.end[:, 2]))
+    section = _sections(toolpath)
+    rapid = np.diff(section, prepend=0) > 0
+    unknown = (toolpath.kind == int(Kind.RAPID)) & np.isnan(toolpath.end[:, 2])
+    out: Bools = np.isin(section, section[following]) & ~rapid & ~unknown
     return out
 
 
@@ -411,35 +417,49 @@ def on_the_path(
         The move that each of them comes from.
     following : (m,) bool
     """
-    path = Toolpath.concatenate([one.path for one in cut])
     band = max(ALONG * resolution, SAME_POINT)
-    distance = PathDistance(path, np.arange(len(path)))
-    tools = np.unique(np.stack([path.tool, path.compensation], axis=1), axis=0)
+    vertices = np.vstack([np.vstack([one.path.start[:, :2], one.path.end[:, :2]]) for one in cut])
+    distances = [PathDistance(one.path, np.arange(len(one.path))) for one in cut]
+    same = np.zeros(len(toolpath), dtype=bool)
+    for tool, compensation in np.unique(
+        np.concatenate([np.stack([one.path.tool, one.path.compensation], axis=1) for one in cut]), axis=0
+    ):
+        same |= (toolpath.tool == tool) & (toolpath.compensation == compensation)
+    candidates = same & usable & rows_near(toolpath, vertices, band)
 
-    def along(toolpath: Toolpath, usable: Bools) -> tuple[Bools, Bools]:
+    def along(toolpath: Toolpath, candidates: Bools) -> tuple[Bools, Bools]:
         runs = cutting_runs(toolpath)
         rows = np.concatenate(runs) if runs else np.zeros(0, dtype=np.int64)
-        near = usable & rows_near(toolpath, np.vstack([path.start[:, :2], path.end[:, :2]]), band)
-        same = np.zeros(len(toolpath), dtype=bool)
-        for tool, compensation in tools:
-            same |= (toolpath.tool == tool) & (toolpath.compensation == compensation)
-        rows = rows[(near & same)[rows]]
-        samples = toolpath.take(rows).position(np.linspace(0.0, 1.0, 9))[:, :, :2]
-        on = (distance(samples.reshape(-1, 2)) <= band).reshape(-1, 9)
+        rows = rows[candidates[rows]]
+        moves = toolpath.take(rows)
+        samples = moves.position(np.linspace(0.0, 1.0, 9))[:, :, :2].reshape(-1, 2)
+        section, length = _sections(toolpath)[rows], np.nan_to_num(moves.length())
         whole, partly = np.zeros(len(toolpath), dtype=bool), np.zeros(len(toolpath), dtype=bool)
-        whole[rows] = on.all(axis=1)
-        partly[rows] = on[:, 1:-1].any(axis=1) & ~on.all(axis=1)
-        return whole, partly
+        for one, distance in zip(cut, distances, strict=True):
+            on = (distance(samples) <= band).reshape(-1, 9)
+            complete = on.all(axis=1)
+            # What only meets the path, as the lead of another pass does, covers little of it.
+            covered = np.bincount(section[complete], length[complete], minlength=int(section.max(initial=0)) + 1)
+            covers = covered[section] > COVERS * float(np.nansum(one.path.length()))
+            whole[rows] |= complete & covers
+            partly[rows] |= on[:, 1:-1].any(axis=1) & ~complete & covers
+        return whole, partly & ~whole
 
-    whole, partly = along(toolpath, usable)
+    whole, partly = along(toolpath, candidates)
     row = np.arange(len(toolpath))
     if partly.any():
-        vertices = np.vstack([path.start[:, :2], path.end[:, :2]])
         cut_path, cut_row = _cut_at(toolpath, partly, vertices)
         if len(cut_path) > len(toolpath):
             toolpath, row = cut_path, cut_row
-            whole, _ = along(toolpath, usable[row])
+            whole, _ = along(toolpath, candidates[row])
     return toolpath, row, whole
+
+
+def _sections(toolpath: Toolpath) -> Ints:
+    """Number of each move's section; a rapid in the plane begins a new one; (n,)."""
+    travel = np.nan_to_num(toolpath.end[:, :2] - toolpath.start[:, :2], nan=1.0)
+    jump: Ints = ((toolpath.kind == int(Kind.RAPID)) & (np.abs(travel).max(axis=1) > 0)).astype(np.int64)
+    return np.cumsum(jump)
 
 
 @dataclass(frozen=True, eq=False, slots=True)

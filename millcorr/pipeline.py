@@ -324,12 +324,15 @@ def correct(request: Request, *, check: bool = False) -> Result:
     if nominal is None:
         if settings.method == "predicted":
             _require_side(settings, toolpath, usable)
-        nominal, cut = _own_contour(program, toolpath, settings, measurement, request.radius, path_radius, usable, warnings)
+        nominal, cut = _own_contour(
+            program, toolpath, settings, measurement, request.radius, path_radius, usable, warnings
+        )
         if in_place:
             toolpath, row_of, following = on_the_path(toolpath, usable, cut, program.resolution)
     if not in_place:
         reach = settings.limit if carried else 0.0
-        nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, request.nominal is not None)
+        given = request.nominal is not None
+        nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, given)
         divided, row = cut_onto_the_contour(toolpath, commanded.following)
         if len(divided) > len(toolpath):
             _, found = _turned_to_the_path(nominal, divided, path_radius, usable[row], reach, False)

@@ -411,7 +411,8 @@ def _simplified(points: Floats, resolution: float) -> Floats:
     points = points[apart]
     if len(points) < 3 or resolution <= 0:
         return points
-    out: Floats = shapely.get_coordinates(shapely.simplify(shapely.linestrings(points), resolution, preserve_topology=False))
+    line = shapely.simplify(shapely.linestrings(points), resolution, preserve_topology=False)
+    out: Floats = shapely.get_coordinates(line)
     return out
 
 
@@ -427,8 +428,8 @@ def _trimmed(pieces: list[_Piece], radius: float, closed: bool) -> list[_Piece]:
     runs = _on_the_surface(pieces, offset, radius)
     if not runs:
         raise InputError(
-            f"the path only circles points at the tool radius {radius:g} mm, or turns tighter than it everywhere: there "
-            "is no contour; check --tool-diameter and --side"
+            f"the path only circles points at the tool radius {radius:g} mm, or turns tighter than it everywhere: "
+            "there is no contour; check --tool-diameter and --side"
         )
     # A piece whose two intersections have changed places is a sliver between samples: it vanishes, too.
     while True:

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -95,12 +94,12 @@ def emit_in_place(
             f"the written program reads back with {len(emitted)} moves in place of {len(regeneration.toolpath)}"
         )
     proof, (stays, place) = prove_surface(
-        CommandedSurface(program.toolpath, cutters),
+        CommandedSurface(toolpath, _by_tool(program.toolpath, cutters, toolpath)),
         CommandedSurface(emitted, _by_tool(program.toolpath, cutters, emitted)),
+        (following, regeneration.following),
         before,
         after,
         radius,
-        np.flatnonzero(regeneration.following),
         tolerance=settings.tolerance,
     )
     note = None
@@ -110,7 +109,7 @@ def emit_in_place(
             f"{2 * radius:g} mm to reach what is wanted there; a smaller one would"
         )
     compensated, residual = compensated_profile(nominal, correction, after)
-    return Emission(compensated, residual, replace(regeneration), proof, text), note
+    return Emission(compensated, residual, regeneration, proof, text), note
 
 
 def _by_tool(program: Toolpath, cutters: Floats, emitted: Toolpath) -> Floats:

@@ -11,8 +11,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from millcorr.compensation import Correction
 from millcorr.comparison.path_distance import SegmentTree
+from millcorr.compensation import Correction
 from millcorr.profile import CORNER_ANGLE, Profile
 
 Floats = NDArray[np.float64]
