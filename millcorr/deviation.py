@@ -136,7 +136,7 @@ def deviations(
     normal, span, t = feet.normal.copy(), feet.span.copy(), feet.t.copy()
     reasons = np.full(len(points), -1)
 
-    at_corner = np.flatnonzero((feet.place == Place.JOINT) & _is_corner(profile, feet))
+    at_corner = np.flatnonzero((feet.place == Place.JOINT) & is_corner(profile, feet))
     if len(at_corner):
         reasons[at_corner] = 2
         if normals is not None:
@@ -195,7 +195,8 @@ def deviations(
     )
 
 
-def _is_corner(profile: Profile, feet: FootPoints) -> NDArray[np.bool_]:
+def is_corner(profile: Profile, feet: FootPoints) -> NDArray[np.bool_]:
+    """Foot points at joints where the profile turns by more than `CORNER_ANGLE`; those at other places mean nothing."""
     before = np.where(feet.t == 1.0, feet.span, profile.neighbour(feet.span, -1))
     out: NDArray[np.bool_] = np.abs(np.nan_to_num(profile.turn[before])) > CORNER_ANGLE
     return out

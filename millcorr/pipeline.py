@@ -328,7 +328,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
             program, toolpath, settings, measurement, request.radius, path_radius, usable, warnings
         )
         if in_place:
-            toolpath, row_of, following = on_the_path(toolpath, usable, cut, program.resolution)
+            following = on_the_path(toolpath, usable, cut, program.resolution)
     if not in_place:
         reach = settings.limit if carried else 0.0
         given = request.nominal is not None
@@ -345,8 +345,12 @@ def correct(request: Request, *, check: bool = False) -> Result:
     program.require_plain(rows)
     surface = CommandedSurface(program.toolpath, cutters)
 
+    # Points without a height are taken for points of the deepest pass: a way back above the part makes no surface.
+    deepest = np.nan_to_num(toolpath.end[following, 2], nan=np.inf).min()
+
     def offset_of(deviation: Deviation, has_z: bool = False) -> Floats:
-        return commanded_offset(surface, deviation, has_z, expected)
+        z = deviation.z if has_z else np.full(len(deviation), deepest)
+        return commanded_offset(surface, deviation, z, expected)
 
     before: Simulation | None = None
     axes: AxisTransfer | None = None
@@ -446,7 +450,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
     def lay(correction: Correction) -> Emission:
         if in_place:
             emission, note = emit_in_place(
-                program, toolpath, following, nominal, correction, path_radius, cutters, settings, header=header
+                program, following, nominal, correction, path_radius, cutters, settings, header=header
             )
             warnings.extend([note] if note is not None and note not in warnings else [])
             return emission
@@ -470,7 +474,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
     else:
         foreseen, correction, written = foresee(aim, before, first, settings, program.name, lay, warnings)
         foreseen = replace(foreseen, axes=axes, machine=machine_found)
-    if in_place or correction.largest > EXACT:
+    if correction.largest > EXACT:
         of_program = replace(written.regeneration, origin=row_of[written.regeneration.origin])
         written = replace(written, regeneration=of_program)
     applied = np.zeros(len(work.deviation))
@@ -643,9 +647,13 @@ def _own_contour(
 
 
 def _cutters(toolpath: Toolpath, radius: float, path_radius: float) -> Floats:
-    """Radius of the cutter of every move, mm; 0 where the control takes it into account."""
+    """Radius of the cutter of every move, mm; 0 where the control takes it into account.
+
+    In such a program it is not known (NaN) of moves without compensation, which begin where the control has put the
+    cutter and not where the program says.
+    """
     compensated = toolpath.compensation != Compensation.OFF
-    return np.where(compensated, path_radius, radius)
+    return np.where(compensated, path_radius, np.nan if path_radius == 0 else radius)
 
 
 def _usable(program: gcode.Program, radius: float, settings: Settings) -> tuple[NDArray[np.bool_], float]:

@@ -30,7 +30,6 @@ Bools = NDArray[np.bool_]
 
 def emit_in_place(
     program: gcode.Program,
-    toolpath: Toolpath,
     following: Bools,
     nominal: Profile,
     correction: Correction,
@@ -46,8 +45,6 @@ def emit_in_place(
     Parameters
     ----------
     program : Program
-    toolpath : Toolpath
-        Its moves, some of them divided where the contour begins.
     following : (n,) bool
         Moves that make the surface.
     nominal : Profile
@@ -78,7 +75,7 @@ def emit_in_place(
     before = WantedSurface(nominal, Correction.none(nominal) if carried is None else carried)
     after = WantedSurface(nominal, correction)
     regeneration = displace(
-        toolpath,
+        program.toolpath,
         following,
         before,
         after,
@@ -94,7 +91,7 @@ def emit_in_place(
             f"the written program reads back with {len(emitted)} moves in place of {len(regeneration.toolpath)}"
         )
     proof, (stays, place) = prove_surface(
-        CommandedSurface(toolpath, _by_tool(program.toolpath, cutters, toolpath)),
+        CommandedSurface(program.toolpath, cutters),
         CommandedSurface(emitted, _by_tool(program.toolpath, cutters, emitted)),
         (following, regeneration.following),
         before,
