@@ -9,6 +9,7 @@ which are left out at the end.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -31,29 +32,13 @@ two integers may round to either: it is written one by one."""
 _ROWS = 8192
 """Rows at a time: a column and all it is made of stay in the processor's cache."""
 
-_PLAIN, _TRAILING, _LEADING = 0, 10000, 20000
-_POINT = ord(".")
-
-
-def _groups() -> NDArray[np.uint32]:
-    """Texts of 0 to 9999 in four digits: plain, without zeros at the end, without zeros at the start."""
-    digit = np.arange(10000)[:, None] // [1000, 100, 10, 1] % 10
-    plain = (digit + ord("0")).astype(np.uint8)
-    ends = np.where(np.logical_or.accumulate(digit[:, ::-1] > 0, axis=1)[:, ::-1], plain, 0)
-    starts = np.where(np.logical_or.accumulate(digit > 0, axis=1), plain, 0)
-    starts[0, 3] = ord("0")
-    return np.ascontiguousarray(np.concatenate([plain, ends, starts]), dtype=np.uint8).view(np.uint32)[:, 0]
-
-
-_GROUPS = _groups()
-# By the exponent's bits: power of ten of the smallest number that has them, kept within the range.
-_LOWER = np.clip(np.floor((np.arange(2048) - 1023) * np.log10(2.0)), LEAST - 1, MOST).astype(np.int64) - LEAST
-_POWERS = np.array([float(f"1e{k}") for k in range(LEAST, MOST + 2)])
-_EXPONENTS = np.array([b"e-%02d" % -k if k < -4 else b"" for k in range(LEAST, MOST + 2)], "S4").view(np.uint32)
+_POINT, _MINUS, _COMMA = b".-,"
+_NO_DIGITS, _NEGATIVE = 10000, 10001
+_TRAILING = 10000
 
 
 def lines(columns: Columns, digits: Sequence[int] = ()) -> Iterator[bytes]:
-    """Rows of columns as lines of text, commas between the columns.
+    r"""Rows of columns as lines of text, commas between the columns.
 
     Parameters
     ----------
@@ -70,7 +55,7 @@ def lines(columns: Columns, digits: Sequence[int] = ()) -> Iterator[bytes]:
     Examples
     --------
     >>> b"".join(lines([np.array([1, 2]), np.array([0.1, np.nan]), np.array([b"", b"far off"])]))
-    b'1,0.1,\\n2,,far off\\n'
+    b'1,0.1,\n2,,far off\n'
     """
     count = len(columns[0]) if columns else 0
     digits = digits or (DIGITS,) * len(columns)
@@ -79,92 +64,102 @@ def lines(columns: Columns, digits: Sequence[int] = ()) -> Iterator[bytes]:
 
 
 def _block(columns: Columns, digits: Sequence[int]) -> bytes:
+    rows = len(columns[0])
     parts: list[NDArray[Any]] = []
     for column, figures in zip(columns, digits, strict=True):
-        parts += [column] if column.dtype.kind == "S" else _parts(np.asarray(column, dtype=np.float64), figures)
-        parts.append(np.full(len(column), b","))
-    parts[-1][:] = b"\n"
+        comma = column is not columns[0]
+        if column.dtype.kind == "S":
+            parts += [np.full(rows, b","), column] if comma else [column]
+        else:
+            parts += _parts(np.ascontiguousarray(column, dtype=np.float64), figures, comma)
+    parts.append(np.full(rows, b"\n"))
     width = sum(part.itemsize for part in parts)
-    text = np.empty(len(columns[0]) * width, dtype=np.uint8)
+    text = np.empty(rows * width, dtype=np.uint8)
     place = 0
     for part in parts:
         np.ndarray(part.shape, part.dtype, text, place, (width,))[:] = part
         place += part.itemsize
-    return text[text != 0].tobytes()
+    shown: NDArray[np.uint8] = text[text != 0]
+    return shown.tobytes()
 
 
-def _parts(value: Floats, digits: int) -> list[NDArray[Any]]:
-    """Sign, integer, point, decimals and exponent of numbers: arrays of as many texts, NUL where they are shorter."""
+def _parts(value: Floats, digits: int, comma: bool) -> list[NDArray[Any]]:
+    """Text of numbers from the comma to the exponent in pieces: arrays of as many texts, NUL where they are shorter."""
+    bits = value.view(np.int64)
+    if (bits == bits[0]).all():
+        return [np.full(len(value), _text(float(value[0]), digits, comma))]
+    scale = _scale(digits)
     size = np.abs(value)
-    row = _LOWER.take(size.view(np.int64) >> 52)
-    row += size >= _POWERS.take(row + 1)
-    usual = (size >= _POWERS[0]) & (size < _POWERS[MOST - LEAST])
+    row = scale.lower.take(size.view(np.int64) >> 52)
+    row += size >= scale.power.take(row + 1)
+    usual = (size >= scale.power[0]) & (size < scale.power[MOST - LEAST])
     size[~usual] = 0.0
     # Significant digits as an integer.
-    power = digits - 1 - LEAST - np.arange(len(_POWERS))
-    scaled = size * (10.0 ** np.minimum(power, 22)).take(row) * (10.0 ** np.maximum(power - 22, 0)).take(row)
+    scaled = size * scale.once.take(row) * scale.again.take(row)
     whole = np.rint(scaled)
     odd = np.abs(scaled - whole) > 0.5 - UNSURE
-    carried = whole == 10.0**digits
+    odd |= ~usual & (value != 0.0)
+    carried = whole == scale.limit
     if carried.any():
         row += carried
-        whole[carried] = 10.0 ** (digits - 1)
-    whole *= 10.0 ** (DIGITS - digits)
+        whole[carried] = scale.limit / 10.0
     # Integer in front of the point, and sixteen decimals behind it; with an exponent as a number from 1 to 10.
-    exponent = np.arange(LEAST, MOST + 2)
-    shown = np.where(exponent < -4, 0, exponent)
-    unit = (10.0 ** (DIGITS - 1 - shown)).take(row)
+    unit = scale.unit.take(row)
     front = np.floor(whole / unit)
-    behind = ((whole - front * unit) * (10.0 ** (16 - DIGITS + 1 + shown)).take(row)).astype(np.int64)
-    parts: list[NDArray[Any]] = [(value.view(np.int64) < 0) * np.uint8(ord("-")), *_integer(front)]
-    parts += _decimals(behind)
+    decimals = ((whole - front * unit) * scale.decimal.take(row)).astype(np.int64)
+    parts = [*_integer(front, bits < 0, comma), *_decimals(decimals)]
     if (row < -4 - LEAST).any():
-        parts.append(_EXPONENTS.take(row) * usual)
-    odd |= ~usual & (value != 0.0)
-    return _with_odd(parts, value, np.flatnonzero(odd), digits) if odd.any() else parts
+        parts.append(scale.exponent.take(row) * usual)
+    return _with_odd(parts, value, np.flatnonzero(odd), digits, comma) if odd.any() else parts
 
 
-def _integer(front: Floats) -> list[NDArray[np.uint32]]:
-    """Texts of integers up to 1e7."""
+def _text(number: float, digits: int, comma: bool) -> bytes:
+    return b"," * comma + (b"" if number != number else b"%.*g" % (digits, number))
+
+
+def _integer(front: Floats, negative: NDArray[np.bool_], comma: bool) -> list[NDArray[Any]]:
+    """Comma, sign and digits of integers up to 1e7."""
     low = front.astype(np.uint32)
+    behind = negative * np.uint32(_NEGATIVE)
+    if not (low > 9999).any():
+        return [_fronts(comma).take(low + behind)]
     high = low // np.uint32(10000)
-    if not high.any():
-        return [_GROUPS.take(low + np.uint32(_LEADING))]
     low -= high * np.uint32(10000)
-    return [
-        _GROUPS.take(high + np.uint32(_LEADING)) * (high > 0),
-        _GROUPS.take(np.where(high > 0, low, low + np.uint32(_LEADING))),
-    ]
+    upper = _fronts(comma).take(np.where(high > 0, high, np.uint32(_NO_DIGITS)).astype(np.uint32) + behind)
+    return [upper, np.where(high > 0, _groups().take(low), _leading().take(low))]
 
 
-def _decimals(behind: NDArray[np.int64]) -> list[NDArray[Any]]:
+def _decimals(decimals: NDArray[np.int64]) -> list[NDArray[Any]]:
     """Point and texts of sixteen decimals, zeros at the end left out; groups that none of the numbers has are, too."""
-    if not behind.any():
+    if not decimals.any():
         return []
-    upper = behind // 10**8
-    groups: list[NDArray[np.uint32]] = []
-    for half in (upper, behind - upper * 10**8):
+    upper = decimals // 10**8
+    fours: list[NDArray[np.uint32]] = []
+    for half in (upper, decimals - upper * 10**8):
         eight = half.astype(np.uint32)
         four = eight // np.uint32(10000)
-        groups += [four, eight - four * np.uint32(10000)]
+        fours += [four, eight - four * np.uint32(10000)]
     parts: list[NDArray[Any]] = []
-    last = np.ones(len(behind), dtype=bool)
-    for group in reversed(groups):
-        if parts or group.any():
-            parts.append(_GROUPS.take(group + last * np.uint32(_TRAILING)))
-            last &= group == 0
+    last = np.ones(len(decimals), dtype=bool)
+    for four in reversed(fours):
+        if parts or four.any():
+            parts.append(_groups().take(four + last * np.uint32(_TRAILING)))
+            last &= four == 0
     parts.append(~last * np.uint8(_POINT))
     return parts[::-1]
 
 
-def _with_odd(parts: list[NDArray[Any]], value: Floats, rows: NDArray[np.int64], digits: int) -> list[NDArray[Any]]:
+def _with_odd(
+    parts: list[NDArray[Any]], value: Floats, rows: NDArray[np.int64], digits: int, comma: bool
+) -> list[NDArray[Any]]:
     """Parts with the texts of numbers that are written one by one, across all parts; NaN has none."""
     for part in parts:
         part[rows] = 0
+    parts[0][rows] = _fronts(comma)[_NO_DIGITS]
     rows = rows[~np.isnan(value[rows])]
     if not len(rows):
         return parts
-    texts = [b"%.*g" % (digits, number) for number in value[rows].tolist()]
+    texts = [_text(number, digits, comma) for number in value[rows].tolist()]
     width = sum(part.itemsize for part in parts)
     longest = max(map(len, texts))
     if longest > width:
@@ -176,3 +171,73 @@ def _with_odd(parts: list[NDArray[Any]], value: Floats, rows: NDArray[np.int64],
         part[rows] = np.ascontiguousarray(piece).view(part.dtype)[:, 0]
         place += part.itemsize
     return parts
+
+
+class _Scale:
+    """Factors by the power of ten of a number, from `LEAST` on.
+
+    `lower` is by the exponent's bits: power of ten of the smallest number that has them, kept within the range.
+    """
+
+    def __init__(self, digits: int) -> None:
+        powers = range(LEAST, MOST + 2)
+        steps = [digits - 1 - k for k in powers]
+        shown = [0 if k < -4 else k for k in powers]
+        self.lower = np.clip(np.floor((np.arange(2048) - 1023) * np.log10(2.0)), LEAST - 1, MOST).astype(int) - LEAST
+        self.power = _tens(powers)
+        self.once, self.again = _tens([min(k, 22) for k in steps]), _tens([max(k - 22, 0) for k in steps])
+        self.limit = float(10**digits)
+        self.unit, self.decimal = _tens([digits - 1 - k for k in shown]), _tens([17 - digits + k for k in shown])
+        exponents = [b"e-%02d" % -k if k < -4 else b"" for k in powers]
+        self.exponent = np.array(exponents, dtype="S4").view(np.uint32)
+
+
+_scale = cache(_Scale)
+
+
+def _tens(exponents: Sequence[int]) -> Floats:
+    """Powers of ten, correctly rounded (which a vectorised power is not on every processor)."""
+    return np.array([float(f"1e{k}") for k in exponents])
+
+
+def _digits() -> NDArray[np.int64]:
+    out: NDArray[np.int64] = np.arange(10000)[:, None] // np.array([1000, 100, 10, 1]) % 10
+    return out
+
+
+def _as_groups(digit: NDArray[np.int64], shown: NDArray[np.bool_] | bool) -> NDArray[np.uint32]:
+    return np.where(shown, digit + ord("0"), 0).astype(np.uint8).view(np.uint32)[:, 0]
+
+
+@cache
+def _groups() -> NDArray[np.uint32]:
+    """Texts of 0 to 9999 in four digits, and behind them those without the zeros at the end."""
+    digit = _digits()
+    wanted: NDArray[np.bool_] = np.logical_or.accumulate(digit[:, ::-1] > 0, axis=1)[:, ::-1]
+    return np.concatenate([_as_groups(digit, True), _as_groups(digit, wanted)])
+
+
+@cache
+def _leading() -> NDArray[np.uint32]:
+    """Texts of 0 to 9999 on the right of four bytes."""
+    digit = _digits()
+    wanted = np.logical_or.accumulate(digit > 0, axis=1)
+    wanted[0, 3] = True
+    return _as_groups(digit, wanted)
+
+
+@cache
+def _fronts(comma: bool) -> NDArray[np.uint64]:
+    """Texts from the comma to the units, on the right of eight bytes: 0 to 9999, then no digits; the negative ones.
+
+    Commas stand beside the digits, so that what is copied at the end are few and long runs.
+    """
+    number = np.arange(_NEGATIVE)
+    text = np.zeros((2, _NEGATIVE, 8), dtype=np.uint8)
+    text[:, :_NO_DIGITS, 4:] = _leading()[:, None].view(np.uint8)
+    before = 7 - (number < _NO_DIGITS) * (1 + (number > 9).astype(int) + (number > 99) + (number > 999))
+    text[1, number, before] = _MINUS
+    if comma:
+        text[0, number, before] = _COMMA
+        text[1, number, before - 1] = _COMMA
+    return text.reshape(-1, 8).view(np.uint64)[:, 0]

@@ -15,7 +15,7 @@ from millcorr.deviation import Deviation
 from millcorr.pipeline import Result
 from millcorr.profile import Profile
 
-from .plots import MICRO, MOST_MARKERS, MOST_PANELS, UM, WIDTH, Plot, corners, course, levels_of
+from .plots import MICRO, MOST_MARKERS, MOST_PANELS, UM, WIDTH, Plot, corners, course, groups, levels_of
 from .svg import MARKERS, Axis, Canvas, markers, number, polyline, round_down, round_step
 
 Floats = NDArray[np.float64]
@@ -250,19 +250,20 @@ def _draw_whiskers(
 ) -> bool:
     """Whiskers of one level; True where points were left out."""
     stretches = profile.stretches()
-    for k in np.unique(deviation.stretch[rows]):
-        at = rows[deviation.stretch[rows] == k]
-        at = at[_largest_of_each(along(stretches[int(k)], deviation.s[at], profile), filtered[at], MOST_MARKERS)]
-        local = along(stretches[int(k)], deviation.s[at], profile)
+    for k, here in groups(deviation.stretch[rows]):
+        at = rows[here]
+        at = at[_largest_of_each(along(stretches[k], deviation.s[at], profile), filtered[at], MOST_MARKERS)]
+        local = along(stretches[k], deviation.s[at], profile)
         tip = deviation.foot[at] + times * filtered[at, None] * deviation.normal[at]
         index = np.arange(len(at), dtype=np.float64)
-        for _, chosen in course(local, index, stretches[int(k)].length, stretches[int(k)].closed):
-            i = chosen.astype(np.int64)
+        for _, order in course(local, index, stretches[k].length, stretches[k].closed):
+            i = order.astype(np.int64)
             canvas.path(polyline(x(tip[i, 0]), y(tip[i, 1])), "course")
-    whole = float(profile.total[np.unique(deviation.contour[rows])].sum()) if len(rows) else 0.0
+    by_contour = groups(deviation.contour[rows])
+    whole = float(sum(profile.total[c] for c, _ in by_contour))
     kept = []
-    for c in np.unique(deviation.contour[rows]):
-        at = rows[deviation.contour[rows] == c]
+    for c, here in by_contour:
+        at = rows[here]
         most = max(12, int(MOST_WHISKERS * profile.total[c] / whole))
         kept.append(at[_largest_of_each(deviation.s[at], deviation.value[at], most)])
     if not kept:
@@ -290,9 +291,13 @@ def _largest_of_each(s: Floats, value: Floats, most: int) -> Ints:
         return np.argsort(s, kind="stable")
     span = float(np.ptp(s)) or 1.0
     part = np.minimum(((s - s.min()) / span * most).astype(np.int64), most - 1)
-    order = np.lexsort((np.arange(len(s)), -np.abs(value), part))
-    first = np.flatnonzero(np.diff(part[order], prepend=-1))
-    return np.asarray(order[first], dtype=np.int64)
+    size = np.abs(value)
+    largest = np.full(most, -1.0)
+    np.fmax.at(largest, part, size)
+    at = np.flatnonzero(size == largest[part])
+    # Of equal ones the first.
+    _, first = np.unique(part[at], return_index=True)
+    return at[first]
 
 
 def _draw_start(canvas: Canvas, profile: Profile, x: Axis, y: Axis) -> None:
