@@ -120,12 +120,12 @@ def _text(number: float, digits: int, comma: bool) -> bytes:
 def _integer(front: Floats, negative: NDArray[np.bool_], comma: bool) -> list[NDArray[Any]]:
     """Comma, sign and digits of integers up to 1e7."""
     low = front.astype(np.uint32)
-    behind = negative * np.uint32(_NEGATIVE)
+    behind: NDArray[np.uint32] = negative * np.uint32(_NEGATIVE)
     if not (low > 9999).any():
         return [_fronts(comma).take(low + behind)]
     high = low // np.uint32(10000)
     low -= high * np.uint32(10000)
-    upper = _fronts(comma).take(np.where(high > 0, high, np.uint32(_NO_DIGITS)).astype(np.uint32) + behind)
+    upper = _fronts(comma).take(np.where(high > 0, high, np.uint32(_NO_DIGITS)) + behind)
     return [upper, np.where(high > 0, _groups().take(low), _leading().take(low))]
 
 
@@ -143,7 +143,8 @@ def _decimals(decimals: NDArray[np.int64]) -> list[NDArray[Any]]:
     last = np.ones(len(decimals), dtype=bool)
     for four in reversed(fours):
         if parts or four.any():
-            parts.append(_groups().take(four + last * np.uint32(_TRAILING)))
+            text = _groups().take((four + last * np.uint32(_TRAILING)).astype(np.uint32, copy=False))
+            parts.append(text)
             last &= four == 0
     parts.append(~last * np.uint8(_POINT))
     return parts[::-1]
