@@ -260,7 +260,8 @@ class _Panel:
         dense = len(rows) > MOST_MARKERS
         self._bands(x, y, profile, deviation, rows, filtered, half, total)
         index = {level: i for i, (level, _) in enumerate(levels)}
-        for level, here in groups(deviation.level[rows]):
+        # Columns of pixels look alike at all levels.
+        for level, here in [(levels[0][0], np.arange(len(rows)))] if dense else groups(deviation.level[rows]):
             i, at = index[level], rows[here]
             px = x(deviation.s[at])
             for value, css in ((deviation.value, "raw"), (predicted, "predicted")):

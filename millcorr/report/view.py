@@ -97,6 +97,10 @@ def on_contour(
     outline = _Outline.of(profile)
     spare = 0.5 * (WIDTH - 68 - (right - left) * scale)
     thinned = False
+    heights = np.array([z for _, z in levels])
+    nearest = np.zeros(0, dtype=np.int64)
+    if rejected is not None:
+        nearest = np.searchsorted((heights[1:] + heights[:-1]) / 2, rejected[:, 2])
     for i, (level, z) in enumerate(shown):
         y0 = 36 + i * height
         x = Axis(left, right, 56 + spare, 56 + spare + (right - left) * scale)
@@ -105,7 +109,7 @@ def on_contour(
         at = np.flatnonzero(deviation.level == level)
         thinned |= _draw_whiskers(canvas, profile, deviation, at, filtered, times, within, x, y)
         if rejected is not None and len(rejected):
-            here = np.argmin(np.abs(rejected[:, 2:] - [[height for _, height in levels]]), axis=1) == i
+            here = nearest == i
             px, py = x(rejected[here, 0]), y(rejected[here, 1])
             inside = (px > x.start) & (px < x.end) & (py < y.start) & (py > y.end)
             canvas.path(markers(px[inside][:300], py[inside][:300], 5), "rejected")
