@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,7 +16,7 @@ from numpy.typing import NDArray
 
 from millcorr.compensation import GAP_SPACINGS, along
 from millcorr.deviation import Deviation
-from millcorr.profile import CORNER_ANGLE, Profile
+from millcorr.profile import CORNER_ANGLE, Profile, Stretch
 
 from .svg import MARKERS, Axis, Canvas, bars, columns, markers, number, polyline, round_step
 
@@ -263,23 +264,22 @@ class _Panel:
         # Columns of pixels look alike at all levels.
         for level, here in [(levels[0][0], np.arange(len(rows)))] if dense else groups(deviation.level[rows]):
             i, at = index[level], rows[here]
-            px = x(deviation.s[at])
-            for value, css in ((deviation.value, "raw"), (predicted, "predicted")):
-                py = y(value[at] * UM)
-                if dense:
-                    middle, [(low, _, high)] = columns(px, [py])
+            px, py = x(deviation.s[at]), [y(value[at] * UM) for value in (deviation.value, predicted)]
+            if dense:
+                middle, ranges = columns(px, py)
+                for (low, _, high), css in zip(ranges, ("raw", "predicted"), strict=True):
                     canvas.path(bars(middle, low, high), f"{css}-columns")
-                else:
-                    canvas.path(markers(px, py, i), css)
+            else:
+                for value, css in zip(py, ("raw", "predicted"), strict=True):
+                    canvas.path(markers(px, value, i), css)
         stretches = profile.stretches()
         pixel = total / (x.end - x.start)
         for key, here in groups(deviation.level[rows] * len(stretches) + deviation.stretch[rows]):
             level, k = divmod(key, len(stretches))
             at, stretch = rows[here], stretches[k]
             local = along(stretch, deviation.s[at], profile)
-            line = course(local, filtered[at], stretch.length, stretch.closed, pixel)
-            many = len(at) > 2 * MOST_MARKERS
-            data = "".join(self._wrapped(x, y, stretch.begin + s, value, total, many) for s, value in line)
+            line = by_pixel(local, [filtered[at]], stretch, pixel)
+            data = "".join(self._wrapped(x, y, stretch.begin + s, value, total) for s, value in line)
             canvas.path(data, f"filtered dash{index[level] % 4}", self.name)
 
     def _bands(
@@ -301,24 +301,18 @@ class _Panel:
         for one, here in groups(deviation.stretch[rows] * levels + deviation.level[rows]):
             at, stretch = rows[here], stretches[one // levels]
             local = along(stretch, deviation.s[at], profile)
-            lower = course(local, filtered[at] - half[at], stretch.length, stretch.closed, pixel)
-            upper = course(local, filtered[at] + half[at], stretch.length, stretch.closed, pixel)
             data = ""
-            for (s, low), (_, high) in zip(lower, upper, strict=True):
+            for s, low, high in by_pixel(local, [filtered[at] - half[at], filtered[at] + half[at]], stretch, pixel):
                 px, py, qy = x(stretch.begin + s), y(low * UM), y(high * UM)
-                if len(at) > 2 * MOST_MARKERS:
-                    px, [(_, py, _), (_, qy, _)] = columns(px, [py, qy])
                 for shift in (0.0, x.start - x.end, x.end - x.start):
                     if (px + shift).max() > x.start and (px + shift).min() < x.end:
                         data += polyline(np.append(px, px[::-1]) + shift, np.append(py, qy[::-1]), True)
             self.canvas.path(data, "band", self.name)
 
     @staticmethod
-    def _wrapped(x: Axis, y: Axis, s: Floats, value: Floats, total: float, many: bool) -> str:
-        """The line, and once more a turn earlier where it runs past the contour's seam; many points by pixels."""
+    def _wrapped(x: Axis, y: Axis, s: Floats, value: Floats, total: float) -> str:
+        """The line, and once more a turn earlier where it runs past the contour's seam."""
         px, py = x(s), y(value * UM)
-        if many:
-            px, [(_, py, _)] = columns(px, [py])
         out = polyline(px, py)
         turn = x.end - x.start
         for shift, needed in ((-turn, s.max() > total), (turn, s.min() < 0)):
@@ -327,10 +321,27 @@ class _Panel:
         return out
 
 
-def course(s: Floats, value: Floats, length: float, closed: bool, least: float = 0.0) -> list[tuple[Floats, Floats]]:
+def by_pixel(s: Floats, values: Sequence[Floats], stretch: Stretch, pixel: float) -> list[tuple[Floats, ...]]:
+    """Courses of values along a stretch, each as places and values; of many points the means of every pixel (mm)."""
+    gap, many = None, len(s)
+    if many > 2 * MOST_MARKERS:
+        column = np.floor(s / pixel).astype(np.int64)
+        column -= column.min()
+        count = np.bincount(column)
+        shown = count > 0
+        s, *values = (np.bincount(column, value)[shown] / count[shown] for value in (s, *values))
+        gap = max(GAP_SPACINGS * stretch.length / many, 2.0 * pixel)
+    index = np.arange(len(s), dtype=np.float64)
+    found = course(s, index, stretch.length, stretch.closed, gap)
+    return [(place, *(value[order.astype(np.int64)] for value in values)) for place, order in found]
+
+
+def course(
+    s: Floats, value: Floats, length: float, closed: bool, gap: float | None = None
+) -> list[tuple[Floats, Floats]]:
     """Values sorted by arc length, cut where a gap is long; a closed course goes on past its seam by a point.
 
-    A gap below `least` (mm) is too short to be seen, and no cut.
+    A gap is long beyond `gap` in mm, by default beyond `GAP_SPACINGS` typical spacings.
     """
     if not len(s):
         return []
@@ -340,9 +351,10 @@ def course(s: Floats, value: Floats, length: float, closed: bool, least: float =
         s = np.concatenate([[s[-1] - length], s, [s[0] + length]])
         value = np.concatenate([[value[-1]], value, [value[0]]])
     step = np.diff(s)
-    apart = step[step > 0]
-    typical = float(np.median(apart)) if len(apart) else math.inf
-    cuts = np.flatnonzero(step > max(GAP_SPACINGS * typical, least)) + 1
+    if gap is None:
+        apart = step[step > 0]
+        gap = GAP_SPACINGS * float(np.median(apart)) if len(apart) else math.inf
+    cuts = np.flatnonzero(step > gap) + 1
     return list(zip(np.split(s, cuts), np.split(value, cuts), strict=True))
 
 
