@@ -29,8 +29,8 @@ UNSURE = 2.0**-11
 """A scaled number, below 2**40 and two roundings of 2**-14 off at most, that is nearer than this to the middle between
 two integers may round to either: it is written one by one."""
 
-_ROWS = 8192
-"""Rows at a time: a column and all it is made of stay in the processor's cache."""
+_ROWS, _ROWS_OF_TEXT = 8192, 2048
+"""Rows of a column, and rows of all columns, that stay in the processor's cache with all that is made of them."""
 
 _POINT, _MINUS, _COMMA = b".-,"
 _NO_DIGITS, _NEGATIVE = 10000, 10001
@@ -60,10 +60,10 @@ def lines(columns: Columns, digits: Sequence[int] = ()) -> Iterator[bytes]:
     count = len(columns[0]) if columns else 0
     digits = digits or (DIGITS,) * len(columns)
     for at in range(0, count, _ROWS):
-        yield _block([column[at : at + _ROWS] for column in columns], digits)
+        yield from _block([column[at : at + _ROWS] for column in columns], digits)
 
 
-def _block(columns: Columns, digits: Sequence[int]) -> bytes:
+def _block(columns: Columns, digits: Sequence[int]) -> Iterator[bytes]:
     rows = len(columns[0])
     parts: list[NDArray[Any]] = []
     for column, figures in zip(columns, digits, strict=True):
@@ -74,13 +74,15 @@ def _block(columns: Columns, digits: Sequence[int]) -> bytes:
             parts += _parts(np.ascontiguousarray(column, dtype=np.float64), figures, comma)
     parts.append(np.full(rows, b"\n"))
     width = sum(part.itemsize for part in parts)
-    text = np.empty(rows * width, dtype=np.uint8)
-    place = 0
-    for part in parts:
-        np.ndarray(part.shape, part.dtype, text, place, (width,))[:] = part
-        place += part.itemsize
-    shown: NDArray[np.uint8] = text[text != 0]
-    return shown.tobytes()
+    for at in range(0, rows, _ROWS_OF_TEXT):
+        some = [part[at : at + _ROWS_OF_TEXT] for part in parts]
+        text = np.empty(len(some[0]) * width, dtype=np.uint8)
+        place = 0
+        for part in some:
+            np.ndarray(part.shape, part.dtype, text, place, (width,))[:] = part
+            place += part.itemsize
+        shown: NDArray[np.uint8] = text[text != 0]
+        yield shown.tobytes()
 
 
 def _parts(value: Floats, digits: int, comma: bool) -> list[NDArray[Any]]:
