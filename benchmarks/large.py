@@ -139,7 +139,7 @@ def main(size: int) -> None:
         program(places["contour"], 0)
         reading = ["--points", "contact", "--format", "text", "--tool-diameter", f"{2 * RADIUS:g}"]
         for what, arguments in (
-            ("nothing but the imports", ["history", "--help"]),
+            ("inspect of 1000 points, little but imports", ["inspect", "few", "--points", "contact"]),
             (
                 f"check, {size} points, with report",
                 ["check", "--program", "contour", "--measured", "points", "--report", "report", *reading],
