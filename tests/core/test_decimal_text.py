@@ -43,5 +43,9 @@ def test_columns_are_parted_by_commas():
     assert len(text) == 9000
 
 
+def test_a_first_column_may_be_empty():
+    assert b"".join(lines([np.full(2, np.nan), np.array([1e300, 0.5])])) == b",1e+300\n,0.5\n"
+
+
 def test_no_rows_are_no_lines():
     assert list(lines([np.zeros(0), np.zeros(0, "S1")])) == []
