@@ -204,10 +204,12 @@ def is_corner(profile: Profile, feet: FootPoints) -> NDArray[np.bool_]:
 
 def _out_of_reach(profile: Profile, span: Ints, t: Floats, radius: float) -> NDArray[np.bool_]:
     """Places that a cutter cannot touch: hollows tighter than it, and where it would cut into another side."""
-    foot, _, _ = profile.evaluate(span, t)
-    centre = foot + radius * profile.normals(span, t)
+    foot, first, second = profile.evaluate(span, t)
+    speed = np.hypot(*first.T)
+    centre = foot + radius * np.stack([first[:, 1] / speed, -first[:, 0] / speed], axis=1)
+    curvature = (first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]) / speed**3
     room = FootPointSearch(profile, margin=radius + 1.0).find(centre).distance
-    out: NDArray[np.bool_] = (room < radius - REACHED) | (1.0 + radius * profile.curvature(span, t) < 1e-6)
+    out: NDArray[np.bool_] = (room < radius - REACHED) | (1.0 + radius * curvature < 1e-6)
     return out
 
 
