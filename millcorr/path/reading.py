@@ -127,7 +127,7 @@ def line_starts(data: bytes) -> Ints:
 
 
 def read_moves(data: bytes) -> PlainMoves:
-    """Read the moves of a program's text.
+    r"""Read the moves of a program's text.
 
     Parameters
     ----------
@@ -139,7 +139,7 @@ def read_moves(data: bytes) -> PlainMoves:
 
     Examples
     --------
-    >>> read_moves(b"G0 X1 Y2 Z5\\nG1 Z-1 F60\\nG3 X3 I1").sweep.round(4).tolist()
+    >>> read_moves(b"G0 X1 Y2 Z5\nG1 Z-1 F60\nG3 X3 I1").sweep.round(4).tolist()
     [0.0, 0.0, 3.1416]
     """
     return read(data).moves
