@@ -535,9 +535,7 @@ class _Prover:
         every = np.arange(len(m))
         with np.errstate(invalid="ignore"):
             radii = [np.hypot(p[every, a] - m.centre[:, 0], p[every, b] - m.centre[:, 1]) for p in (m.start, m.end)]
-            allowed = np.maximum(_UNKNOWN = 1e30
-"""A height that the text has not stated, as a number that equals itself."""
-_ON_CIRCLE, _ON_CIRCLE_RELATIVE * np.maximum(*radii))
+            allowed = np.maximum(_ON_CIRCLE, _ON_CIRCLE_RELATIVE * np.maximum(*radii))
             impossible = (np.abs(radii[0] - radii[1]) > allowed) | ~np.isfinite(m.sweep)
         impossible |= (m.kind == Kind.CUBIC) & ~np.isfinite(m.control).all(axis=1)
         wrong = np.flatnonzero(impossible & ~self.fixed[m.line])
