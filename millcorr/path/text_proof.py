@@ -79,6 +79,7 @@ def prove_text(
     *,
     header: Sequence[str] = (),
     reach: float = math.inf,
+    tolerance: float = 0.001,
 ) -> TextProof:
     r"""Prove that a written program keeps everything of its original but places in the plane of some lines.
 
@@ -95,6 +96,8 @@ def prove_text(
     reach : float
         Largest distance in mm by which both ends of a line that holds more than a place may have moved, so that
         none comes earlier or later on the path than it did.
+    tolerance : float
+        By how much the heights at which a rising move was divided may be off its even rise, in mm.
 
     Returns
     -------
@@ -120,7 +123,7 @@ def prove_text(
     top, added = _header_lines(original, written, header)
     starts = line_starts(written)
     body = written[: starts[top]] + written[starts[top + added] :] if added else written
-    prover = _Prover(original, body, may_change, top, added)
+    prover = _Prover(original, body, may_change, top, added, tolerance)
     prover.prove()
     shift, line = prover.largest_shift()
     if shift > reach:
@@ -149,6 +152,8 @@ class _Content:
         Mark of block delete.
     places : tuple of str
         Its coordinates in the plane and motion code.
+    stray : bool
+        Words of an arc stand on a straight move.
     """
 
     rest: tuple[str, ...]
@@ -157,6 +162,7 @@ class _Content:
     turns: str | None
     skip: str
     places: tuple[str, ...]
+    stray: bool
 
     @property
     def bare(self) -> bool:
@@ -209,7 +215,8 @@ def _content(text: bytes, motion: int) -> _Content:
             places.append(plain)
         else:
             rest.append(plain)
-    return _Content(tuple(rest), feed, height, turns, skip, tuple(places))
+    stray = motion in (0, 10) and any(p[0] in "IJKR" for p in places)
+    return _Content(tuple(rest), feed, height, turns, skip, tuple(places), stray)
 
 
 def _number(number: str | None) -> float | None:
@@ -283,14 +290,24 @@ def _runs(mask: Bools) -> list[tuple[int, int]]:
 class _Prover:
     """One comparison of two texts: run by run where nothing was to change, line by line elsewhere."""
 
-    def __init__(self, old: bytes, new: bytes, may_change: Bools | Ints | Sequence[int], top: int, added: int) -> None:
+    def __init__(
+        self,
+        old: bytes,
+        new: bytes,
+        may_change: Bools | Ints | Sequence[int],
+        top: int,
+        added: int,
+        tolerance: float,
+    ) -> None:
         self.old, self.new = _Text.of(old), _Text.of(new)
         given = np.asarray(may_change)
         self.free = np.zeros(len(self.old), np.bool_)
         self.free[given if given.dtype == np.bool_ else given.astype(np.int64)] = True
         self.top, self.added = top, added
+        self.tolerance = tolerance
         self.source = np.full(len(self.new), -1, np.int64)
         self.fixed = np.zeros(len(self.new), np.bool_)
+        self.rising = np.zeros(len(self.new), np.bool_)
         self.skip_old = np.zeros(len(self.old), np.int64)
         self.skip_new = np.zeros(len(self.new), np.int64)
 
@@ -314,6 +331,7 @@ class _Prover:
         for block in blocks:
             self._same_states(*block)
         self._possible_arcs()
+        self._even_ramps()
 
     # -- lines that were not to change ---------------------------------------------------------------------
 
@@ -417,45 +435,52 @@ class _Prover:
         contents = [self.old.content(i) for i in range(first, last)]
         self.skip_old[first:last] = [len(c.skip) for c in contents]
         turns = {c.turns for c in contents}
+        strays = any(c.stray for c in contents)
         waiting = [(i, c) for i, c in enumerate(contents, first) if not c.bare]
         needed = max((k + 1 for k, (_, c) in enumerate(waiting) if not c.droppable), default=0)
-        k, w = 0, at
-        height, goal = float(self.new.start(at)[2]), math.nan
+        # `goal` is the height that the last line which states one has not reached yet.
+        k, w, height, goal = 0, at, float(self.new.start(at)[2]), math.nan
         while not (k >= needed and math.isnan(goal) and self._fits(last, stop, w)):
-            c = self.new.content(w) if w < len(self.new) else None
-            if c is None:
-                self._differs_in_run(last, stop, range(at, w)) if k >= needed else self._differs(w, waiting[k][0])
-            self.skip_new[w] = len(c.skip)
-            reached = float(self.new.end(w)[2])
+            wanted = waiting[k] if k < len(waiting) else None
+            if w == len(self.new) and (k >= needed or wanted is None):
+                self._differs_in_run(last, stop, range(at, w))
+            if w == len(self.new) and wanted is not None:
+                self._differs(w, wanted[0])
+            c, reached = self.new.content(w), float(self.new.end(w)[2])
             j = self._matching(waiting, k, c, w, height) if math.isnan(goal) and not c.bare else -1
             if j >= 0:
-                i = waiting[j][0]
+                i, k = waiting[j][0], j + 1
                 self.source[w] = i
-                target = float(self.old.end(i)[2])
-                goal = target if c.height is not None and abs(reached - target) > _SAME else math.nan
-                k = j + 1
-            elif not c.bare:
-                wanted = waiting[k] if k < len(waiting) else None
-                to = goal
-                if math.isnan(goal) and wanted is not None and wanted[1].height is not None:
-                    to = float(self.old.end(wanted[0])[2])
-                known = {_float(wanted[1].feed or "")} if wanted is not None else set()
-                known.add(float(self.new.reading.feed_word[w - 1]) if w else math.nan)
-                rises = c.height is None or _between(height, reached, to) or abs(reached - goal) <= _SAME
-                if c.rest or not rises or not (c.feed is None or _float(c.feed) in known):
-                    if k < needed:
-                        self._differs(w, waiting[k][0])
-                    self._differs_in_run(last, stop, range(at, w + 1))
-                if abs(reached - goal) <= _SAME:
-                    goal = math.nan
-            if c.turns is not None and c.turns not in turns:
+                goal = float(self.old.end(i)[2]) if c.height is not None else math.nan
+            elif not (c.bare or self._inserted(c, wanted, height, reached, goal)):
+                if k < needed and wanted is not None:
+                    self._differs(w, wanted[0])
+                self._differs_in_run(last, stop, range(at, w + 1))
+            if c.turns not in turns and c.turns is not None:
                 self.refuse(w, f"an arc of P{c.turns} turns that the original has not")
+            if c.stray and not strays:
+                self.refuse(w, f"a centre or radius on a straight move: '{_shown(self.new.line(w))}'")
+            arrived = abs(reached - goal) <= _SAME
+            self.rising[w] = not arrived and (not math.isnan(goal) or (c.height is not None and j < 0))
+            goal = math.nan if arrived else goal
+            self.skip_new[w] = len(c.skip)
             height = reached
             w += 1
         a, b = (float(t.reading.feed_word[x - 1]) if x else math.nan for t, x in ((self.old, last), (self.new, w)))
         if a != b and not (math.isnan(a) and math.isnan(b)):
             self.refuse(w - 1, f"F{b:g} in force in place of F{a:g}")
         return w
+
+    def _inserted(
+        self, c: _Content, wanted: tuple[int, _Content] | None, height: float, reached: float, goal: float
+    ) -> bool:
+        """Whether a line may stand between those of the original: on the way to a height that one of them states."""
+        if c.rest or (c.feed is not None and (wanted is None or not _ahead(c, wanted[1]))):
+            return False
+        to = goal
+        if math.isnan(goal) and wanted is not None and wanted[1].height is not None:
+            to = float(self.old.end(wanted[0])[2])
+        return c.height is None or _between(height, reached, to) or abs(reached - goal) <= _SAME
 
     def _matching(self, waiting: list[tuple[int, _Content]], k: int, c: _Content, w: int, height: float) -> int:
         """Which of the waiting lines a written one is, past such as may have gone with their move; -1 for none."""
@@ -542,6 +567,26 @@ class _Prover:
         if len(wrong):
             self.refuse(int(m.line[wrong[0]]), "no arc or spline has these words")
 
+    def _even_ramps(self) -> None:
+        """Where a rising move has become several, each has risen by its share of the way."""
+        m = self.new.moves
+        radius = np.hypot(m.start[:, 0] - m.centre[:, 0], m.start[:, 1] - m.centre[:, 1])
+        way = np.hypot(*(m.end - m.start)[:, :2].T)
+        way = np.where((m.kind == Kind.ARC) & (m.plane == 17), np.abs(radius * m.sweep), way)
+        shift = self.largest_shift()[0]
+        for first, last in _runs(self.rising):
+            rows = np.arange(self.new.first[first], self.new.first[last + 1])
+            start, height, gone = m.start[rows[0], 2], m.end[rows, 2], np.cumsum(way[rows])
+            if not gone[-1] > 0:
+                continue
+            slope = (height[-1] - start) / gone[-1]
+            # Shares are those of the way before the correction, which moved both ends.
+            off = np.abs(height - start - slope * gone) - abs(slope) * 2 * shift
+            worst = int(np.argmax(off))
+            if off[worst] > self.tolerance:
+                line, at = int(m.line[rows[worst]]), start + slope * gone[worst]
+                self.refuse(line, f"height {height[worst]:.4f} where the way rises evenly to {at:.4f}")
+
     def largest_shift(self) -> tuple[float, int]:
         """Largest way in the plane between the places of a line before and after, and the line."""
         lines = np.flatnonzero((self.source >= 0) & ~self.fixed)
@@ -585,6 +630,11 @@ class _Prover:
                 if x != y:
                     self.refuse(w, f"{y} in place of {x}")
         self.refuse(w, f"'{there}' in place of '{wanted}'")
+
+
+def _ahead(c: _Content, wanted: _Content) -> bool:
+    """Whether a feed may be stated before its line: the M code of that line acts when all of its moves are done."""
+    return _number(c.feed) == _number(wanted.feed) and any(w[0] in "Mm" for w in wanted.rest)
 
 
 def _between(start: float, reached: float, target: float) -> bool:
