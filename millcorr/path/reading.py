@@ -332,7 +332,8 @@ class _Follower:
         machine = self.having(_MACHINE)
         for a, (stated, value) in enumerate(axes):
             unknown = gone | ((home | machine) & stated)
-            stated = stated & target & ~(cycle if a == 2 else False)
+            # The Z of a canned cycle is the bottom of its hole, not where it ends.
+            stated = stated & (target & ~cycle if a == 2 else target)
             fixed = lost[:, a] | unknown | (stated & (absolute | np.isnan(value)))
             step = np.where(stated & ~fixed, value * scale, 0.0)
             base = np.where(stated & absolute & ~unknown, value * scale, np.nan)
@@ -395,7 +396,7 @@ class _Follower:
         # Okuma: G15 Hn chooses the offset, and G54 to G59 with H the tool length.
         okuma = self.having(150) & h_stated
         lengths = self.having(430, 440, 490) | (offsets & h_stated & ~extended & ~self.having(430, 440))
-        offsets &= ~(lengths & ~self.having(430, 440, 490))
+        offsets = offsets & (~lengths | self.having(430, 440, 490))
         number[okuma] = 150000 + h[okuma]
         offset = _held(offsets | okuma, number, 540000.0)
         length = _held(lengths, np.where(self.having(490), -1.0, np.nan_to_num(h, nan=0.0)), -1.0)

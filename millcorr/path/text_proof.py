@@ -129,9 +129,8 @@ def prove_text(
     if shift > reach:
         prover.refuse(line, f"it stands {shift:.4f} mm from where it did, more than {reach:.4f} mm")
     moves = prover.new.moves
-    source, fixed = (
-        np.insert(column, top, np.full(added, value)) for column, value in ((prover.source, -1), (prover.fixed, False))
-    )
+    source: Ints = np.insert(prover.source, top, np.full(added, -1))
+    fixed: Bools = np.insert(prover.fixed, top, np.zeros(added, np.bool_))
     moves = replace(moves, line=moves.line + np.where(moves.line >= top, added, 0))
     return TextProof(moves, source, fixed, added, shift)
 
@@ -277,8 +276,9 @@ class _Text:
 def _alike(a: NDArray[np.generic], b: NDArray[np.generic], within: float = 0.0) -> Bools:
     """Rows that are equal; NaN equals NaN."""
     x, y = (np.asarray(c, np.float64).reshape(len(c), math.prod(c.shape[1:])) for c in (a, b))
-    same: Bools = ((np.abs(x - y) <= within) | (np.isnan(x) & np.isnan(y))).all(axis=1)
-    return same
+    same = (np.abs(x - y) <= within) | (np.isnan(x) & np.isnan(y))
+    out: Bools = np.logical_and.reduce(same, axis=1)
+    return out
 
 
 def _runs(mask: Bools) -> list[tuple[int, int]]:
@@ -314,7 +314,7 @@ class _Prover:
     def prove(self) -> None:
         """Raise LimitError at the first thing that differs; `source` and `fixed` tell where each line is from."""
         runs = _runs(self.free)
-        stops = [first for first, _ in runs[1:]] + [len(self.old)]
+        stops = [*(first for first, _ in runs), len(self.old)][1:]
         at = runs[0][0] if runs else len(self.old)
         if not self._fits(0, at, 0):
             self._differs_in_run(0, at, range(1))
@@ -409,20 +409,20 @@ class _Prover:
         if len(rows) != len(there) or (to_new[a.line[rows]] != lines).any():
             self.refuse(int(lines[0]) if len(lines) else 0, "moves of lines that were not to change are not the same")
         in_plane = self.old.reading.in_plane[a.line[rows]]
-        feed = [t.reading.feed_word[t.moves.line[r]] for t, r in ((self.old, rows), (self.new, there))]
+        feed, now = (t.reading.feed_word[t.moves.line[r]] for t, r in ((self.old, rows), (self.new, there)))
         off = np.where(in_plane[:, None], a.end[rows, :2] - b.end[there, :2], 0.0)
         curved = a.kind[rows] != Kind.LINE
-        shape = [np.column_stack([m.centre, m.control, m.sweep])[r] for m, r in ((a, rows), (b, there))]
+        shape, bent = (np.column_stack([m.centre, m.control, m.sweep])[r] for m, r in ((a, rows), (b, there)))
         for what, same in (
             ("kind of motion", a.kind[rows] == b.kind[there]),
-            ("feed", _alike(*feed)),
+            ("feed", _alike(feed, now)),
             ("height", _alike(a.end[rows, 2], b.end[there, 2], _SAME)),
             ("tool", a.tool[rows] == b.tool[there]),
             ("plane", a.plane[rows] == b.plane[there]),
             ("cutter compensation", a.compensation[rows] == b.compensation[there]),
             ("work offset", a.offset[rows] == b.offset[there]),
             ("place", ~(np.abs(off) > _SAME_PLACE).any(axis=1)),
-            ("arc or spline", ~curved | _alike(*shape, _SAME_PLACE)),
+            ("arc or spline", ~curved | _alike(shape, bent, _SAME_PLACE)),
         ):
             wrong = np.flatnonzero(~same)
             if len(wrong):
