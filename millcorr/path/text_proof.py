@@ -62,7 +62,8 @@ class TextProof(ReadOnlyArrays):
         Comment lines added at the top.
     largest_shift : float
         Largest distance in the plane, in mm, between the place of a line with more than a place on it (a height, a
-        feed, a code) before and after, the lesser one of its start and its end; 0 without any.
+        feed, a code) before and after; 0 without any. The place is where its move starts, or ends where that is
+        nearer and an M code on it may act at the end.
     """
 
     moves: PlainMoves
@@ -94,7 +95,7 @@ def prove_text(
     header : sequence of str
         Comments that were to be added at the top, in any case and wrapped anyhow.
     reach : float
-        Largest distance in mm by which both ends of a line that holds more than a place may have moved, so that
+        Largest distance in mm by which the place of a line that holds more than a place may have moved, so that
         none comes earlier or later on the path than it did.
     tolerance : float
         By how much the heights at which a rising move was divided may be off its even rise, in mm.
@@ -172,6 +173,11 @@ class _Content:
     def droppable(self) -> bool:
         """Whether nothing is lost with the line when its move is: its number names a move."""
         return self.feed is None and self.height is None and all(w[0] in "Nn" for w in self.rest)
+
+    @property
+    def late(self) -> bool:
+        """Whether an M code may act when all moves of the line are done, so that moves may come before the line."""
+        return any(w[0] in "Mm" for w in self.rest)
 
     def words(self) -> list[str]:
         """All of it, what must stay first."""
@@ -307,6 +313,7 @@ class _Prover:
         self.tolerance = tolerance
         self.source = np.full(len(self.new), -1, np.int64)
         self.fixed = np.zeros(len(self.new), np.bool_)
+        self.late = np.zeros(len(self.new), np.bool_)
         self.rising = np.zeros(len(self.new), np.bool_)
         self.skip_old = np.zeros(len(self.old), np.int64)
         self.skip_new = np.zeros(len(self.new), np.int64)
@@ -450,7 +457,7 @@ class _Prover:
             j = self._matching(waiting, k, c, w, height) if math.isnan(goal) and not c.bare else -1
             if j >= 0:
                 i, k = waiting[j][0], j + 1
-                self.source[w] = i
+                self.source[w], self.late[w] = i, c.late
                 goal = float(self.old.end(i)[2]) if c.height is not None else math.nan
             elif not (c.bare or self._inserted(c, wanted, height, reached, goal)):
                 if k < needed and wanted is not None:
@@ -592,6 +599,7 @@ class _Prover:
         lines = np.flatnonzero((self.source >= 0) & ~self.fixed)
         old = self.source[lines]
         # A line that became several is the first of them, or the last where its M code acts at the end.
+        late = self.late[lines]
         ways = []
         for place in (_Text.start, _Text.end):
             a, b = (
@@ -599,7 +607,7 @@ class _Prover:
                 for text, rows in ((self.old, old), (self.new, lines))
             )
             ways.append(np.hypot(*(b - a)[:, :2].T))
-        shift = np.nan_to_num(np.fmin(*ways))
+        shift = np.nan_to_num(np.where(late, np.fmin(*ways), ways[0]))
         worst = int(np.argmax(shift)) if len(shift) else 0
         return (float(shift[worst]), int(lines[worst])) if len(shift) else (0.0, 0)
 
@@ -634,7 +642,7 @@ class _Prover:
 
 def _ahead(c: _Content, wanted: _Content) -> bool:
     """Whether a feed may be stated before its line: the M code of that line acts when all of its moves are done."""
-    return _number(c.feed) == _number(wanted.feed) and any(w[0] in "Mm" for w in wanted.rest)
+    return _number(c.feed) == _number(wanted.feed) and wanted.late
 
 
 def _between(start: float, reached: float, target: float) -> bool:

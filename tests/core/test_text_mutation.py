@@ -114,6 +114,9 @@ def survivors(name: str, seed: int, count: int) -> list[str]:
     for text, what, kind, lines in mutants(written, seed, count):
         if kind == "place" and not proof.untouched[list(lines)].any():
             continue
+        if kind == "place" and "doubled" in what and not proof.untouched[lines[0] - 1 : lines[0] + 2].all():
+            # Beside lines that were to change it is one more of them.
+            continue
         try:
             prove_text(original, text, may_change, header=HEADER, reach=2 * MOVED)
         except LimitError:

@@ -103,7 +103,7 @@ def _order(lines: list[bytes], i: int, random: np.random.Generator) -> tuple[lis
     shown = lines[i].strip().decode("latin-1")
     if how == 0:
         # A number goes with the move that it names.
-        bare = re.sub(rb"[Nn][ \t]*[0-9]+|^[ \t]*/[1-9]?|\*", b"", lines[i])
+        bare = re.sub(rb"[Nn][ \t]*[0-9]+|^[ \t]*/[1-9]?", b"", lines[i])
         return lines[:i] + lines[i + 1 :], f"'{shown}' deleted", _kind(bare)
     if how == 1:
         return lines[: i + 1] + lines[i:], f"'{shown}' doubled", _kind(lines[i])
@@ -124,7 +124,7 @@ def _kind(line: bytes) -> str:
     rest = _NUMBER.sub(
         lambda m: b"" if m[1].upper() in [bytes([c]) for c in _PLACES + spline] or _is_path(m) else m.group(), line
     )
-    return "word" if rest.strip() else "place"
+    return "word" if rest.strip(b" \t\r\n*") else "place"
 
 
 def _is_path(found: re.Match[bytes]) -> bool:
