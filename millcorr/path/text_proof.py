@@ -43,6 +43,7 @@ _OWN_AXES = (4, 10, 28, 28.1, 30, 30.1, 50, 50.1, 51, 51.1, 52, 53, 65, 66, 68, 
 _COMMENT_LINE = re.compile(rb"[ \t]*(?:\([^()\r\n]*\)|;[^\r\n]*)[ \t]*")
 _OPENING = re.compile(rb"[ \t]*(?:%[^\r\n]*|(?:[oO]|:)[ \t]*\d+[ \t]*(?:\([^()\r\n]*\))?|;\$[^\r\n]*)?[ \t]*")
 _SHOWN = 40
+_NOT_THERE = "{} of a move that was not to change is not what it was"
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -433,7 +434,7 @@ class _Prover:
         ):
             wrong = np.flatnonzero(~same)
             if len(wrong):
-                self.refuse(int(lines[wrong[0]]), f"{what} of a move that was not to change is not what it was")
+                self.refuse(int(lines[wrong[0]]), _NOT_THERE.format(what))
 
     # -- lines that were to change -------------------------------------------------------------------------
 
@@ -450,7 +451,7 @@ class _Prover:
         while not (k >= needed and math.isnan(goal) and self._fits(last, stop, w)):
             wanted = waiting[k] if k < len(waiting) else None
             if w == len(self.new) and (k >= needed or wanted is None):
-                self._differs_in_run(last, stop, range(at, w))
+                self._differs_in_run(last, stop, range(at, w + 1))
             if w == len(self.new) and wanted is not None:
                 self._differs(w, wanted[0])
             c, reached = self.new.content(w), float(self.new.end(w)[2])
@@ -531,8 +532,8 @@ class _Prover:
                 i, j = i + 1, j + 1
             elif same and _between(float(reached[j - 1]), float(reached[j]), float(heights[i])):
                 j += 1
-            elif i < len(was) and not was[i, 0] and abs(heights[i] - heights[i - 1]) <= _SAME:
-                # The move has vanished; what comes next is compared with the one before it.
+            elif i + 1 < len(was) and not was[i - 1 : i + 2, 0].any() and abs(heights[i] - heights[i - 1]) <= _SAME:
+                # The move has vanished among others that cut; what comes next is compared with the one before it.
                 was, heights = np.delete(was, i, axis=0), np.delete(heights, i)
             else:
                 w = int(lines[min(j, len(now) - 1)]) if len(lines) else at
@@ -619,9 +620,12 @@ class _Prover:
 
     def _differs_in_run(self, first: int, last: int, places: range) -> NoReturn:
         """Refuse lines that stand nowhere as they were, at the place where most of them do."""
-        agree = {w: self._first_difference(first, last, w) for w in places if w < len(self.new)}
-        w = max(agree, key=lambda place: (agree[place], place), default=0)
-        off = agree.get(w, 0)
+        agree = {w: self._first_difference(first, last, w) for w in places}
+        w = max(agree, key=lambda place: (agree[place], place))
+        off = agree[w]
+        row = int(self.old.first[first])
+        if off == last - first and row < int(self.old.first[last]):
+            self.refuse(w + int(self.old.moves.line[row]) - first, _NOT_THERE.format("place"))
         self._differs(w + off, first + off if first + off < last else None)
 
     def _differs(self, w: int, i: int | None) -> NoReturn:
