@@ -12,11 +12,14 @@ import re
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from millcorr.read_only import ReadOnlyArrays
 from millcorr.toolpath import Bools, Floats, Ints, Kind
 
-_PIECE = 1 << 20
+Bytes = NDArray[np.uint8]
+
+_PIECE = 1 << 18
 """Bytes of text that are taken apart at once: columns of single digits then fit into the cache."""
 _EXACT_DIGITS = 15
 """A number of so many digits is a whole float64 over a power of ten, so that one division rounds it right."""
@@ -154,10 +157,11 @@ def read(data: bytes) -> Reading:
 # -- words ----------------------------------------------------------------------------------------------------
 
 
-def _words(data: bytes, starts: Ints) -> tuple[Ints, Floats, Ints]:
+def _words(data: bytes, starts: Ints) -> tuple[Bytes, Floats, Ints]:
     """Letter (ASCII, upper case), number (NaN where computed) and line of every word of the program."""
     lines = len(starts) - 1
-    marks = [int(np.searchsorted(starts, m.start(), "right")) - 1 for m in re.finditer(rb"(?m)^[ \t]*%", data)]
+    marks = [int(np.searchsorted(starts, m.start(), "right")) - 1 for m in re.finditer(rb"%", data)]
+    marks = [i for i in dict.fromkeys(marks) if data[starts[i] : starts[i + 1]].lstrip().startswith(b"%")]
     if len(marks) > 1 and not data[: starts[marks[0]]].removeprefix(b"\xef\xbb\xbf").strip():
         lines = marks[1]
     pieces = []
@@ -169,14 +173,14 @@ def _words(data: bytes, starts: Ints) -> tuple[Ints, Floats, Ints]:
         pieces.append((letter, value, line + first))
         first = last
     if not pieces:
-        return np.empty(0, np.int64), np.empty(0), np.empty(0, np.int64)
+        return np.empty(0, np.uint8), np.empty(0), np.empty(0, np.int64)
     letter, value, line = (np.concatenate(column) for column in zip(*pieces, strict=True))
     ends = line[(letter == ord("M")) & np.isin(value, (2, 30, 99))]
     keep = slice(0, int(np.searchsorted(line, ends[0], "right")) if len(ends) else len(line))
     return letter[keep], value[keep], line[keep]
 
 
-def _piece(text: bytes) -> tuple[Ints, Floats, Ints]:
+def _piece(text: bytes) -> tuple[Bytes, Floats, Ints]:
     """Words of some whole lines; lines count from 0."""
     text = text.removeprefix(b"\xef\xbb\xbf").upper()
     if b"\n" not in text:
@@ -228,14 +232,14 @@ def _piece(text: bytes) -> tuple[Ints, Floats, Ints]:
         own = owner[places]
         stray.append(np.where(own < 0, 0, line_of[own] + (kind[mark[own]] == _NEWLINE)))
     odd = np.unique(np.concatenate(stray))
-    letter, number, line = buffer[mark[word]].astype(np.int64), value[word], line_of[word].astype(np.int64)
+    letter, number, line = buffer[mark[word]], value[word], line_of[word]
     if not len(odd):
         return letter, number, line
     plain = ~np.isin(line, odd)
     rows = text.split(b"\n")
     more = [(*w, int(i)) for i in odd for w in _odd_words(rows[i])]
     extra = np.array(more, np.float64).reshape(-1, 3)
-    letter = np.concatenate([letter[plain], extra[:, 0].astype(np.int64)])
+    letter = np.concatenate([letter[plain], extra[:, 0].astype(np.uint8)])
     number = np.concatenate([number[plain], extra[:, 1]])
     line = np.concatenate([line[plain], extra[:, 2].astype(np.int64)])
     order = np.argsort(line, kind="stable")
@@ -274,7 +278,7 @@ def _held(stated: Bools, value: Floats, initial: float) -> Floats:
 class _Follower:
     """Columns of one text, carried through the modal groups."""
 
-    def __init__(self, starts: Ints, letter: Ints, value: Floats, line: Ints) -> None:
+    def __init__(self, starts: Ints, letter: Bytes, value: Floats, line: Ints) -> None:
         self.starts = starts
         self.lines = len(starts) - 1
         self.words = {c: (line[letter == ord(c)], value[letter == ord(c)]) for c in "GMXYZIJKRFTHPQ"}
@@ -326,10 +330,10 @@ class _Follower:
         home, target = self.having(*_HOME), ~self.having(*_NO_TARGET)
         cycle = np.isin(motion, _CYCLES)
         offset, lost = self._frames()
-        after = np.empty((self.lines, 3))
-        before = np.full((self.lines, 3), np.nan)
         gone = self._called() | (home & ~named)
         machine = self.having(_MACHINE)
+        moving = np.flatnonzero((target & (named | (np.isin(motion, (20, 30)) & arcs_named))) | home)
+        start, end = np.full((len(moving), 3), np.nan), np.empty((len(moving), 3))
         for a, (stated, value) in enumerate(axes):
             unknown = gone | ((home | machine) & stated)
             # The Z of a canned cycle is the bottom of its hole, not where it ends.
@@ -337,23 +341,26 @@ class _Follower:
             fixed = lost[:, a] | unknown | (stated & (absolute | np.isnan(value)))
             step = np.where(stated & ~fixed, value * scale, 0.0)
             base = np.where(stated & absolute & ~unknown, value * scale, np.nan)
-            after[:, a] = _held(fixed, base, np.nan)
+            at = _held(fixed, base, np.nan)
             if not absolute.all():
                 sums = np.cumsum(step)
-                after[:, a] += sums - _held(fixed, sums, 0.0)
-            before[1:, a] = after[:-1, a]
-            before[lost[:, a], a] = np.nan
-
-        moving = np.flatnonzero((target & (named | (np.isin(motion, (20, 30)) & arcs_named))) | home)
+                at += sums - _held(fixed, sums, 0.0)
+            end[:, a] = at[moving]
+            start[:, a] = np.where((moving == 0) | lost[moving, a], np.nan, at[moving - 1])
         kind = np.zeros(len(moving), np.int64)
         for code, meaning in _PATHS.items():
             kind[(motion[moving] == code) & ~home[moving]] = meaning
-        start, end = before[moving], after[moving]
-        clockwise = motion[moving] == 20
-        words = [(s[moving], v[moving] * scale[moving]) for s, v in (i, j, k, r)]
-        turns_stated, turns = self.column("P")
-        turns = np.where(turns_stated, turns, 1.0)[moving]
-        centre, sweep = _arcs(kind, start, end, plane[moving], clockwise, words, absolute_arcs[moving], turns)
+        centre, sweep = np.broadcast_to(np.nan, (len(kind), 2)), np.zeros(len(kind))
+        arcs = np.flatnonzero(kind == Kind.ARC)
+        if len(arcs):
+            lines = moving[arcs]
+            words = [(s[lines], v[lines] * scale[lines]) for s, v in (i, j, k, r)]
+            turns_stated, p = self.column("P")
+            turns = np.where(turns_stated, p, 1.0)[lines]
+            centre = np.full((len(kind), 2), np.nan)
+            centre[arcs], sweep[arcs] = _arcs(
+                start[arcs], end[arcs], plane[lines], motion[lines] == 20, words, absolute_arcs[lines], turns
+            )
         control = self._cubics(kind, moving, start, end, scale)
         mode = self.group({930: 93, 940: 94, 950: 95}, 94)
         stated_f, f = self.column("F")
@@ -418,22 +425,22 @@ class _Follower:
 
     def _cubics(self, kind: Ints, moving: Ints, start: Floats, end: Floats, scale: Floats) -> Floats:
         """Inner points of G5 moves; one without I, J goes on in the direction in which the one before ended."""
-        control = np.full((len(kind), 4), np.nan)
         rows = np.flatnonzero(kind == Kind.CUBIC)
-        if len(rows):
-            lines = moving[rows]
-            given = self.column("I")[0][lines]
-            leave, arrive = (
-                np.column_stack([self.column(c)[1][lines] * scale[lines] for c in pair]) for pair in ("IJ", "PQ")
-            )
-            going_on = ~given[1:] & (np.diff(rows) == 1)
-            leave[1:][going_on] = -arrive[:-1][going_on]
-            control[rows] = np.column_stack([start[rows, :2] + leave, end[rows, :2] + arrive])
+        if not len(rows):
+            return np.broadcast_to(np.nan, (len(kind), 4))
+        control = np.full((len(kind), 4), np.nan)
+        lines = moving[rows]
+        given = self.column("I")[0][lines]
+        leave, arrive = (
+            np.column_stack([self.column(c)[1][lines] * scale[lines] for c in pair]) for pair in ("IJ", "PQ")
+        )
+        going_on = ~given[1:] & (np.diff(rows) == 1)
+        leave[1:][going_on] = -arrive[:-1][going_on]
+        control[rows] = np.column_stack([start[rows, :2] + leave, end[rows, :2] + arrive])
         return control
 
 
 def _arcs(
-    kind: Ints,
     start: Floats,
     end: Floats,
     plane: Ints,
@@ -443,9 +450,9 @@ def _arcs(
     turns: Floats,
 ) -> tuple[Floats, Floats]:
     """Centre in the plane (n, 2) and signed sweep (n,) of arcs, from I, J, K or R in mm."""
-    centre, sweep = np.full((len(kind), 2), np.nan), np.zeros(len(kind))
+    centre, sweep = np.empty((len(plane), 2)), np.empty(len(plane))
     for p, (a, b) in {17: (0, 1), 18: (2, 0), 19: (1, 2)}.items():
-        rows = np.flatnonzero((kind == Kind.ARC) & (plane == p))
+        rows = np.flatnonzero(plane == p)
         if not len(rows):
             continue
         # Complex numbers: an arc turns its start about its centre.

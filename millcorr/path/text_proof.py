@@ -419,8 +419,12 @@ class _Prover:
         in_plane = self.old.reading.in_plane[a.line[rows]]
         feed, now = (t.reading.feed_word[t.moves.line[r]] for t, r in ((self.old, rows), (self.new, there)))
         off = np.where(in_plane[:, None], a.end[rows, :2] - b.end[there, :2], 0.0)
-        curved = a.kind[rows] != Kind.LINE
-        shape, bent = (np.column_stack([m.centre, m.control, m.sweep])[r] for m, r in ((a, rows), (b, there)))
+        bends = np.flatnonzero((a.kind[rows] >= Kind.ARC) & (a.kind[rows] == b.kind[there]))
+        shape, bent = (
+            np.column_stack([m.centre[r], m.control[r], m.sweep[r]]) for m, r in ((a, rows[bends]), (b, there[bends]))
+        )
+        same_shape = np.ones(len(rows), np.bool_)
+        same_shape[bends] = _alike(shape, bent, _SAME_PLACE)
         for what, same in (
             ("kind of motion", a.kind[rows] == b.kind[there]),
             ("feed", _alike(feed, now)),
@@ -430,7 +434,7 @@ class _Prover:
             ("cutter compensation", a.compensation[rows] == b.compensation[there]),
             ("work offset", a.offset[rows] == b.offset[there]),
             ("place", ~(np.abs(off) > _SAME_PLACE).any(axis=1)),
-            ("arc or spline", ~curved | _alike(shape, bent, _SAME_PLACE)),
+            ("arc or spline", same_shape),
         ):
             wrong = np.flatnonzero(~same)
             if len(wrong):
@@ -564,27 +568,30 @@ class _Prover:
     def _possible_arcs(self) -> None:
         """Arcs and splines on changed lines are ones that a control can make."""
         m = self.new.moves
-        a, b = (np.choose(m.plane - 17, axes) for axes in ((0, 2, 1), (1, 0, 2)))
-        every = np.arange(len(m))
-        with np.errstate(invalid="ignore"):
-            radii = [np.hypot(p[every, a] - m.centre[:, 0], p[every, b] - m.centre[:, 1]) for p in (m.start, m.end)]
-            allowed = np.maximum(_ON_CIRCLE, _ON_CIRCLE_RELATIVE * np.maximum(*radii))
-            impossible = (np.abs(radii[0] - radii[1]) > allowed) | ~np.isfinite(m.sweep)
-        impossible |= (m.kind == Kind.CUBIC) & ~np.isfinite(m.control).all(axis=1)
-        wrong = np.flatnonzero(impossible & ~self.fixed[m.line])
-        if len(wrong):
-            self.refuse(int(m.line[wrong[0]]), "no arc or spline has these words")
+        rows = np.flatnonzero((m.kind >= Kind.ARC) & ~self.fixed[m.line])
+        a, b = (np.choose(m.plane[rows] - 17, axes) for axes in ((0, 2, 1), (1, 0, 2)))
+        radii = [np.hypot(p[rows, a] - m.centre[rows, 0], p[rows, b] - m.centre[rows, 1]) for p in (m.start, m.end)]
+        allowed = np.maximum(_ON_CIRCLE, _ON_CIRCLE_RELATIVE * np.maximum(*radii))
+        cubic = m.kind[rows] == Kind.CUBIC
+        impossible = np.where(
+            cubic,
+            ~np.isfinite(m.control[rows]).all(axis=1),
+            (np.abs(radii[0] - radii[1]) > allowed) | ~np.isfinite(m.sweep[rows]),
+        )
+        if impossible.any():
+            self.refuse(int(m.line[rows[impossible]][0]), "no arc or spline has these words")
 
     def _even_ramps(self) -> None:
         """Where a rising move has become several, each has risen by its share of the way."""
         m = self.new.moves
-        radius = np.hypot(m.start[:, 0] - m.centre[:, 0], m.start[:, 1] - m.centre[:, 1])
-        way = np.hypot(*(m.end - m.start)[:, :2].T)
-        way = np.where((m.kind == Kind.ARC) & (m.plane == 17), np.abs(radius * m.sweep), way)
         shift = self.largest_shift()[0]
         for first, last in _runs(self.rising):
             rows = np.arange(self.new.first[first], self.new.first[last + 1])
-            start, height, gone = m.start[rows[0], 2], m.end[rows, 2], np.cumsum(way[rows])
+            radius = np.hypot(*(m.start[rows, :2] - m.centre[rows]).T)
+            arc = (m.kind[rows] == Kind.ARC) & (m.plane[rows] == 17)
+            delta = m.end[rows] - m.start[rows]
+            way = np.where(arc, np.abs(radius * m.sweep[rows]), np.hypot(delta[:, 0], delta[:, 1]))
+            start, height, gone = m.start[rows[0], 2], m.end[rows, 2], np.cumsum(np.hypot(way, delta[:, 2]))
             if not gone[-1] > 0:
                 continue
             slope = (height[-1] - start) / gone[-1]

@@ -8,14 +8,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
 
 from millcorr import gcode
-from millcorr.errors import LimitError
+from millcorr.errors import LimitError, MillcorrError
 from millcorr.path.text_proof import prove_text
 from millcorr.toolpath import Kind, Toolpath
 from tests.core import loop_programs
-from tests.core.nc_programs import displaced
-from tests.core.sweeps import slow
+from tests.core.nc_programs import Made, displaced, programs
+from tests.core.sweeps import examples, slow
 from tests.core.test_gcode_write import halved
 from tests.core.text_mutants import mutants
 
@@ -129,3 +131,24 @@ def survivors(name: str, seed: int, count: int) -> list[str]:
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_mutants_are_caught(name: str, seed: int, count: int) -> None:
     assert not survivors(name, seed, count)
+
+
+@settings(max_examples=examples(100), deadline=None)
+@given(programs(max_moves=20), st.integers(0, 2**32 - 1))
+def test_random_programs_are_proven(made: Made, seed: int) -> None:
+    program = gcode.parse(made.text)
+    path = program.toolpath
+    # Corrections are in the XY plane; arcs in others start where they did.
+    assume(not ((path.plane != 17) & (path.kind == Kind.ARC)).any())
+    random = np.random.default_rng(seed)
+    moved = random.random(len(path)) < 0.7
+    moved[0] = False
+    shift = np.zeros((len(path), 3))
+    shift[moved, :2] = random.uniform(-MOVED, MOVED, (int(moved.sum()), 2))
+    wanted = displaced(path, shift)
+    wanted = halved(wanted, moved & (wanted.kind != Kind.RAPID) & (random.random(len(path)) < 0.3))
+    try:
+        written = gcode.write(program, wanted, header=HEADER)
+    except MillcorrError:  # an arc that is no arc any more
+        assume(False)
+    prove_text(program.data, written, changed(path, wanted), header=HEADER, reach=4 * MOVED)
