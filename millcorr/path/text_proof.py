@@ -38,6 +38,8 @@ _TOKEN = re.compile(
     r"|(?P<letter>[A-Za-z])[ \t]*(?P<number>[-+]?(?:[ \t]*[0-9.])+)|(?P<other>[^ \t\r\n\x0b\x0c\x1a])"
 )
 _PATH_CODES = (0.0, 1.0, 2.0, 3.0, 5.0)
+_PATH_WORD = re.compile(rb"[Gg]0?[01235](?![0-9.])")
+_PLACE_ONLY = re.compile(rb"(?:[ \t]*(?:[Gg]0?[01235](?![0-9.])|[XYxy][ \t]*[-+]?[0-9.]+))*[ \t\r\n]*")
 _OWN_AXES = (4, 10, 28, 28.1, 30, 30.1, 50, 50.1, 51, 51.1, 52, 53, 65, 66, 68, 68.2, 92, 92.1, 92.2, 92.3, 7.1, 107)
 """Codes whose axis words are no place of a path: they stay as they are."""
 _COMMENT_LINE = re.compile(rb"[ \t]*(?:\([^()\r\n]*\)|;[^\r\n]*)[ \t]*")
@@ -62,8 +64,8 @@ class TextProof(ReadOnlyArrays):
     header : int
         Comment lines added at the top.
     largest_shift : float
-        Largest distance in the plane, in mm, between the place of a line with more than a place on it (a height, a
-        feed, a code) before and after; 0 without any. The place is where its move starts, or ends where that is
+        Largest distance in the plane, in mm, between the place of a line with more than a place and a number on it
+        (a height, a feed, a code) before and after; 0 without any. The place is where its move starts, or ends where that is
         nearer and an M code on it may act at the end.
     """
 
@@ -96,8 +98,8 @@ def prove_text(
     header : sequence of str
         Comments that were to be added at the top, in any case and wrapped anyhow.
     reach : float
-        Largest distance in mm by which the place of a line that holds more than a place may have moved, so that
-        none comes earlier or later on the path than it did.
+        Largest distance in mm by which the place of such a line as `TextProof.largest_shift` tells may have moved,
+        so that no feed and no code comes earlier or later on the path than it did.
     tolerance : float
         By how much the heights at which a rising move was divided may be off its even rise, in mm.
 
@@ -151,8 +153,6 @@ class _Content:
         Number of P of an arc.
     skip : str
         Mark of block delete.
-    places : tuple of str
-        Its coordinates in the plane and motion code.
     stray : bool
         Words of an arc stand on a straight move.
     """
@@ -162,7 +162,6 @@ class _Content:
     height: str | None
     turns: str | None
     skip: str
-    places: tuple[str, ...]
     stray: bool
 
     @property
@@ -180,16 +179,16 @@ class _Content:
         """Whether an M code may act when all moves of the line are done, so that moves may come before the line."""
         return any(w[0] in "Mm" for w in self.rest)
 
-    def words(self) -> list[str]:
-        """All of it, what must stay first."""
-        named = [("F", self.feed), ("Z", self.height), ("P", self.turns), ("", self.skip or None)]
-        return [*(letter + text for letter, text in named if text is not None), *self.rest, *self.places]
+
+_BARE = _Content((), None, None, None, "", False)
 
 
 def _content(text: bytes, motion: int) -> _Content:
     """Take a line apart; `motion` is the motion code in force behind it, in tenths."""
+    if _PLACE_ONLY.fullmatch(text):
+        return _BARE
     rest: list[str] = []
-    places: list[str] = []
+    bent = False
     feed = height = turns = None
     skip = ""
     tokens = list(_TOKEN.finditer(text.decode("latin-1").rstrip("\r\n")))
@@ -211,18 +210,17 @@ def _content(text: bytes, motion: int) -> _Content:
             feed = number
         elif letter == "Z" and height is None:
             height = number
-        elif letter in "XYIJR" or (letter in "PQ" and motion == 50):
-            places.append(plain)
-        elif letter == "G" and _float(number) in _PATH_CODES:
-            places.append(plain)
+        elif letter in "IJR" or (letter == "K" and _float(number) == 0 and motion in (20, 30)):
+            bent = True
         elif letter == "P" and motion in (20, 30):
             turns = number
-        elif letter == "K" and _float(number) == 0 and motion in (20, 30):
-            places.append(plain)
-        else:
+        elif not (
+            letter in "XY"
+            or (letter in "PQ" and motion == 50)
+            or (letter == "G" and _float(number) in _PATH_CODES)
+        ):
             rest.append(plain)
-    stray = motion in (0, 10) and any(p[0] in "IJKR" for p in places)
-    return _Content(tuple(rest), feed, height, turns, skip, tuple(places), stray)
+    return _Content(tuple(rest), feed, height, turns, skip, bent and motion in (0, 10))
 
 
 def _number(number: str | None) -> float | None:
@@ -314,6 +312,7 @@ class _Prover:
         self.tolerance = tolerance
         self.source = np.full(len(self.new), -1, np.int64)
         self.fixed = np.zeros(len(self.new), np.bool_)
+        self.acts = np.zeros(len(self.new), np.bool_)
         self.late = np.zeros(len(self.new), np.bool_)
         self.rising = np.zeros(len(self.new), np.bool_)
         self.skip_old = np.zeros(len(self.old), np.int64)
@@ -381,17 +380,9 @@ class _Prover:
 
     def _restated(self, i: int, w: int) -> bool:
         """Whether a written line is a line of the original with its motion code stated besides."""
-        a, b = self.old.content(i), self.new.content(w)
-        codes = [p for p in b.places if p[0] == "G"]
-        plain = [p for p in b.places if p[0] != "G"]
-        return len(codes) == 1 and (a.rest, a.feed, a.height, a.turns, a.skip, list(a.places)) == (
-            b.rest,
-            b.feed,
-            b.height,
-            b.turns,
-            b.skip,
-            plain,
-        )
+        old, new = (re.sub(rb"[ \t]", b"", text.line(k)) for text, k in ((self.old, i), (self.new, w)))
+        code = _PATH_WORD.search(re.split(rb"[(;\"]", new)[0])
+        return code is not None and new[: code.start()] + new[code.end() :] == old
 
     def _first_move_fits(self, first: int, last: int, at: int) -> bool:
         """Whether the first move of the lines ends where it did, so that equal lines elsewhere are not taken for it."""
@@ -462,7 +453,7 @@ class _Prover:
             j = self._matching(waiting, k, c, w, height) if math.isnan(goal) and not c.bare else -1
             if j >= 0:
                 i, k = waiting[j][0], j + 1
-                self.source[w], self.late[w] = i, c.late
+                self.source[w], self.late[w], self.acts[w] = i, c.late, not c.droppable
                 goal = float(self.old.end(i)[2]) if c.height is not None else math.nan
             elif not (c.bare or self._inserted(c, wanted, height, reached, goal)):
                 if k < needed and wanted is not None:
@@ -603,8 +594,8 @@ class _Prover:
                 self.refuse(line, f"height {height[worst]:.4f} where the way rises evenly to {at:.4f}")
 
     def largest_shift(self) -> tuple[float, int]:
-        """Largest way in the plane between the places of a line before and after, and the line."""
-        lines = np.flatnonzero((self.source >= 0) & ~self.fixed)
+        """Largest way in the plane between the places of a line that acts before and after, and the line."""
+        lines = np.flatnonzero(self.acts)
         old = self.source[lines]
         # A line that became several is the first of them, or the last where its M code acts at the end.
         late = self.late[lines]
@@ -643,7 +634,7 @@ class _Prover:
         there = _shown(self.new.line(w))
         if i is None:
             self.refuse(w, f"'{there}' is not in the original")
-        a, b = (c.words() for c in (self.old.content(i), self.new.content(w)))
+        a, b = ([m.group() for m in _TOKEN.finditer(_shown(t.line(k)))] for t, k in ((self.old, i), (self.new, w)))
         if len(a) == len(b):
             for x, y in zip(a, b, strict=True):
                 if x != y:
