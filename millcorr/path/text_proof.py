@@ -65,8 +65,8 @@ class TextProof(ReadOnlyArrays):
         Comment lines added at the top.
     largest_shift : float
         Largest distance in the plane, in mm, between the place of a line with more than a place and a number on it
-        (a height, a feed, a code) before and after; 0 without any. The place is where its move starts, or ends where that is
-        nearer and an M code on it may act at the end.
+        (a height, a feed, a code) before and after; 0 without any. The place is where its move starts, or ends
+        where that is nearer and an M code on it may act at the end.
     """
 
     moves: PlainMoves
