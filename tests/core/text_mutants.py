@@ -11,6 +11,7 @@ import numpy as np
 
 _NUMBER = re.compile(rb"([A-Za-z]?)([ \t]*)([-+]?)([0-9]+\.?[0-9]*|\.[0-9]+)")
 _COMMENT = re.compile(rb"\([^()]*\)|;.*")
+_NAME = re.compile(rb"[Nn][ \t]*[0-9]+|^[ \t]*/[1-9]?")
 _PLACES = b"XYIJR"
 _DIRECTIONS = (1, 2, 3, 5)
 
@@ -101,15 +102,15 @@ def _order(lines: list[bytes], i: int, random: np.random.Generator) -> tuple[lis
     """A line deleted, doubled, or exchanged with the next."""
     how = int(random.integers(3))
     shown = lines[i].strip().decode("latin-1")
+    # A number names a move, and goes with it.
+    bare = [_NAME.sub(b"", line) for line in lines[i : i + 2]]
     if how == 0:
-        # A number goes with the move that it names.
-        bare = re.sub(rb"[Nn][ \t]*[0-9]+|^[ \t]*/[1-9]?", b"", lines[i])
-        return lines[:i] + lines[i + 1 :], f"'{shown}' deleted", _kind(bare)
+        return lines[:i] + lines[i + 1 :], f"'{shown}' deleted", _kind(bare[0], (0, *_DIRECTIONS))
     if how == 1:
-        return lines[: i + 1] + lines[i:], f"'{shown}' doubled", _kind(lines[i])
+        return lines[: i + 1] + lines[i:], f"'{shown}' doubled", _kind(lines[i], (0, *_DIRECTIONS))
     if i + 1 == len(lines):
         return None
-    kind = "place" if _kind(lines[i]) == _kind(lines[i + 1]) == "place" else "word"
+    kind = "place" if all(_kind(line, _DIRECTIONS) == "place" for line in bare) else "word"
     return [*lines[:i], lines[i + 1], lines[i], *lines[i + 2 :]], f"'{shown}' exchanged with the next", kind
 
 
@@ -118,14 +119,13 @@ def _splines(line: bytes) -> bool:
     return re.search(rb"[Pp][ \t]*[-+.0-9]", line) is not None and re.search(rb"[Qq][ \t]*[-+.0-9]", line) is not None
 
 
-def _kind(line: bytes) -> str:
-    """"place" of a line that holds a place in the plane, with or without its motion code, and nothing else."""
-    spline = b"PQ" if _splines(line) else b""
-    rest = _NUMBER.sub(
-        lambda m: b"" if m[1].upper() in [bytes([c]) for c in _PLACES + spline] or _is_path(m) else m.group(), line
-    )
-    return "word" if rest.strip(b" \t\r\n*") else "place"
+def _kind(line: bytes, codes: tuple[int, ...]) -> str:
+    """"place" of a line that holds a place in the plane, with or without one of these G codes, and nothing else."""
+    letters = _PLACES + (b"PQ" if _splines(line) else b"")
 
+    def keep(found: re.Match[bytes]) -> bytes:
+        place = found[1] and found[1].upper() in letters
+        path = found[1].upper() == b"G" and float(found[4]) in codes
+        return b"" if place or path else found.group()
 
-def _is_path(found: re.Match[bytes]) -> bool:
-    return found[1].upper() == b"G" and float(found[4]) in _DIRECTIONS
+    return "word" if _NUMBER.sub(keep, line).strip(b" \t\r\n*") else "place"
