@@ -292,7 +292,10 @@ def _sewn(shape: Any) -> Any:
     shell = Part.makeCompound(shape.Faces)
     shell.sewShape()
     if not (shell.Shells and all(s.isClosed() for s in shell.Shells)):
-        raise InputError("a face of the profile is not parallel to the XY plane, and the faces close round no solid")
+        raise InputError(
+            "a face of the profile is not parallel to the XY plane, and the faces close round no solid: choose a "
+            "sketch or level edges of the contour as Nominal, or save the model as STEP"
+        )
     return Part.makeCompound([Part.makeSolid(s) for s in shell.Shells])
 
 
