@@ -14,6 +14,7 @@ from types import ModuleType
 from typing import Any
 
 import FreeCAD
+import Part
 import Path
 
 from millcorr.errors import InputError
@@ -176,6 +177,34 @@ def path_of(obj: DocumentObject) -> Any:
     """
     placed = getattr(importlib.import_module("PathScripts.PathUtils"), "getPathWithPlacement", None)
     return obj.Path if placed is None else placed(obj)
+
+
+def global_placement(obj: DocumentObject) -> Any:
+    """Placement of an object in the document, with those of the parts and bodies it lies in."""
+    # A link has no such method, and stands in nothing's frame but its own.
+    found = getattr(obj, "getGlobalPlacement", None)
+    return obj.Placement if found is None else found()
+
+
+def shape_in_document(obj: DocumentObject) -> Any:
+    """Shape of an object where it stands in the document, with the placements of the parts and bodies it lies in.
+
+    Raises
+    ------
+    InputError
+        If it has none.
+    """
+    shape = Part.getShape(obj)
+    if shape.isNull():
+        raise InputError(f"{obj.Label} has no shape to take as nominal profile")
+    return moved(shape, global_placement(obj).multiply(obj.Placement.inverse()))
+
+
+def moved(shape: Any, placement: Any) -> Any:
+    """Copy of a shape, moved by a placement."""
+    out = shape.copy()
+    out.Placement = placement.multiply(out.Placement)
+    return out
 
 
 def give_views(job: DocumentObject) -> None:

@@ -408,7 +408,7 @@ def outline_edges(shape: Any) -> list[Any]:
             raise InputError(
                 f"the model is not prismatic: the side face near X{c.x:.3f} Y{c.y:.3f} is not vertical; {_CHOOSE}"
             )
-    edges = _without_doubles([edge for face in faces for edge in foot_edges(face)])
+    edges = without_doubles([edge for face in faces for edge in foot_edges(face)])
     # A wall that is missing, such as a chamfer's, leaves the way round open or shorter.
     length = outline.boundary.length
     closed = bool(edges) and all(contour.closed for contour in chain([curve_of_edge(edge) for edge in edges]))
@@ -449,8 +449,8 @@ def _on_outline(face: Any, outline: Any) -> bool:
     return bool(outline.boundary.distance(shapely.Point(point.x, point.y)) <= JOINED)
 
 
-def _without_doubles(edges: list[Any]) -> list[Any]:
-    """Edges without those that lie above longer ones (the outline runs through several bodies or steps)."""
+def without_doubles(edges: Iterable[Any]) -> list[Any]:
+    """Edges without those that lie above or below longer ones, seen along Z (several bodies, steps, faces)."""
     out: list[Any] = []
     lines: list[Any] = []
     for edge in sorted(edges, key=lambda e: -e.Length):
