@@ -4,6 +4,10 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Active</source>
+        <translation>Aktiv</translation>
+    </message>
+    <message>
         <source>Base</source>
         <translation>Basis</translation>
     </message>
@@ -162,6 +166,10 @@
     <message>
         <source>Cut path</source>
         <translation>Gefräste Bahn</translation>
+    </message>
+    <message>
+        <source>Whether the operation is machined</source>
+        <translation>Ob die Operation gefertigt wird</translation>
     </message>
     <message>
         <source>The operation whose path is corrected</source>
