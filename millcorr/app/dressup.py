@@ -254,8 +254,8 @@ CHANGED = (
 
 
 RAMP = (
-    "{} lies over the correction and makes its ramps of FreeCAD's own arcs, up to 10 um off the corrected path: put the "
-    "correction over it"
+    "{} lies over the correction and makes its ramps of FreeCAD's own arcs, up to 10 um off the corrected path: put "
+    "the correction over it"
 )
 
 
