@@ -232,7 +232,8 @@ def _profile_walls(operation: Any) -> list[Wall]:
         if operation.processPerimeter:
             feet = [edge for face in upright for edge in convert.foot_edges(face)]
             if operation.HandleMultipleFeatures == "Collectively":
-                around = convert.without_doubles([*_outer_edges(level), *feet])
+                outer = [edge for face in _together(level, True) for edge in face.OuterWire.Edges]
+                around = convert.without_doubles([*outer, *feet])
                 walls += [(around, outside)] if around else []
             else:
                 walls += [(face.OuterWire.Edges, outside) for face in level]
@@ -244,7 +245,7 @@ def _profile_walls(operation: Any) -> list[Wall]:
 
 
 def _pocket_walls(operation: Any) -> list[Wall]:
-    pattern = getattr(operation, "ClearingPattern", None) or getattr(operation, "OffsetPattern", "Offset")
+    pattern = next((getattr(operation, name) for name in compat.PATTERN if hasattr(operation, name)), "Offset")
     if "Offset" not in pattern:
         raise InputError(
             f"{operation.Label}: with the pattern {pattern} the pocket's walls are cut by the ends of lines and by no "
@@ -257,11 +258,11 @@ def _pocket_walls(operation: Any) -> list[Wall]:
         edges, level, upright = _selected(operation, base, names)
         if edges:
             raise InputError(f"{operation.Label}: a pocket follows faces, and an edge of {base.Label} is selected")
+        floors = _together(level, bool(operation.UseOutline))
         feet = [edge for face in upright for edge in convert.foot_edges(face)]
-        around = convert.without_doubles([*_outer_edges(level), *feet])
+        around = convert.without_doubles([*(edge for floor in floors for edge in floor.OuterWire.Edges), *feet])
         walls += [(around, False)] if around else []
-        if not operation.UseOutline:
-            walls += [(wire.Edges, True) for face in level for wire in _holes(face, True, True)]
+        walls += [(wire.Edges, True) for floor in floors for wire in _holes(floor, True, True)]
     return walls
 
 
@@ -288,17 +289,25 @@ def _selected(operation: Any, base: Any, names: tuple[str, ...]) -> tuple[list[A
     return edges, level, upright
 
 
-def _outer_edges(faces: list[Any]) -> list[Any]:
-    """Outer edges of level faces together, seen along Z, whatever their heights."""
-    if len(faces) < 2:
-        return [edge for face in faces for edge in face.OuterWire.Edges]
-    filled = []
+def _together(faces: list[Any], filled: bool) -> list[Any]:
+    """Level faces, seen along Z, with those that meet or overlap made one, whatever their heights.
+
+    Parameters
+    ----------
+    faces : list of Part.Face
+    filled : bool
+        Without their holes.
+    """
+    flat = []
     for face in faces:
-        flat = Part.Face(face.OuterWire)
-        flat.translate(FreeCAD.Vector(0, 0, -flat.BoundBox.ZMin))
-        filled.append(flat)
-    together = filled[0].multiFuse(filled[1:]).removeSplitter()
-    return [edge for face in together.Faces for edge in face.OuterWire.Edges]
+        one = Part.Face(face.OuterWire) if filled else face.copy()
+        # By a vertex: the bounding box of a spline lies outside it by up to its tolerance.
+        one.translate(FreeCAD.Vector(0, 0, -one.Vertexes[0].Z))
+        if one.normalAt(0, 0).z < 0:
+            # Faces that look in opposite directions are not made one.
+            one.reverse()
+        flat.append(one)
+    return flat if len(flat) < 2 else list(flat[0].multiFuse(flat[1:]).removeSplitter().Faces)
 
 
 def _holes(face: Any, others: bool, circles: bool) -> list[Any]:

@@ -55,6 +55,10 @@ def _has_new_tool_bits() -> bool:
     )
 
 
+PATTERN = ("ClearingPattern", "OffsetPattern")
+"""Property of a pocket with the pattern in which it is cleared: of FreeCAD 1.x, and of 0.20."""
+
+
 def prepare_modules() -> None:
     """Import the machining modules, so that their objects come to life when a document is opened."""
     for module in (job_module, profile_module, controller_module):
@@ -261,12 +265,27 @@ def set_end_mill(controller: DocumentObject, diameter: float) -> None:
 def make_profile(job: DocumentObject, name: str = "Profile") -> DocumentObject:
     """New Profile operation round the job's models, outside."""
     FreeCAD.setActiveDocument(job.Document.Name)
-    operation = profile_module().Create(name, parentJob=job)
+    return _in_job(profile_module().Create(name, parentJob=job), job)
+
+
+def _in_job(operation: DocumentObject, job: DocumentObject) -> DocumentObject:
     if operation.Name not in [obj.Name for obj in operations(job)]:
         job.Operations.Group = [*operations(job), operation]
     if getattr(operation, "ToolController", None) is None:
         operation.ToolController = job.Tools.Group[0]
     return operation
+
+
+def make_pocket(job: DocumentObject, name: str = "Pocket") -> DocumentObject:
+    """New Pocket Shape operation of a job."""
+    FreeCAD.setActiveDocument(job.Document.Name)
+    module = _first("Path.Op.PocketShape", "PathScripts.PathPocketShape")
+    return _in_job(module.Create(name, parentJob=job), job)
+
+
+def set_pattern(pocket: DocumentObject, pattern: str) -> None:
+    """Give a pocket the pattern in which it is cleared."""
+    setattr(pocket, PATTERN[0] if hasattr(pocket, PATTERN[0]) else PATTERN[1], pattern)
 
 
 # Post processing -------------------------------------------------------------------------------------
