@@ -246,10 +246,10 @@ def _profile_walls(operation: Any) -> list[Wall]:
 
 def _pocket_walls(operation: Any) -> list[Wall]:
     pattern = next((getattr(operation, name) for name in compat.PATTERN if hasattr(operation, name)), "Offset")
-    if "Offset" not in pattern:
+    if pattern != "Offset":
         raise InputError(
-            f"{operation.Label}: with the pattern {pattern} the pocket's walls are cut by the ends of lines and by no "
-            "pass along them; choose the pattern Offset or ZigZagOffset"
+            f"{operation.Label}: lines of the pattern {pattern} end on the pocket's walls, and would cut into them "
+            "once they are corrected; choose the pattern Offset"
         )
     if not operation.Base:
         return [(_model_outline(operation), True)]

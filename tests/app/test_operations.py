@@ -247,7 +247,6 @@ def test_several_models_and_operations(document):
 # Pockets
 
 
-@pytest.mark.parametrize("pattern", ["Offset", "ZigZagOffset"])
 @pytest.mark.parametrize(
     ("make", "test", "properties", "contours"),
     [
@@ -259,10 +258,10 @@ def test_several_models_and_operations(document):
     ],
     ids=["islands", "outline", "stock to leave", "walls", "two floors"],
 )
-def test_walls_of_a_pocket(document, make, test, properties, contours, pattern):
+def test_walls_of_a_pocket(document, make, test, properties, contours):
     model = make()
     operation = operation_on(job_of(document, model, diameter=6.0), test, pocketing=True, StepOver=60, **properties)
-    compat.set_pattern(operation, pattern)
+    compat.set_pattern(operation, "Offset")
     document.recompute()
     profile = nominal_of(operation)
     assert len(profile.contours) == contours
@@ -272,10 +271,11 @@ def test_walls_of_a_pocket(document, make, test, properties, contours, pattern):
     assert_exact(corrected(operation), profile, 3.0 + properties.get("ExtraOffset", 0.0))
 
 
-def test_pocket_without_a_pass_along_its_walls_names_the_pattern(document):
+@pytest.mark.parametrize("pattern", ["ZigZag", "ZigZagOffset", "Line"])
+def test_pocket_whose_lines_end_on_its_walls_names_the_pattern(document, pattern):
     operation = operation_on(job_of(document, pocket(), diameter=6.0), level(4), pocketing=True)
-    compat.set_pattern(operation, "ZigZag")
-    with pytest.raises(InputError, match="pattern Offset"):
+    compat.set_pattern(operation, pattern)
+    with pytest.raises(InputError, match="choose the pattern Offset"):
         nominal_of(operation)
 
 
@@ -401,12 +401,14 @@ def test_over_another_dressup(document, kind, step):
     assert len(below.Path.Commands) > len(operation.Path.Commands)
     obj = corrected(below)
     assert_exact(obj, nominal_of(operation), 4.0)
-    # Heights and feeds are those of the dressup.
-    assert set(heights(obj)) <= set(heights(below))
+    # Every height at which the dressup ends a move, and none beyond them: of more moves, more end on the slope.
+    before, after = heights(below), heights(obj)
+    assert np.isin(before, after).all() and (after[0], after[-1]) == (before[0], before[-1])
 
 
 def heights(obj):
-    return cutting(obj).end[:, 2].round(3).tolist()
+    moves = cutting(obj)
+    return np.unique(np.concatenate([moves.start[:, 2], moves.end[:, 2]]).round(3))
 
 
 @pytest.mark.parametrize("kind", ["tags", "leads"])
