@@ -17,7 +17,6 @@ from .properties import HIDDEN, QT_TRANSLATE_NOOP, READ_ONLY, Property, complete
 
 _text = QT_TRANSLATE_NOOP
 PROPERTIES = (
-    Property("Bool", "Active", "Path", _text("App::Property", "Whether the operation is machined"), True),
     Property("Link", "Base", "Base", _text("App::Property", "The operation whose path is corrected")),
     Property(
         "Link",
@@ -253,12 +252,6 @@ CHANGED = (
 )
 
 
-RAMP = (
-    "{} lies over the correction and makes its ramps of FreeCAD's own arcs, up to 10 um off the corrected path: put "
-    "the correction over it"
-)
-
-
 class DressupMillcorr:
     """Proxy of the dressup."""
 
@@ -283,18 +276,17 @@ class DressupMillcorr:
         obj.Path = Path.Path()
         _clear(obj)
         _empty_profiles(obj)
-        if obj.Base is None or not compat.is_active(obj):
+        if obj.Base is None or not compat.is_active(obj.Base):
             return
         corrected = correction.correct(obj)
         obj.Path = corrected.path()
         _state(obj, corrected)
-        _warn(obj, [RAMP.format(over.Label) for over in obj.InList if hasattr(over, "RampFeedRate")])
         cut = f"{obj.Digest} {corrected.request.program.digest}"
         if not obj.CutPath.startswith(f"{obj.Digest} "):
             obj.Corrected = datetime.now().astimezone().isoformat(timespec="seconds")
             obj.CutPath = cut
         elif obj.Digest and obj.CutPath != cut:
-            _warn(obj, [CHANGED.format(obj.Base.Label)])
+            obj.Warnings = [*obj.Warnings, CHANGED.format(obj.Base.Label)]
 
     def onDelete(self, obj: Any, subelements: Any = None) -> bool:
         """Give the operation its place in the job back."""
@@ -324,10 +316,6 @@ def _empty_profiles(obj: Any) -> None:
     for dependent in obj.InList:
         if getattr(dependent, "Correction", None) == obj and hasattr(dependent, "Shape"):
             dependent.Shape = Part.Shape()
-
-
-def _warn(obj: Any, warnings: list[str]) -> None:
-    store(obj, "Warnings", [*obj.Warnings, *warnings])
 
 
 def _clear(obj: Any) -> None:

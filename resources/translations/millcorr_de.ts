@@ -4,10 +4,6 @@
 <context>
     <name>App::Property</name>
     <message>
-        <source>Active</source>
-        <translation>Aktiv</translation>
-    </message>
-    <message>
         <source>Base</source>
         <translation>Basis</translation>
     </message>
@@ -166,10 +162,6 @@
     <message>
         <source>Cut path</source>
         <translation>Gefräste Bahn</translation>
-    </message>
-    <message>
-        <source>Whether the operation is machined</source>
-        <translation>Ob die Operation gefertigt wird</translation>
     </message>
     <message>
         <source>The operation whose path is corrected</source>

@@ -4,10 +4,6 @@
 <context>
     <name>App::Property</name>
     <message>
-        <source>Active</source>
-        <translation>Активна</translation>
-    </message>
-    <message>
         <source>Base</source>
         <translation>Основа</translation>
     </message>
@@ -166,10 +162,6 @@
     <message>
         <source>Cut path</source>
         <translation>Фрезерована траєкторія</translation>
-    </message>
-    <message>
-        <source>Whether the operation is machined</source>
-        <translation>Чи виконується операція</translation>
     </message>
     <message>
         <source>The operation whose path is corrected</source>
