@@ -389,10 +389,10 @@ def outline_edges(shape: Any) -> list[Any]:
     InputError
         If the outline is not made of vertical faces alone, that is if the part is not prismatic there.
     """
-    heights = sorted({round(v.Z, 6) for v in shape.Vertexes})
-    slabs = [(a, b) for a, b in zip(heights[:-1], heights[1:], strict=True) if b - a > 1e-3]
-    if not slabs:
-        raise InputError("the model has no height")
+    bottom, top = max(_slabs(shape.Vertexes), key=lambda slab: slab[1] - slab[0])
+    # Pockets and holes within a section change nothing of the outline, and a section takes long.
+    sides = _reaching_out(shape.Faces, _section(shape, (bottom + top) / 2))
+    slabs = _slabs([vertex for face in sides for vertex in face.Vertexes])
     sections = [_section(shape, (a + b) / 2) for a, b in slabs]
     outline = max(sections, key=lambda section: section.area)
     around = outline.buffer(JOINED)
@@ -401,7 +401,7 @@ def outline_edges(shape: Any) -> list[Any]:
             raise InputError(
                 f"the model is not prismatic: between Z{a:.3f} and Z{b:.3f} it stands out of its outline; {_CHOOSE}"
             )
-    faces = [face for face in shape.Faces if not is_horizontal(face) and _on_outline(face, outline)]
+    faces = [face for face in sides if not is_horizontal(face) and _on_outline(face, outline)]
     for face in faces:
         if not is_vertical(face):
             c = face.BoundBox.Center
@@ -422,24 +422,57 @@ def outline_edges(shape: Any) -> list[Any]:
 _CHOOSE = "select the faces or edges of the profile in the operation, or choose a sketch of it as Nominal"
 
 
+def _slabs(vertexes: Iterable[Any]) -> list[tuple[float, float]]:
+    """Ranges of height between vertices; in each a model has one section, as far as it is prismatic.
+
+    Raises
+    ------
+    InputError
+        If all lie at one height.
+    """
+    heights = sorted({round(v.Z, 6) for v in vertexes})
+    slabs = [(a, b) for a, b in zip(heights[:-1], heights[1:], strict=True) if b - a > 1e-3]
+    if not slabs:
+        raise InputError("the model has no height")
+    return slabs
+
+
+def _reaching_out(faces: Sequence[Any], section: Any) -> list[Any]:
+    """Faces that are not wholly within a section, seen along Z; those that bound it among them."""
+    boxes = [face.BoundBox for face in faces]
+    plan = shapely.box(*np.array([(b.XMin, b.YMin, b.XMax, b.YMax) for b in boxes]).T)
+    return [face for face, inside in zip(faces, shapely.contains_properly(section, plan), strict=True) if not inside]
+
+
 def _section(shape: Any, z: float) -> Any:
     """Filled outer boundaries of a horizontal section, as polygons: whatever lies within a boundary is filled."""
     rings = []
     for wire in shape.slice(FreeCAD.Vector(0, 0, 1), z):
         if wire.isClosed():
-            rings.append(shapely.Polygon(_ring([shapely.get_coordinates(_seen_from_above(e)) for e in wire.Edges])))
+            edges = wire.OrderedEdges
+            rings.append(shapely.Polygon(_ring([shapely.get_coordinates(_seen_from_above(e)) for e in edges])))
     return shapely.union_all(rings)
 
 
 def _ring(pieces: list[Floats]) -> Floats:
-    """Points of pieces joined to a ring, in whatever order and direction they come."""
-    ring = [pieces.pop(0)]
-    while pieces:
-        gap = [(np.hypot(*(p[way] - ring[-1][-1])), k, way) for k, p in enumerate(pieces) for way in (0, -1)]
-        _, k, way = min(gap)
-        ring.append(pieces.pop(k)[:: 1 if way == 0 else -1])
-    # Ends that meet are one point: two, 1e-13 apart, could cross the line.
-    return np.concatenate([piece[:-1] for piece in ring])
+    """Points of pieces joined to a ring: in order, each in whatever direction."""
+    place = pieces[0][0]
+    if len(pieces) > 1 and _gaps(place, pieces[1]).min() < _gaps(pieces[0][-1], pieces[1]).min():
+        place = pieces[0][-1]
+    ring = []
+    for piece in pieces:
+        to_start, to_end = _gaps(place, piece)
+        run = piece if to_start <= to_end else piece[::-1]
+        place = run[-1]
+        # Ends that meet are one point: two, 1e-13 apart, could cross the line.
+        ring.append(run[:-1])
+    return np.concatenate(ring)
+
+
+def _gaps(place: Floats, piece: Floats) -> Floats:
+    """Distances of a place from the start and the end of a piece."""
+    distances: Floats = np.hypot(*(piece[[0, -1]] - place).T)
+    return distances
 
 
 def _on_outline(face: Any, outline: Any) -> bool:
