@@ -283,6 +283,17 @@ def test_pocket_whose_lines_end_on_its_walls_names_the_pattern(document, pattern
         nominal_of(operation)
 
 
+@pytest.mark.xfail(raises=AssertionError, strict=True, reason="refused: the path passes between two islands")
+def test_islands_closer_than_the_cutter_is_wide(document):
+    """The path goes round both at once: where it passes from one to the other, two contours ask for its place."""
+    islands = Part.makeCylinder(5, 8, V(0, 0, 4)).fuse(Part.makeBox(6, 6, 8, V(8, -8, 4)))
+    model = block().cut(prism(spline(), height=8, z=4).cut(islands))
+    operation = operation_on(job_of(document, model, diameter=4.0), level(4), pocketing=True, StepOver=60)
+    compat.set_pattern(operation, "Offset")
+    document.recompute()
+    assert_exact(corrected(operation), nominal_of(operation), 2.0)
+
+
 # Placements
 
 
@@ -396,6 +407,14 @@ DRESSUPS = {
     "leads": lambda base: entry(base, "lead"),
     "leads under G41": lambda base: entry(base, "lead", UseMachineCRC=True),
 }
+
+
+def test_leads_under_g41_along_the_contour(document):
+    """The control holds the whole radius: the path is the contour itself."""
+    operation = operation_on(job_of(document, wave()), StepDown=20.0, UseComp=False)
+    below = DRESSUPS["leads under G41"](operation)
+    document.recompute()
+    assert_exact(corrected(below), nominal_of(operation), 0.0)
 
 
 @pytest.mark.parametrize("step", [20.0, 5.0])
