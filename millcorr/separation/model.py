@@ -22,11 +22,11 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 
-MOST_CELLS = 3000
+MOST_CELLS = 2000
 """Points are gathered to about so many places: closer ones than a thousandth of a contour tell the same."""
 
-SEARCHED = 1000
-"""Places that sizes and lengths are looked for with: they are then known to some per cent, whatever more is measured."""
+SEARCHED = 500
+"""Places that outliers, sizes and lengths are looked for with; with all cells only the last steps are made."""
 
 COINCIDING = 1e-3
 """Points nearer than this, in mm, are at one place: no noise with a memory tells them apart."""
@@ -34,6 +34,10 @@ COINCIDING = 1e-3
 FINEST_NODES, NODES, NODES_SEARCHED = 40.0, 6.0, 3.5
 """Nodes in a length of the form: with 6 the grid is exact to a thousandth of the scatter, with 3.5 the likelihood is to
 some hundredths; more than 40 make the precision of a Matern 5/2 process ill-conditioned (fifth power)."""
+
+SHORTEST_FORM = 2.0
+"""Length of the form in mm, at least: machines repeat themselves with the pitch of their ball screws, 5 mm and more, and
+over the width of the cutter's engagement; what is smooth over less, on one part, is as well the process."""
 
 WHITE_LEAST = 1e-5
 """No measured value is better than this, in mm."""
@@ -53,7 +57,7 @@ IGNORED = 1e-6
 _PRIOR = {
     "form": (math.log(0.010), 1.5),
     "form_length": (math.log(20.0), 1.0),
-    "process": (math.log(0.001), 1.5),
+    "process": (math.log(0.001), 1.0),
     "memory": (math.log(1.0), 0.7),
     "white": (math.log(0.001), 1.5),
     "part": (math.log(0.002), 1.5),
@@ -67,9 +71,9 @@ _BARRIER = 0.15
 _SUSPECT = 6.0
 _HALVES = (2, 6)
 _ROUNDS = 8
-_TRIED = 2
 _FEW = 8
-_SETTLED = 0.1
+_SETTLED = 0.2
+_ROUNDS_OF_START, _ROUNDS_OF_SEARCH = 4, 12
 _MOST_PLACES = 1000
 
 
@@ -175,7 +179,7 @@ class Likelihood:
         spacing = gathered.spacing
         self.box = {
             "form": (1e-6, 3.0),
-            "form_length": (max(1.2 * spacing, 1e-3), 3.0 * max(gathered.longest, spacing)),
+            "form_length": (SHORTEST_FORM, max(3.0 * gathered.longest, 5.0 * SHORTEST_FORM)),
             "process": (1e-6, 3.0),
             "memory": (0.02, 50.0),
             "white": (WHITE_LEAST, 3.0),
@@ -239,27 +243,30 @@ class Likelihood:
         limits = self.limits()
         x = np.clip(x, [a for a, _ in limits], [b for _, b in limits])
         found = minimize(
-            self.gradient, x, jac=True, method="L-BFGS-B", bounds=limits, options={"maxiter": rounds, "ftol": 1e-6}
+            self.gradient, x, jac=True, method="L-BFGS-B", bounds=limits, options={"maxiter": rounds, "ftol": 1e-5}
         )
         return float(found.fun), np.asarray(found.x)
 
 
 def _starts(likelihood: Likelihood, noise: float, spread: float) -> list[Floats]:
-    """Logarithms to begin at: lengths of the form from a few spacings to the longest stretch, likeliest first."""
+    """Logarithms to begin at: lengths of the form from a few spacings to the longest stretch, the likeliest with and without a memory."""
     g = likelihood.gathered
-    low, high = 2.0 * g.spacing, max(0.5 * g.longest, 4.0 * g.spacing)
+    low, high = SHORTEST_FORM, max(0.5 * g.longest, 3.0 * SHORTEST_FORM)
     count = max(3, min(8, 2 + round(math.log(high / low) / 0.8)))
+    lengths = np.geomspace(low, high, count)
     out = []
-    for length in np.geomspace(low, high, count):
-        for split in (0.3, 1.5):
+    short, long = lengths[: count // 2], lengths[count // 2 :]
+    for process, white, some in ((0.3, 1.0, short), (0.3, 1.0, long), (3.0, 0.5, lengths)):
+        begun = []
+        for length in some:
             sizes = Sizes(
-                max(spread, 2 * noise, 1e-4), float(length), max(split * noise, 1e-5),
-                min(1.0, length / 4), max(noise, 2 * WHITE_LEAST), max(noise, 1e-4), max(noise, 1e-4),
+                max(spread, 2 * noise, 1e-4), float(length), max(process * noise, 1e-5), min(1.0, length / 4),
+                max(white * noise, 2 * WHITE_LEAST), max(noise, 1e-4), max(noise, 1e-4),
             )  # fmt: skip
             x = likelihood.logs(sizes)
-            out.append((likelihood(x), len(out), x))
-    out.sort(key=lambda row: row[:2])
-    return [row[2] for row in out]
+            begun.append((likelihood(x), len(begun), x))
+        out.append(min(begun, key=lambda row: row[:2])[2])
+    return out
 
 
 def _suspects(gathered: Gathered, observed: Observed, half: int) -> Bools:
@@ -302,20 +309,19 @@ class Fit:
     cost: float
 
 
-def _noise_of_one(sizes: Sizes, gap: Floats) -> Floats:
-    """Variance of a point about what its neighbours say of form and remembered noise, less its white noise; (n,).
+def _noise_of_one(sizes: Sizes, gap: float) -> float:
+    """Variance of remembered noise at a point, mm2, about what neighbours every `gap` mm to both sides say of it.
 
-    For evenly spaced neighbours at `gap` mm: the harmonic mean of the spectrum (Grenander & Rosenblatt 1957, ch. 4).
+    The harmonic mean of the spectrum is the variance of a value about all others (Grenander & Rosenblatt 1957).
     """
-    table = np.geomspace(max(float(gap.min()), 1e-6), max(float(gap.max()), 2e-6), 40)
-    rho = np.exp(-table / sizes.memory)[:, None]
-    omega = (np.arange(256) + 0.5) * math.pi / 256
-    spectrum = sizes.process**2 * (1 - rho**2) / (1 - 2 * rho * np.cos(omega) + rho**2) + sizes.white**2
-    left = 1.0 / (1.0 / spectrum).mean(axis=1) - sizes.white**2
-    return np.interp(gap, table, np.maximum(left, 0.0))
+    if not gap > 0.0:
+        return sizes.process**2
+    rho, cosine = math.exp(-gap / sizes.memory), np.cos((np.arange(128) + 0.5) * math.pi / 128)
+    spectrum = sizes.process**2 * (1 - rho**2) / (1 - 2 * rho * cosine + rho**2) + sizes.white**2
+    return max(1.0 / float((1.0 / spectrum).mean()) - sizes.white**2, 0.0)
 
 
-def _judged(likelihood: Likelihood, x: Floats, weight: Floats, gap: Floats) -> tuple[Floats, Floats, float]:
+def _judged(likelihood: Likelihood, x: Floats, weight: Floats, gap: float) -> tuple[Floats, Floats, float]:
     """Probability that each point is sound, (n,), its distance in standard deviations, and what the wrong ones cost."""
     g = likelihood.gathered
     sizes = likelihood.sizes(x)
@@ -324,7 +330,7 @@ def _judged(likelihood: Likelihood, x: Floats, weight: Floats, gap: Floats) -> t
     assert solved is not None
     form, process = bound.residual(solved)
     left = g.value - (form + process)[g.of]
-    own = _noise_of_one(sizes, gap)
+    own = np.full(len(weight), _noise_of_one(sizes, gap))
     doubted = np.flatnonzero(weight < 0.5)
     if len(doubted):
         cells, back = np.unique(g.of[doubted], return_inverse=True)
@@ -342,7 +348,7 @@ def _judged(likelihood: Likelihood, x: Floats, weight: Floats, gap: Floats) -> t
     return probability, np.sqrt(z2), cost
 
 
-def _settled(gathered: Gathered, weight: Floats, gap: Floats, x: Floats | None, rounds: int) -> Fit:
+def _settled(gathered: Gathered, weight: Floats, gap: float, x: Floats | None) -> Fit:
     """Weights and sizes renewed until they settle."""
     cost = math.inf
     for turn in range(_ROUNDS):
@@ -351,10 +357,10 @@ def _settled(gathered: Gathered, weight: Floats, gap: Floats, x: Floats | None, 
             noise = _point_to_point(gathered, likelihood.mean)
             spread = float(np.sqrt(likelihood.total @ (likelihood.mean - np.average(
                 likelihood.mean, weights=likelihood.total)) ** 2 / likelihood.total.sum()))  # fmt: skip
-            found = [likelihood.minimum(start, rounds) for start in _starts(likelihood, noise, spread)[:_TRIED]]
-            value, x = min(found, key=lambda row: row[0])
+            found = [likelihood.minimum(start, _ROUNDS_OF_START) for start in _starts(likelihood, noise, spread)]
+            value, x = likelihood.minimum(min(found, key=lambda row: row[0])[1], _ROUNDS_OF_SEARCH)
         else:
-            value, x = likelihood.minimum(x, rounds)
+            value, x = likelihood.minimum(x, _ROUNDS_OF_START)
         if len(weight) < _FEW:
             return Fit(x, weight, value)
         probability, _, dear = _judged(likelihood, x, weight, gap)
@@ -371,15 +377,18 @@ def _fitted(observed: Observed, stretches: Stretches) -> tuple[Gathered, Fit]:
     """Sizes and weights of the likeliest of the ways to begin, for all points."""
     gathered = Gathered(observed, stretches, MOST_CELLS)
     few = gathered if len(observed) <= SEARCHED else Gathered(observed, stretches, SEARCHED)
-    gap = np.full(len(observed), few.spacing)
+    gap = few.spacing
     begun: list[Bools] = []
     fits: list[Fit] = []
     for half in _HALVES:
         wrong = _suspects(gathered, observed, half) if len(observed) >= _FEW else np.zeros(len(observed), dtype=bool)
         if not any(np.array_equal(wrong, other) for other in begun):
             begun.append(wrong)
-            fits.append(_settled(few, np.where(wrong, IGNORED, 1.0), gap, None, 12))
-    return gathered, min(fits, key=lambda fit: fit.cost)
+            fits.append(_settled(few, np.where(wrong, IGNORED, 1.0), gap, None))
+    best = min(fits, key=lambda fit: fit.cost)
+    if few is gathered:
+        return gathered, best
+    return gathered, replace(best, x=Likelihood(gathered, best.weight).minimum(best.x, _ROUNDS_OF_START)[1])
 
 
 @dataclass(frozen=True, eq=False, slots=True)
