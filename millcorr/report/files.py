@@ -13,6 +13,7 @@ import numpy as np
 
 from millcorr import contour_check, step
 from millcorr.pipeline import Result
+from millcorr.separation import Filter
 from millcorr.whole_file import write_together
 
 from .page import page
@@ -144,6 +145,8 @@ def deviation_lines(result: Result) -> Iterator[str]:
     more = [contact, contour_check.slope_angle(d.normal)] + ([elastic.transfer.ms] if elastic is not None else [])
     last = np.column_stack(more)
     empty = "," * last.shape[1]
+    outlier = result.outlier.tolist()
+    left_out = Filter.parse(result.request.settings.filter).leaves_out
     for start in range(0, len(points), _CHUNK):
         end = min(start + _CHUNK, len(points))
         xyz, level, line = points[start:end].tolist(), levels[start:end].tolist(), measurement.lines[start:end].tolist()
@@ -159,9 +162,11 @@ def deviation_lines(result: Result) -> Iterator[str]:
                 out.append(f",{x:.12g},{y:.12g},{z:.12g},,,,,0,,{level[i]},,,{line[i]},{reason}{empty}\n")
                 continue
             s, nx, ny, value, filtered, predicted, commanded = found[i]
+            wrong = outlier[row]
             out.append(
-                f"{s:.12g},{x:.12g},{y:.12g},{z:.12g},{nx:.12g},{ny:.12g},{value:.12g},{filtered:.12g},1,"
-                f"{contour[i]},{level[i]},{predicted:.12g},{commanded:.12g},{line[i]},"
+                f"{s:.12g},{x:.12g},{y:.12g},{z:.12g},{nx:.12g},{ny:.12g},{value:.12g},{filtered:.12g},"
+                f"{0 if wrong and left_out else 1},{contour[i]},{level[i]},{predicted:.12g},{commanded:.12g},{line[i]},"
+                f"{'outlier' if wrong else ''}"
                 + "".join(f",{value:.12g}" for value in appended[i])
                 + "\n"
             )

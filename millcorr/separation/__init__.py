@@ -6,6 +6,16 @@ them. Called by the correction and by the findings on deviations.
 """
 
 from .filters import Filter, Filtered, filtered
-from .model import LevelDifference, Observed, Separated, Stretches, separate
+from .model import LevelDifference, Observed, Separated, Stretches, interpolated, separate
 
-__all__ = ["Filter", "Filtered", "LevelDifference", "Observed", "Separated", "Stretches", "filtered", "separate"]
+__all__ = [
+    "Filter",
+    "Filtered",
+    "LevelDifference",
+    "Observed",
+    "Separated",
+    "Stretches",
+    "filtered",
+    "interpolated",
+    "separate",
+]

@@ -97,6 +97,11 @@ class Filter:
             raise UsageError(f"the weights of filter '{text}' add up to 0; {_LEGAL}")
         return Filter(kind, mask=numbers)
 
+    @property
+    def leaves_out(self) -> bool:
+        """Whether points that are more probably wrong than right have no say."""
+        return self.kind in ("auto", "robust")
+
     def __str__(self) -> str:
         if self.kind == "mean":
             if len(set(self.mask)) == 1:

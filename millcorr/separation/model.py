@@ -9,7 +9,6 @@ white noise e. The systematic part is mu + f.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -36,8 +35,8 @@ FINEST_NODES, NODES, NODES_SEARCHED = 40.0, 6.0, 3.5
 some hundredths; more than 40 make the precision of a Matern 5/2 process ill-conditioned (fifth power)."""
 
 SHORTEST_FORM = 2.0
-"""Length of the form in mm, at least: machines repeat themselves with the pitch of their ball screws, 5 mm and more, and
-over the width of the cutter's engagement; what is smooth over less, on one part, is as well the process."""
+"""Length of the form in mm, at least: machines repeat themselves with the pitch of their ball screws, 5 mm and more,
+and over the width of the cutter's engagement; what is smooth over less, on one part, is as well the process."""
 
 WHITE_LEAST = 1e-5
 """No measured value is better than this, in mm."""
@@ -148,8 +147,8 @@ class Gathered:
 
     def data(self, weight: Floats) -> tuple[Floats, Floats, float]:
         """Means and weights of the cells, and the weighted squares of the points about them, for weights (n,)."""
-        total = np.bincount(self.of, weight)
-        mean = np.bincount(self.of, weight * self.value) / total
+        total: Floats = np.bincount(self.of, weight).astype(np.float64)
+        mean: Floats = np.bincount(self.of, weight * self.value) / total
         return mean, total, float(weight @ (self.value - mean[self.of]) ** 2)
 
     def step(self, form_length: float, nodes: float) -> float:
@@ -176,7 +175,6 @@ class Likelihood:
         self.prior = {n: _PRIOR[n] for n in self.free}
         if several:
             self.prior["memory"] = (_PRIOR["memory"][0], _MEMORY_OF_SEVERAL)
-        spacing = gathered.spacing
         self.box = {
             "form": (1e-6, 3.0),
             "form_length": (SHORTEST_FORM, max(3.0 * gathered.longest, 5.0 * SHORTEST_FORM)),
@@ -211,6 +209,7 @@ class Likelihood:
         return self.bounds[step]
 
     def __call__(self, x: Floats, bound: Bound | None = None) -> float:
+        """-2 log of likelihood and prior for logarithms of the sizes, on a grid that fits their length or another."""
         sizes = self.sizes(x)
         solved = (bound or self.bound(sizes.form_length)).solve(sizes)
         if solved is None or not math.isfinite(solved.minus_log):
@@ -249,7 +248,7 @@ class Likelihood:
 
 
 def _starts(likelihood: Likelihood, noise: float, spread: float) -> list[Floats]:
-    """Logarithms to begin at: lengths of the form from a few spacings to the longest stretch, the likeliest with and without a memory."""
+    """Logarithms to begin at: short and long forms with little remembered noise, and any form with much."""
     g = likelihood.gathered
     low, high = SHORTEST_FORM, max(0.5 * g.longest, 3.0 * SHORTEST_FORM)
     count = max(3, min(8, 2 + round(math.log(high / low) / 0.8)))
@@ -257,7 +256,7 @@ def _starts(likelihood: Likelihood, noise: float, spread: float) -> list[Floats]
     out = []
     short, long = lengths[: count // 2], lengths[count // 2 :]
     for process, white, some in ((0.3, 1.0, short), (0.3, 1.0, long), (3.0, 0.5, lengths)):
-        begun = []
+        begun: list[tuple[float, int, Floats]] = []
         for length in some:
             sizes = Sizes(
                 max(spread, 2 * noise, 1e-4), float(length), max(process * noise, 1e-5), min(1.0, length / 4),
@@ -482,10 +481,10 @@ class Separated:
             rows = stretch == k
             here = of == k
             if here.any():
-                out[rows] = _interpolated(s[rows], first[here], std[here], self._period(k))
+                out[rows] = _interpolated(s[rows], (first[here], std[here]), self._period(k))
             more = self._more[k] if self._more else None
             if more is not None:
-                mean[rows] += _interpolated(s[rows], *more, self._period(k))
+                mean[rows] += _interpolated(s[rows], more, self._period(k))
         return mean, out
 
     def _period(self, k: int) -> float | None:
@@ -499,10 +498,11 @@ def _columns(stretches: Stretches, contours: Ints, stretch: Ints) -> tuple[Ints,
     return at.astype(np.int64), contours[at] == contour
 
 
-def _interpolated(s: Floats, at: Floats, value: Floats, period: float | None) -> Floats:
+def _interpolated(s: Floats, course: tuple[Floats, Floats], period: float | None) -> Floats:
     """Shape-preserving cubic through values at increasing places; held beyond the ends of an open stretch."""
     from scipy.interpolate import PchipInterpolator
 
+    at, value = course
     if len(at) == 1:
         return np.full(len(s), value[0])
     if period is not None:
@@ -654,10 +654,10 @@ def _prescribed(out: Separated, model: Floats) -> Separated:
         else:
             # Every part and height by itself, then their mean where the densest has its points.
             s = max(courses, key=lambda c: len(c[0]))[0]
-            more[k] = s, np.mean([_interpolated(s, *c, period) for c in courses], axis=0)
+            more[k] = s, np.mean([_interpolated(s, c, period) for c in courses], axis=0)
         course = more[k]
         assert course is not None
-        difference = _interpolated(observed.s[here], *course, period)
+        difference = _interpolated(observed.s[here], course, period)
         value[here] = model[here] + difference
         # The filter is off the model by what noise it lets through and what form it takes away; both are errors.
         std = out.at(observed.stretch[here], observed.s[here])[1]
@@ -674,3 +674,8 @@ def _through(s: Floats, value: Floats, length: float, closed: bool) -> tuple[Flo
     group = np.floor(s / COINCIDING)
     _, inverse, count = np.unique(group, return_inverse=True, return_counts=True)
     return np.bincount(inverse, s) / count, np.bincount(inverse, value) / count
+
+
+def interpolated(s: Floats, value: Floats, length: float, closed: bool, at: Floats) -> Floats:
+    """Values at places through values at points of one stretch, those at one place averaged; mm. (m,)."""
+    return _interpolated(at, _through(s, value, length, closed), length if closed else None)

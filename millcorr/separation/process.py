@@ -294,7 +294,7 @@ class Bound:
             ]
         )
         total = self.shape[0] * self.shape[1]
-        band = np.bincount(self.form_place, values, total)
+        band: Floats = np.bincount(self.form_place, values, total).astype(np.float64)
         log_noise, log_begin = np.linalg.slogdet(noise)[1], np.linalg.slogdet(begin)[1]
         log_det = -float(layout.number @ log_noise) - float(log_begin[open_].sum())
         if layout.closed.any():
@@ -363,7 +363,7 @@ class Bound:
         rows = self.layout.rows[cells]
         a = np.column_stack([solved.sizes.form * self.layout.weight[cells], np.full(len(cells), solved.sizes.process)])
         constant = self.layout.cells.columns[cells] - (a[:, :, None] * solved.answer[rows]).sum(axis=1)
-        variance = ((constant @ solved.spread) * constant).sum(axis=1)
+        variance: Floats = ((constant @ solved.spread) * constant).sum(axis=1)
         for low in range(0, len(cells), _CHUNK):
             here = np.arange(low, min(low + _CHUNK, len(cells)))
             column = (here - low)[:, None]
@@ -377,7 +377,8 @@ class Bound:
         """Form and the constant of a column at places, mm; column -1 for none. (m,)."""
         rows, a = self.layout.read(stretch, s)
         form: Floats = solved.sizes.form * (a * solved.state[rows]).sum(axis=1)
-        return form + np.append(solved.constants, 0.0)[column]
+        out: Floats = form + np.append(solved.constants, 0.0)[column]
+        return out
 
     def variance(self, solved: Solved, stretch: Ints, s: Floats, column: Ints) -> tuple[Floats, Floats]:
         """Variance of `mean` at places, and its covariance from each place to the next, mm2; (m,) each."""
