@@ -15,7 +15,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import LinAlgError, cho_factor, cho_solve, cho_solve_banded, cholesky_banded
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -314,6 +313,8 @@ class Bound:
 
     def solve(self, sizes: Sizes) -> Solved | None:
         """Posterior for given sizes; None where the numbers do not allow it."""
+        from scipy.linalg import LinAlgError, cho_factor, cho_solve, cho_solve_banded, cholesky_banded
+
         v = sizes.white**2
         band, log_prior = self.prior(sizes.form_length, sizes.memory)
         f, c = sizes.form, sizes.process
@@ -360,6 +361,8 @@ class Bound:
 
     def cell_variance(self, solved: Solved, cells: Ints) -> Floats:
         """Posterior variance at some cells of form, remembered noise and constants together, mm2; (m,)."""
+        from scipy.linalg import cho_solve_banded
+
         rows = self.layout.rows[cells]
         a = np.column_stack([solved.sizes.form * self.layout.weight[cells], np.full(len(cells), solved.sizes.process)])
         constant = self.layout.cells.columns[cells] - (a[:, :, None] * solved.answer[rows]).sum(axis=1)
@@ -382,6 +385,8 @@ class Bound:
 
     def variance(self, solved: Solved, stretch: Ints, s: Floats, column: Ints) -> tuple[Floats, Floats]:
         """Variance of `mean` at places, and its covariance from each place to the next, mm2; (m,) each."""
+        from scipy.linalg import cho_solve_banded
+
         rows, a = self.layout.read(stretch, s)
         f = solved.sizes.form
         unit = np.zeros((len(s), len(solved.constants) + 1))
