@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from millcorr.compensation import along
 from millcorr.deviation import Deviation
-from millcorr.filtering import Filter
 from millcorr.footpoint import FootPointSearch
 from millcorr.profile import Profile
+from millcorr.separation.filters import Filter
 from millcorr.toolpath import Toolpath
 
 from . import elastic

@@ -32,8 +32,6 @@ NAMES = (
     "outliers",
     "too-few-points",
     "unmeasured",
-    "overshoot",
-    "swarf",
     "earlier-program",
     "same-part",
     "first-part",

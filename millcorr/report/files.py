@@ -16,6 +16,7 @@ from millcorr import contour_check, step
 from millcorr.decimal_text import lines
 from millcorr.deviation import Deviation
 from millcorr.pipeline import Result
+from millcorr.separation import Filter
 from millcorr.whole_file import write_together
 
 from .page import page
@@ -146,7 +147,8 @@ def deviation_lines(result: Result) -> Iterator[bytes]:
         return out
 
     used = np.zeros(rows, dtype=np.int64)
-    used[d.index] = 1
+    leaves_out = Filter.parse(result.request.settings.filter).leaves_out
+    used[d.index] = ~result.outlier if leaves_out else 1
     contact = d.foot + d.value[:, None] * d.normal
     yield from lines(
         (
@@ -158,18 +160,20 @@ def deviation_lines(result: Result) -> Iterator[bytes]:
             measurement.levels(),
             *map(placed, (result.predicted, result.commanded)),
             measurement.lines,
-            _reasons(d, rows),
+            _reasons(result, rows),
             *map(placed, (*contact.T, contour_check.slope_angle(d.normal))),
             *([placed(elastic.transfer.ms)] if elastic is not None else []),
         )
     )
 
 
-def _reasons(deviation: Deviation, rows: int) -> NDArray[np.bytes_]:
-    """Why points were rejected, in quotes; empty for the others, (rows,)."""
+def _reasons(result: Result, rows: int) -> NDArray[np.bytes_]:
+    """Why points were rejected, in quotes, or are outliers; empty for the others, (rows,)."""
+    deviation = result.deviation
     texts = [_quoted(r.reason).encode() for r in deviation.rejected]
-    out = np.zeros(rows, dtype=f"S{max(map(len, texts), default=1)}")
+    out = np.zeros(rows, dtype=f"S{max(map(len, (*texts, b'outlier')))}")
     out[[r.index for r in deviation.rejected]] = texts
+    out[deviation.index[result.outlier]] = b"outlier"
     return out
 
 

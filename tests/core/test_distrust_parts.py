@@ -7,11 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from millcorr.filtering import Filter
 
 from millcorr import distrust, gcode, pipeline
 from millcorr.deviation import deviations
 from millcorr.errors import DistrustError, RefusedError
-from millcorr.filtering import Filter
 from millcorr.measurement import Measurement
 from millcorr.probe import axis_residue, contact_known
 from tests.core.loop_programs import measured
