@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from millcorr import contour_check, step
 from millcorr.decimal_text import lines
-from millcorr.deviation import Deviation
 from millcorr.pipeline import Result
 from millcorr.separation import Filter
 from millcorr.whole_file import write_together
