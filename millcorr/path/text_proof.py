@@ -65,8 +65,8 @@ class TextProof(ReadOnlyArrays):
         Comment lines added at the top.
     largest_shift : float
         Largest distance in the plane, in mm, between the place of a line with more than a place and a number on it
-        (a height, a feed, a code) before and after; 0 without any. The place is where its move starts, or ends
-        where that is nearer and an M code on it may act at the end.
+        (a height, a feed, a code) before and after; 0 without any. The place is where its move starts; where an M code
+        may act at its end, its moves may have come before it.
     """
 
     moves: PlainMoves
@@ -575,7 +575,7 @@ class _Prover:
     def _even_ramps(self) -> None:
         """Where a rising move has become several, each has risen by its share of the way."""
         m = self.new.moves
-        shift = self.largest_shift()[0]
+        shift = self.largest_shift()[0] if self.rising.any() else 0.0
         for first, last in _runs(self.rising):
             rows = np.arange(self.new.first[first], self.new.first[last + 1])
             radius = np.hypot(*(m.start[rows, :2] - m.centre[rows]).T)
@@ -595,20 +595,18 @@ class _Prover:
 
     def largest_shift(self) -> tuple[float, int]:
         """Largest way in the plane between the places of a line that acts before and after, and the line."""
-        lines = np.flatnonzero(self.acts)
-        old = self.source[lines]
-        # A line that became several is the first of them, or the last where its M code acts at the end.
-        late = self.late[lines]
-        ways = []
-        for place in (_Text.start, _Text.end):
-            a, b = (
-                np.array([place(text, int(i)) for i in rows]).reshape(-1, 3)
-                for text, rows in ((self.old, old), (self.new, lines))
-            )
-            ways.append(np.hypot(*(b - a)[:, :2].T))
-        shift = np.nan_to_num(np.where(late, np.fmin(*ways), ways[0]))
-        worst = int(np.argmax(shift)) if len(shift) else 0
-        return (float(shift[worst]), int(lines[worst])) if len(shift) else (0.0, 0)
+        largest, worst, previous = 0.0, 0, -1
+        for w in np.flatnonzero(self.acts).tolist():
+            i = int(self.source[w])
+            shift = _way(self.old.start(i), self.new.start(w))
+            if self.late[w]:
+                # Its moves may come before it: the first of them starts where it started, and it ends where it ended.
+                begins = min(_way(self.old.start(i), self.new.start(x)) for x in range(previous + 1, w + 1))
+                shift = min(shift, max(begins, _way(self.old.end(i), self.new.end(w))))
+            if shift > largest:
+                largest, worst = shift, w
+            previous = w
+        return largest, worst
 
     # -- refusals ------------------------------------------------------------------------------------------
 
@@ -645,6 +643,12 @@ class _Prover:
 def _ahead(c: _Content, wanted: _Content) -> bool:
     """Whether a feed may be stated before its line: the M code of that line acts when all of its moves are done."""
     return _number(c.feed) == _number(wanted.feed) and wanted.late
+
+
+def _way(a: Floats, b: Floats) -> float:
+    """Distance in the plane, 0 where a place is not known."""
+    way = math.hypot(b[0] - a[0], b[1] - a[1])
+    return 0.0 if math.isnan(way) else way
 
 
 def _between(start: float, reached: float, target: float) -> bool:

@@ -105,6 +105,14 @@ def test_moves_come_before_what_acts_at_their_end() -> None:
         proven("G0 X0 Y0 Z0|G1 X5 Y.1 F50|X10 Y0 F60 M9|X20", before, [1])
 
 
+def test_what_acts_at_the_end_of_a_move_stays_with_it() -> None:
+    before = "G0 X0 Y0 Z0|G1 X5 F60|X10|Y10 M9|X20"
+    early = "G0 X0 Y0 Z0|G1 X5 F60|X10 Y10 M9|X10 Y0|X20 Y10"
+    assert proven(early, before, [1, 2, 3, 4]).largest_shift == 5
+    divided = "G0 X0 Y0 Z0|G1 X5 F60|X10|Y5|Y10.01 M9|X20"
+    assert proven(divided, before, [1, 2, 3, 4]).largest_shift < 0.011
+
+
 def test_header() -> None:
     before = "%|O1 (PART)|(DRAWING 7)|G0 X0"
     after = "%|O1 (PART)|(MILLCORR 1 GAIN)|(1.5)|(DRAWING 7)|G0 X0"
