@@ -44,8 +44,8 @@ SMOOTH = 0.2
 2 mm turn by so much."""
 
 ALIGNED, ABOUT = 0.3, 1e-3
-"""A place of the path makes a surface where its own normal and the way to the contour differ by less, in rad: at facets,
-and at a corner. Past a convex corner the cutter touches nothing."""
+"""A place of the path makes a surface where its own normal and the way to the contour differ by less, in rad: at
+facets, and at a corner. Past a convex corner the cutter touches nothing."""
 
 STILL = 1e-6
 """What would be displaced by no more than this, in mm, stays as it is."""

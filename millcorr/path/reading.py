@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.read_only import ReadOnlyArrays
-from millcorr.toolpath import Bools, Floats, Ints, Kind
+from millcorr.toolpath import Bools, Floats, Ints, Kind, Plane, Toolpath
 
 Bytes = NDArray[np.uint8]
 
@@ -95,6 +95,13 @@ class PlainMoves(ReadOnlyArrays):
 
     def __len__(self) -> int:
         return len(self.kind)
+
+    def toolpath(self) -> Toolpath:
+        """The same moves as a `Toolpath`; arcs out of the XY plane, whose centre nothing asks for, have none."""
+        flat = (self.plane == Plane.XY) & (self.kind == Kind.ARC)
+        centre = np.where(flat[:, None], np.column_stack([self.centre, self.start[:, 2]]), np.nan)
+        arrays = {name: getattr(self, name).copy() for name in Toolpath.__slots__ if name not in ("centre", "source")}
+        return Toolpath(**arrays, centre=centre, source=self.line.copy())
 
 
 @dataclass(frozen=True, eq=False, slots=True)
