@@ -380,10 +380,14 @@ def correct(request: Request, *, check: bool = False) -> Result:
             offset = np.zeros(len(deviation)) if cut_by_another else commanded_offset(commanded, deviation)
             machine = deviation.value - offset
             findings = distrust.examine_deviations(
-                deviation, machine, nominal, heights if part.has_z else None, distrust.resolution(read), depth
+                deviation,
+                nominal,
+                request.radius,
+                ball_radius=moved.ball_radius - allowance,
+                heights=heights if part.has_z else None,
+                step=distrust.resolution(read),
+                depth=depth,
             )
-            if settings.method != "combined":
-                findings += distrust.examine_sampling(deviation, nominal, filter_)
             if carried and not cut_by_another:
                 findings += distrust.examine_program(deviation, offset, provenance.gain(program.comments()))
             if len(surfaces) > 1:

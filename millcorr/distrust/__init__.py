@@ -6,7 +6,7 @@ who knows better accepts it by name, and the report records it.
 """
 
 from .coverage import examine_coverage
-from .deviations import CutHeights, examine_deviations, examine_sampling
+from .deviations import CutHeights, examine_deviations
 from .file import examine_file, resolution
 from .filter import examine_determined
 from .findings import NAMES, Finding, named, refuse_dangerous
@@ -25,7 +25,6 @@ __all__ = [
     "examine_parts",
     "examine_points",
     "examine_program",
-    "examine_sampling",
     "named",
     "refuse_dangerous",
     "resolution",
