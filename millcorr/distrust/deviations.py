@@ -221,9 +221,9 @@ def _ordered(deviation: Deviation) -> Ints:
 def _form(value: Floats) -> tuple[Floats, float]:
     """Values in order without single points, mm, and their height.
 
-    The running median of a hundredth of the points, of 5 at least: shorter lumps are outliers, longer ones form.
+    The running median of a hundredth of the points, of 3 at least: shorter lumps are outliers, longer ones form.
     """
-    size = max(5, len(value) // 100 | 1)
+    size = max(3, len(value) // 100 | 1)
     middle: Floats = median_filter(value, size=min(size, len(value)), mode="nearest")
     return middle, float(np.ptp(middle))
 
