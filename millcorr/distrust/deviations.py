@@ -148,9 +148,12 @@ def examine_deviations(
         return (identical,)
     found = _rejected(deviation)
     found += [] if heights is None else _heights(deviation, heights)
-    moved = _moved_or_scaled(deviation, profile, depth)
-    stepped = _step(deviation, profile)
-    return (*found, *moved, *stepped, *_mean(deviation, profile, cutter_radius, ball_radius, depth))
+    misaligned, scaled = _moved_or_scaled(deviation, profile, depth)
+    stepped, sides = _step(deviation, profile)
+    # On few sides one is a special case of the other: the simplest is named, of what stops first.
+    stops = misaligned if misaligned is not None and misaligned.dangerous else None
+    found += [f for f in (stops, stepped if sides == 1 else None, scaled, misaligned, stepped) if f is not None][:1]
+    return (*found, *_mean(deviation, profile, cutter_radius, ball_radius, depth))
 
 
 def _rejected(deviation: Deviation) -> list[Finding]:
@@ -258,15 +261,16 @@ def _mean(
     return [Finding("constant-offset", text, False)]
 
 
-def _step(deviation: Deviation, profile: Profile) -> list[Finding]:
+def _step(deviation: Deviation, profile: Profile) -> tuple[Finding | None, int]:
     """Straight sides that lie off by a constant which the other sides do not have: another revision of the drawing.
 
     The sides fall into two groups with a gap between their medians that is wider than all that varies within either
-    group and on any side. What a machine leaves varies along a side, and from side to side in between.
+    group and on any side. What a machine leaves varies along a side, and from side to side in between. With the
+    finding, how many sides lie off.
     """
     sides = _sides(deviation, profile)
     if len(sides) < 2:
-        return []
+        return None, 0
     # Outliers are few on each side, and its ends may lie on a fillet of another revision.
     low, median, high = np.array([np.percentile(deviation.value[rows], [10.0, 50.0, 90.0]) for rows in sides]).T
     rank = np.argsort(median)
@@ -275,7 +279,7 @@ def _step(deviation: Deviation, profile: Profile) -> list[Finding]:
     groups = rank[: widest + 1], rank[widest + 1 :]
     varies = max(float((high - low).max()), *(float(np.ptp(median[group])) for group in groups))
     if gaps[widest] < max(STEP, STEP_OVER_FORM * varies):
-        return []
+        return None, 0
     # The sides that lie off are those farther from the nominal.
     off = max(groups, key=lambda group: abs(float(median[group].mean())))
     others = groups[1] if off is groups[0] else groups[0]
@@ -287,7 +291,7 @@ def _step(deviation: Deviation, profile: Profile) -> list[Finding]:
         "compare that dimension with the drawing; another revision, or a wall that gives way"
     )
     # Nothing that gives way cuts deeper than it is told to on one side and rightly on the others.
-    return [Finding("step", text, step < -NO_MACHINE and float(median[off].max()) < -NO_MACHINE)]
+    return Finding("step", text, step < -NO_MACHINE and float(median[off].max()) < -NO_MACHINE), len(off)
 
 
 def _sides(deviation: Deviation, profile: Profile) -> list[Ints]:
@@ -303,14 +307,14 @@ def _sides(deviation: Deviation, profile: Profile) -> list[Ints]:
     return [order[run] for run in runs if len(run) >= 5 and straight[run[0]] and np.ptp(s[run]) > 0.05 * whole[run[0]]]
 
 
-def _moved_or_scaled(deviation: Deviation, profile: Profile, depth: float) -> list[Finding]:
+def _moved_or_scaled(deviation: Deviation, profile: Profile, depth: float) -> tuple[Finding | None, Finding | None]:
     """A shift and turn, or a change of size, that by itself explains most of the deviations.
 
     No word where a stated depth leaves that much: walls of different stiffness look like either.
     """
     low, high = np.percentile(deviation.value, [2, 98])
     if len(deviation) < 10 or elastic.expected(low, high, depth):
-        return []
+        return None, None
     n = deviation.normal
     left, bottom, right, top = profile.bounding_box()
     middle = np.array([(left + right) / 2, (bottom + top) / 2])
@@ -318,7 +322,7 @@ def _moved_or_scaled(deviation: Deviation, profile: Profile, depth: float) -> li
     arm = (deviation.foot - middle) / size
     turn = arm[:, 0] * n[:, 1] - arm[:, 1] * n[:, 0]
     clipped = np.clip(deviation.value, low, high)
-    found = []
+    misaligned = grown = None
     fitted, explained, moved = _explained(clipped, np.column_stack([n, turn]))
     if explained >= EXPLAINED and moved >= NOTICEABLE:
         dx, dy, turned = fitted
@@ -327,7 +331,7 @@ def _moved_or_scaled(deviation: Deviation, profile: Profile, depth: float) -> li
             f"a turn of {np.degrees(turned / size) * 3600:+.0f} arc seconds would give: check the alignment of the "
             "measurement (--align), or correct the work offset"
         )
-        found.append(Finding("misalignment", text, moved > MISALIGNED))
+        misaligned = Finding("misalignment", text, moved > MISALIGNED)
     growth = (arm * n).sum(axis=1)
     fitted, scaled, _ = _explained(clipped, np.column_stack([n, turn, growth]))
     moved = float(np.abs(fitted[3] * growth).max())
@@ -339,8 +343,8 @@ def _moved_or_scaled(deviation: Deviation, profile: Profile, depth: float) -> li
             f"give ({moved * 1000:.0f} um at the rim; steel makes 11.5 um per metre and degree): check temperature, "
             "unit and scale of the measurement; no scale is ever applied"
         )
-        found.append(Finding("scale", text, moved > MISALIGNED))
-    return found
+        grown = Finding("scale", text, moved > MISALIGNED)
+    return misaligned, grown
 
 
 def _explained(value: Floats, design: Floats) -> tuple[Floats, float, float]:
