@@ -571,6 +571,8 @@ def test_every_name_is_tested() -> None:
         "overshoot",
         "swarf",
         "unmeasured",
+        "outliers",
+        "many-levels",
         "step",
         "earlier-program",
         "same-part",
