@@ -1,29 +1,36 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the program itself commands: its side, the contour it cuts, and how far that is off the nominal.
+"""What the program itself commands: its side, the contour it cuts, and the surface that all its passes leave.
 
 A measured deviation is the sum of the program's own offset from the nominal, known exactly, and of what the
-machine added. Only the second is filtered; the first may be a correction in force or a CAM system's error.
+machine added. Only the second is separated; the first may be a correction in force or a CAM system's error.
+
+A program is passes. At a height the surface is what all passes that reach it leave together, the union of the
+cutter's discs. So the pass that made a place is the one whose distance less its radius is the smallest, and no offset
+curve is needed to know where the surface is.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .comparison.path_distance import PathDistance
 from .deviation import REACH, Deviation
 from .errors import InputError, LimitError
 from .footpoint import FootPointSearch, Place
 from .measurement import Measurement
-from .profile import Contour, Profile
+from .profile import Profile
+from .read_only import ReadOnlyArrays
 from .reconstruction import CompensatedContour
 from .regeneration import BAND
 from .regeneration.carried import carried_correction
 from .regeneration.path_following import follow
-from .theoretical_contour import SAME_POINT, CutContour, cut_at_vertices, cut_contours, cutting_runs, path_profile
-from .toolpath import Compensation, Kind, Toolpath
+from .theoretical_contour import SAME_POINT, CutContour, cut_at_vertices, cut_contours, cutting_runs
+from .toolpath import Compensation, Kind, Plane, Toolpath
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -31,6 +38,128 @@ Bools = NDArray[np.bool_]
 
 EXACT = 1e-6
 """A program off by less than this everywhere, in mm, commands the nominal."""
+
+ALONG = 2.0
+"""Moves nearer to a path than so many times the program's rounding run on it: of two rounded points each is off by once
+as much at most."""
+
+COVERS = 0.5
+"""A pass that runs on less of a path than this share does not cut it again: it leads onto it."""
+
+FEW = 0.02
+"""A contour that made a smaller share of the points is not the one that was measured: that many may be outliers."""
+
+SAMPLE = 2000
+"""So many points, evenly taken, tell which contours were measured."""
+
+ROUNDS = 60
+"""Steps of the search for the surface; each is as long as the surface is far, so that five are usual."""
+
+
+def boxes(toolpath: Toolpath) -> Floats:
+    """Left, bottom, right, top of every move in mm, no arc reaching out; (n, 4)."""
+    a, b = toolpath.start[:, :2], toolpath.end[:, :2]
+    low, high = np.minimum(a, b), np.maximum(a, b)
+    bent = np.flatnonzero(toolpath.kind == Kind.ARC)
+    centre = toolpath.centre[bent, :2]
+    r = np.hypot(*(a[bent] - centre).T)[:, None]
+    flat = toolpath.plane[bent] == Plane.XY
+    low[bent[flat]] = np.fmin(low[bent], centre - r)[flat]
+    high[bent[flat]] = np.fmax(high[bent], centre + r)[flat]
+    curved = np.flatnonzero(toolpath.kind == Kind.CUBIC)
+    inner = toolpath.control[curved].reshape(-1, 2, 2)
+    low[curved] = np.minimum(low[curved], inner.min(axis=1))
+    high[curved] = np.maximum(high[curved], inner.max(axis=1))
+    return np.hstack([low, high])
+
+
+def rows_near(toolpath: Toolpath, points: Floats, reach: float) -> Bools:
+    """Moves that come nearer than `reach` mm to the bounding box of points; (n,)."""
+    box = boxes(toolpath)
+    low, high = points.min(axis=0) - reach, points.max(axis=0) + reach
+    out: Bools = (box[:, :2] <= high).all(axis=1) & (box[:, 2:] >= low).all(axis=1)
+    return out
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class CommandedSurface(ReadOnlyArrays):
+    """The surface that all passes of a program leave together, on an ideal machine.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    radius : (n,) float64
+        Radius of the cutter of every move, mm; NaN where it is not known: such moves leave no surface here. 0 where
+        the program states the contour itself (G41, G42).
+    """
+
+    toolpath: Toolpath
+    radius: Floats
+
+    def only(self, rows: Bools) -> CommandedSurface:
+        """What some of the moves leave by themselves."""
+        return CommandedSurface(self.toolpath, np.where(rows, self.radius, np.nan))
+
+    def offset(self, foot: Floats, normal: Floats, z: Floats | None = None, *, reach: float = REACH) -> Floats:
+        """How far the surface lies from places along their normals.
+
+        Parameters
+        ----------
+        foot, normal : (n, 2) float64
+            Places in mm, and unit normals out of the material.
+        z : (n,) float64, optional
+            Heights in mm: only passes that go so low make the surface there. None: all passes do.
+        reach : float
+            Moves farther than this, in mm, and the radius from all places are not looked at.
+
+        Returns
+        -------
+        (n,) float64
+            mm; positive where material is left. NaN where no pass comes near.
+        """
+        if not len(foot):
+            return np.zeros(0)
+        cuts = (self.toolpath.kind != Kind.RAPID) & np.isfinite(self.radius)
+        largest = float(np.nanmax(self.radius, initial=0.0))
+        rows = np.flatnonzero(cuts & rows_near(self.toolpath, foot, 2 * largest + 2 * reach))
+        lowest = np.nan_to_num(
+            np.fmax(self.toolpath.start[rows, 2], self.toolpath.end[rows, 2]), nan=-np.inf
+        )  # A height that the program has not stated is below everything.
+        heights = np.unique(lowest)
+        at = len(heights) if z is None else np.searchsorted(heights, z + 1e-6, side="right")
+        # A point below all that is cut belongs to the deepest pass; what it means is not for this place to say.
+        at = np.where(np.broadcast_to(at, len(foot)) == 0, len(heights), at)
+        out = np.full(len(foot), np.nan)
+        for number in np.unique(at):
+            mine = np.flatnonzero(at == number)
+            deep = rows[lowest <= heights[number - 1]] if len(heights) else rows
+            out[mine] = self._found(deep, foot[mine], normal[mine], reach)
+        lost = np.flatnonzero(np.isnan(out) & (at < len(heights)))
+        if len(lost):
+            # Nothing near goes so low: what made the place cannot be told by its height.
+            out[lost] = self._found(rows, foot[lost], normal[lost], reach)
+        return out
+
+    def _found(self, rows: Ints, foot: Floats, normal: Floats, reach: float) -> Floats:
+        parts = [(float(r), PathDistance(self.toolpath, rows[self.radius[rows] == r])) for r in np.unique(self.radius[rows])]
+        t = np.zeros(len(foot))
+        active = np.arange(len(foot))
+        for _ in range(ROUNDS):
+            place = foot[active] + t[active, None] * normal[active]
+            step = np.full(len(active), np.inf)
+            for radius, path in parts:
+                distance, row, u = path.nearest(place)
+                if radius == 0:
+                    # The path is the contour: a place beyond it is in the air.
+                    distance = ((self.toolpath.place(row, u) - place) * normal[active]).sum(axis=1)
+                step = np.minimum(step, distance - radius)
+            # The distance changes by no more than the place does, so the surface is never jumped over.
+            t[active] += step
+            done = (np.abs(step) < 1e-10) | (np.abs(t[active]) > reach)
+            active = active[~done]
+            if not len(active):
+                break
+        return np.where(np.abs(t) <= reach, t, np.nan)
 
 
 def choose_side(
@@ -70,32 +199,30 @@ def choose_side(
         raise InputError("the program uses both G41 and G42: say --side left or --side right")
     if measurement is None:
         return False
-    profiles = _paths(toolpath, usable)
-    if not profiles:
+    runs = cutting_runs(toolpath)
+    if not runs:
         raise InputError("the program has no feed move in the XY plane that could follow a contour")
-    feet = FootPointSearch(Profile.from_contours(profiles)).find(measurement.points[:, :2])
+    every = np.concatenate(runs)
+    points = measurement.points[:: max(1, len(measurement) // SAMPLE), :2]
+    rows = every[(usable & rows_near(toolpath, points, radius + 3 * REACH))[every]]
+    rows = rows if len(rows) else every[usable[every]]
+    distance, row, u = PathDistance(toolpath, rows).nearest(points)
     expected = path_radius - measurement.ball_radius
-    near = np.abs(np.abs(feet.distance) - abs(expected)) < REACH
+    near = np.abs(distance - abs(expected)) < REACH
     if near.sum() < 0.5 * len(near) or abs(expected) < 2 * REACH:
-        near = np.abs(feet.distance) < radius + 2 * REACH
-    right = int((feet.distance[near] > 0).sum())
+        near = distance < radius + 2 * REACH
+    h = 1e-4
+    ahead = toolpath.place(row, np.minimum(u + h, 1.0)) - toolpath.place(row, np.maximum(u - h, 0.0))
+    away = points - toolpath.place(row, u)
+    right = int((ahead[:, 0] * away[:, 1] - ahead[:, 1] * away[:, 0] < 0)[near].sum())
     count = int(near.sum())
     if count == 0 or max(right, count - right) < 0.9 * count:
         raise InputError(
             f"{measurement.source}: the points lie on both sides of the path or far from it ({right} right and "
-            f"{count - right} left of {len(feet.distance)}): say --side left or --side right, and check "
+            f"{count - right} left of {len(distance)}): say --side left or --side right, and check "
             "--tool-diameter, the unit and the work frame"
         )
     return 2 * right > count
-
-
-def _paths(toolpath: Toolpath, usable: Bools) -> list[Contour]:
-    out: list[Contour] = []
-    for run in cutting_runs(toolpath):
-        for part in np.split(run, np.flatnonzero(np.diff(usable[run].astype(int))) + 1):
-            if usable[part[0]]:
-                out += path_profile(toolpath, part, False).contours
-    return out
 
 
 def nominal_of(
@@ -106,8 +233,10 @@ def nominal_of(
     measurement: Measurement | None,
     name: str,
     doubt: Callable[[Profile], None] | None = None,
-) -> tuple[Profile, int]:
-    """The nominal profile that a program shows: the contours it cuts near the measured points.
+    *,
+    resolution: float = 0.0,
+) -> tuple[Profile, int, list[CutContour]]:
+    """The nominal profile that a program shows: the contours that made the measured points.
 
     Where none is near, `doubt` is asked first, with all contours: it may know why, and refuse with that.
 
@@ -116,69 +245,108 @@ def nominal_of(
     Profile
     others : int
         How many contours it cuts beside them.
+    cut : list of CutContour
+        What cuts each contour of the profile.
 
     Raises
     ------
     InputError
         If no contour of the program is near the measured points.
     """
-    found: list[CutContour] = []
-    trouble: list[str] = []
-    try:
-        found = list(cut_contours(toolpath, path_radius, material_right, usable))
-    except InputError:
-        # What is wrong with one run of moves is no reason to give up the others.
-        for run in cutting_runs(toolpath):
-            only = np.zeros(len(toolpath), dtype=bool)
-            only[run] = usable[run]
-            try:
-                found += list(cut_contours(toolpath, path_radius, material_right, only))
-            except InputError as error:
-                trouble.append(str(error))
-    contours = _different([c.contour for c in found])
-    if not contours:
+    found, trouble, others = _contours_near(toolpath, usable, path_radius, material_right, measurement, resolution)
+    if not found and measurement is not None:
+        # Points far from everything: whatever the program cuts tells what may be wrong with them.
+        found, trouble, others = _contours_near(toolpath, usable, path_radius, material_right, None, resolution)
+    if not found:
         raise InputError(f"{name}: {trouble[0] if trouble else 'the program cuts no contour in the XY plane'}")
     if measurement is None:
-        return Profile.from_contours(contours), 0
-    near = _measured(contours, measurement)
-    if not near:
+        return Profile.from_contours([c.contour for c in found]), 0, found
+    made = _making(toolpath, found, measurement)
+    if not made:
+        everything = Profile.from_contours([c.contour for c in found])
         if doubt is not None:
-            doubt(Profile.from_contours(contours))
-        feet = FootPointSearch(Profile.from_contours(contours)).find(measurement.points[:, :2])
+            doubt(everything)
+        feet = FootPointSearch(everything).find(measurement.points[:, :2])
         typical = float(np.median(np.abs(feet.distance - measurement.ball_radius)))
         raise InputError(
             f"{measurement.source}: the points lie typically {typical:.3f} mm off the nearest contour that {name} "
             "cuts: check --tool-diameter, --side, --points, --units, and the work frame"
         )
-    return Profile.from_contours(near), len(contours) - len(near)
+    return Profile.from_contours([c.contour for c in made]), others + len(found) - len(made), made
 
 
-def _different(contours: list[Contour]) -> list[Contour]:
-    """Contours without repetitions: passes at several depths cut the same one."""
-    kept: list[tuple[Profile, FootPointSearch]] = []
-    for contour in contours:
-        profile = Profile.from_contours([contour])
+def _contours_near(
+    toolpath: Toolpath,
+    usable: Bools,
+    path_radius: float,
+    material_right: bool,
+    measurement: Measurement | None,
+    resolution: float,
+) -> tuple[list[CutContour], list[str], int]:
+    """Different contours near the points; what was wrong with others; and how many are far away."""
+    found: list[CutContour] = []
+    trouble: list[str] = []
+    far: set[tuple[float, ...]] = set()
+    near = np.ones(len(toolpath), dtype=bool)
+    if measurement is not None:
+        near = rows_near(toolpath, measurement.points[:, :2], path_radius + measurement.ball_radius + 2 * REACH)
+    runs = cutting_runs(toolpath)
+    chosen = np.zeros(len(toolpath), dtype=bool)
+    for run in runs:
+        if near[run].any() and usable[run].any():
+            chosen[run] = usable[run]
+        elif usable[run].any():
+            ends = np.vstack([toolpath.start[run, :2], toolpath.end[run, :2]])
+            far.add(tuple(np.round(np.concatenate([ends.min(axis=0), ends.max(axis=0)]), 3).tolist()))
+    try:
+        found = list(cut_contours(toolpath, path_radius, material_right, chosen, resolution=resolution))
+    except InputError:
+        # What is wrong with one run of moves is no reason to give up the others.
+        found = []
+        for run in runs:
+            if not chosen[run].any():
+                continue
+            only = np.zeros(len(toolpath), dtype=bool)
+            only[run] = chosen[run]
+            try:
+                found += list(cut_contours(toolpath, path_radius, material_right, only, resolution=resolution))
+            except InputError as error:
+                trouble.append(str(error))
+    return _different(found), trouble, len(far)
+
+
+def _different(cut: list[CutContour]) -> list[CutContour]:
+    """Contours without repetitions: passes at several depths cut the same one. The lowest of them stands for all."""
+    kept: list[tuple[CutContour, Profile, Callable[[], FootPointSearch]]] = []
+    for one in cut:
+        profile = Profile.from_contours([one.contour])
         probe, _ = profile.at(0, np.linspace(0.0, float(profile.total[0]), 17))
-        for other, search in kept:
+        for _, other, search in kept:
             if abs(float(other.total[0] - profile.total[0])) < 0.01:
-                feet = search.find(probe)
-                if np.abs(feet.distance).max() < 1e-3:
+                box, there = np.array(profile.bounding_box()), np.array(other.bounding_box())
+                if np.abs(box - there).max() < 0.01 and np.abs(search().find(probe).distance).max() < 1e-3:
                     break
         else:
-            kept.append((profile, FootPointSearch(profile)))
-    return [p.contours[0] for p, _ in kept]
+            kept.append((one, profile, cache(lambda p=profile: FootPointSearch(p))))
+    return [one for one, _, _ in kept]
 
 
-def _measured(contours: list[Contour], measurement: Measurement) -> list[Contour]:
-    """Contours that points belong to: nearest within reach."""
-    profile = Profile.from_contours(contours)
-    feet = FootPointSearch(profile).find(measurement.points[:, :2])
-    near = np.abs(feet.distance - measurement.ball_radius) < REACH
-    owner = profile.contour[feet.span[near]]
-    if not len(owner):
-        return []
-    count = np.bincount(owner, minlength=len(contours))
-    return [c for c, n in zip(contours, count, strict=True) if n > 0.02 * len(owner)]
+def _making(toolpath: Toolpath, cut: list[CutContour], measurement: Measurement) -> list[CutContour]:
+    """Contours that made points: of those near a point the one that goes deepest into the material there."""
+    rows = np.arange(0, len(measurement), max(1, len(measurement) // SAMPLE))
+    points, z = measurement.points[rows, :2], measurement.points[rows, 2]
+    best, owner = np.full(len(rows), -np.inf), np.full(len(rows), -1)
+    for k, one in enumerate(cut):
+        feet = FootPointSearch(Profile.from_contours([one.contour])).find(points)
+        over = feet.distance - measurement.ball_radius
+        here = (np.abs(over) < REACH) & (feet.place != Place.END)
+        deepest = float(np.nan_to_num(toolpath.end[one.rows, 2], nan=-np.inf).min())
+        if measurement.has_z and (z[here] >= deepest - 1e-6).any():
+            here &= z >= deepest - 1e-6
+        better = here & (over > best)
+        best[better], owner[better] = over[better], k
+    count = np.bincount(owner[owner >= 0], minlength=len(cut))
+    return [one for one, n in zip(cut, count, strict=True) if n > FEW * max(1, int((owner >= 0).sum()))]
 
 
 def cut_onto_the_contour(toolpath: Toolpath, following: Bools) -> tuple[Toolpath, Ints]:
@@ -197,15 +365,20 @@ def cut_onto_the_contour(toolpath: Toolpath, following: Bools) -> tuple[Toolpath
     row : (m,) int64
         The move that each of its moves comes from.
     """
+    ends = np.vstack([toolpath.start[following, :2], toolpath.end[following, :2]])
+    return _cut_at(toolpath, ~following, ends)
+
+
+def _cut_at(toolpath: Toolpath, rows: Bools, vertices: Floats) -> tuple[Toolpath, Ints]:
+    """Some of the feed moves cut where vertices lie on them."""
     feeds = np.zeros(len(toolpath), dtype=bool)
     for run in cutting_runs(toolpath):
         feeds[run] = True
-    leads, rest = np.flatnonzero(feeds & ~following), np.flatnonzero(~feeds | following)
-    ends = np.vstack([toolpath.start[following, :2], toolpath.end[following, :2]])
-    parts, part_of = cut_at_vertices(toolpath.take(leads), ends)
-    if len(parts) == len(leads):
+    cut, rest = np.flatnonzero(feeds & rows), np.flatnonzero(~feeds | ~rows)
+    parts, part_of = cut_at_vertices(toolpath.take(cut), vertices)
+    if len(parts) == len(cut):
         return toolpath, np.arange(len(toolpath))
-    row = np.concatenate([rest, leads[part_of]])
+    row = np.concatenate([rest, cut[part_of]])
     order = np.argsort(row, kind="stable")
     return Toolpath.concatenate([toolpath.take(rest), parts]).take(order), row[order]
 
@@ -215,24 +388,86 @@ def beside_the_path(toolpath: Toolpath, following: Bools) -> Bools:
 
     A retraction to an unknown height (G28 Z0) goes along without being rewritten.
     """
-    travel = np.nan_to_num(toolpath.end[:, :2] - toolpath.start[:, :2], nan=1.0)
-    jump = toolpath.kind == int(Kind.RAPID)
-    rapid = jump & (np.abs(travel).max(axis=1) > 0)
-    section = np.cumsum(rapid)
-    out: Bools = np.isin(section, section[following]) & ~rapid & ~(jump & np.isnan(toolpath.end[:, 2]))
+    section = _sections(toolpath)
+    rapid = np.diff(section, prepend=0) > 0
+    unknown = (toolpath.kind == int(Kind.RAPID)) & np.isnan(toolpath.end[:, 2])
+    out: Bools = np.isin(section, section[following]) & ~rapid & ~unknown
     return out
+
+
+def on_the_path(
+    toolpath: Toolpath, usable: Bools, cut: list[CutContour], resolution: float
+) -> tuple[Toolpath, Ints, Bools]:
+    """Moves that run on the path of contours: the passes that cut them, at every depth, and spring passes.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    usable : (n,) bool
+        Moves that may be corrected.
+    cut : list of CutContour
+    resolution : float
+        What the program's coordinates are rounded to, mm.
+
+    Returns
+    -------
+    toolpath : Toolpath
+        Moves that run onto the contour and along it in one, cut where it begins.
+    row : (m,) int64
+        The move that each of them comes from.
+    following : (m,) bool
+    """
+    band = max(ALONG * resolution, SAME_POINT)
+    vertices = np.vstack([np.vstack([one.path.start[:, :2], one.path.end[:, :2]]) for one in cut])
+    distances = [PathDistance(one.path, np.arange(len(one.path))) for one in cut]
+    same = np.zeros(len(toolpath), dtype=bool)
+    for tool, compensation in np.unique(
+        np.concatenate([np.stack([one.path.tool, one.path.compensation], axis=1) for one in cut]), axis=0
+    ):
+        same |= (toolpath.tool == tool) & (toolpath.compensation == compensation)
+    candidates = same & usable & rows_near(toolpath, vertices, band)
+
+    def along(toolpath: Toolpath, candidates: Bools) -> tuple[Bools, Bools]:
+        runs = cutting_runs(toolpath)
+        rows = np.concatenate(runs) if runs else np.zeros(0, dtype=np.int64)
+        rows = rows[candidates[rows]]
+        moves = toolpath.take(rows)
+        samples = moves.position(np.linspace(0.0, 1.0, 9))[:, :, :2].reshape(-1, 2)
+        section, length = _sections(toolpath)[rows], np.nan_to_num(moves.length())
+        whole, partly = np.zeros(len(toolpath), dtype=bool), np.zeros(len(toolpath), dtype=bool)
+        for one, distance in zip(cut, distances, strict=True):
+            on = (distance(samples) <= band).reshape(-1, 9)
+            complete = on.all(axis=1)
+            # What only meets the path, as the lead of another pass does, covers little of it.
+            covered = np.bincount(section[complete], length[complete], minlength=int(section.max(initial=0)) + 1)
+            covers = covered[section] > COVERS * float(np.nansum(one.path.length()))
+            whole[rows] |= complete & covers
+            partly[rows] |= on[:, 1:-1].any(axis=1) & ~complete & covers
+        return whole, partly & ~whole
+
+    whole, partly = along(toolpath, candidates)
+    row = np.arange(len(toolpath))
+    if partly.any():
+        cut_path, cut_row = _cut_at(toolpath, partly, vertices)
+        if len(cut_path) > len(toolpath):
+            toolpath, row = cut_path, cut_row
+            whole, _ = along(toolpath, candidates[row])
+    return toolpath, row, whole
+
+
+def _sections(toolpath: Toolpath) -> Ints:
+    """Number of each move's section; a rapid in the plane begins a new one; (n,)."""
+    travel = np.nan_to_num(toolpath.end[:, :2] - toolpath.start[:, :2], nan=1.0)
+    jump: Ints = ((toolpath.kind == int(Kind.RAPID)) & (np.abs(travel).max(axis=1) > 0)).astype(np.int64)
+    return np.cumsum(jump)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Commanded:
-    """The program's own following path.
+    """The program's own following path, where the nominal was given apart from it.
 
     Parameters
     ----------
-    path : Profile
-        The cutter's path, run with the material on the left.
-    radius : float
-        Distance from path to contour, mm.
     following : (n,) bool
         Moves that follow the nominal.
     error : float
@@ -241,8 +476,6 @@ class Commanded:
         Contour that they follow within `BAND`: the nominal, with the correction that the program carries.
     """
 
-    path: Profile
-    radius: float
     following: Bools
     error: float
     expected: CompensatedContour
@@ -280,25 +513,24 @@ class Commanded:
                 f"no move of the program follows the profile at {radius:g} mm: the nearest runs "
                 f"{parts.distance:.3f} mm off; check --tool-diameter, --side, stock to leave and the work frame"
             )
-        contours: list[Contour] = []
-        for number in np.unique(parts.chain):
-            mine = np.flatnonzero(parts.chain == number)
-            rows = np.unique(parts.row[mine])
-            backward = bool(parts.way[mine].sum() < 0)
-            contours += path_profile(toolpath, rows, backward).contours
         following = np.zeros(len(toolpath), dtype=bool)
         following[parts.row] = True
-        path = Profile.from_contours(_different(contours))
-        return Commanded(path, radius, following, float(np.nanmax(parts.error)), expected)
+        return Commanded(following, float(np.nanmax(parts.error)), expected)
 
 
-def commanded_offset(commanded: Commanded, deviation: Deviation) -> Floats:
-    """Offset in mm, along the normal, of the contour the program commands from the nominal at measured points.
+def commanded_offset(
+    surface: CommandedSurface, deviation: Deviation, has_z: bool = False, expected: CompensatedContour | None = None
+) -> Floats:
+    """Offset in mm, along the normal, of the surface the program commands from the nominal at measured points.
 
     Parameters
     ----------
-    commanded : Commanded
+    surface : CommandedSurface
     deviation : Deviation
+    has_z : bool
+        Whether the points' heights tell which passes made them.
+    expected : CompensatedContour, optional
+        Contour that the program follows within `BAND`; by default any within `REACH` of the nominal will do.
 
     Returns
     -------
@@ -310,26 +542,16 @@ def commanded_offset(commanded: Commanded, deviation: Deviation) -> Floats:
     InputError
         If points were measured where the program does not cut the profile.
     """
-    if not len(deviation):
-        return np.zeros(0)
-    # The cutter leaves what is a radius away from its path: the envelope, not the path shifted by a radius.
-    search = FootPointSearch(commanded.path, margin=commanded.radius + 1.0)
-    expected = commanded.expected.correction.at(deviation.stretch, deviation.s, commanded.expected.profile)
-    out = expected.copy()
-    for _ in range(12):
-        feet = search.find(deviation.foot + out[:, None] * deviation.normal)
-        step = -feet.distance - commanded.radius
-        if commanded.radius == 0:
-            # Beyond a corner that a correction moved back nothing is commanded any more: the side's value holds on.
-            step[feet.place == Place.JOINT] = 0.0
-        out += np.clip(step, -BAND, BAND)
-        if np.abs(step).max() < 1e-10:
-            break
-    if np.abs(out - expected).max() > 2 * BAND + SAME_POINT:
-        worst = int(np.argmax(np.abs(out - expected)))
-        x, y = deviation.foot[worst]
+    out = surface.offset(deviation.foot, deviation.normal, deviation.z if has_z else None)
+    wide = np.isnan(out)
+    if expected is not None:
+        there = expected.correction.at(deviation.stretch, deviation.s, expected.profile)
+        wide |= np.abs(out - there) > 2 * BAND + SAME_POINT
+    lost = np.flatnonzero(wide)
+    if len(lost):
+        x, y = deviation.foot[lost[0]]
         raise InputError(
             f"the program does not cut the profile near X{x:.3f} Y{y:.3f}, where points were measured: give the "
             "--operation that cuts it, or only the points that belong to it"
         )
-    return np.zeros(len(deviation)) if commanded.error < EXACT else out
+    return out

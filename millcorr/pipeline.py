@@ -18,11 +18,13 @@ from . import __version__, alignment, distrust, gcode, provenance
 from .commanded import (
     EXACT,
     Commanded,
+    CommandedSurface,
     beside_the_path,
     choose_side,
     commanded_offset,
     cut_onto_the_contour,
     nominal_of,
+    on_the_path,
 )
 from .compensation import Correction, dead_band
 from .deviation import Deviation, deviations, statistics
@@ -31,6 +33,7 @@ from .filtering import Filter, Separation
 from .footpoint import FootPointSearch
 from .largest import largest_correction
 from .measurement import Measurement
+from .path.emission import emit_in_place
 from .prediction import Aim, Simulation, simulate
 from .prediction.combined_control import AxisTransfer, Machine
 from .prediction.foreseen import FirstCut, Foreseen, aim_of, combined_target, foresee, predicted_target, require_setup
@@ -43,7 +46,7 @@ from .regeneration.vanishing_arcs import without_vanishing_arcs
 from .settings import Settings as Settings
 from .setup_file import Setup
 from .targets import Elastic, Part, Target, correction_through, target_of
-from .theoretical_contour import cutting_runs
+from .theoretical_contour import CutContour, cutting_runs
 from .toolpath import Compensation, Kind, Toolpath
 from .verification import Verification
 
@@ -313,22 +316,37 @@ def correct(request: Request, *, check: bool = False) -> Result:
             toolpath, kept = _for_first_cut(program, request, path_radius, usable)
             usable = usable[kept]
     nominal = request.nominal
+    # What the program itself cuts is corrected in place; on a given profile, and a first cut, the path is laid anew.
+    in_place = nominal is None and not settings.leave_stock
+    cutters = _cutters(toolpath, request.radius, path_radius)
+    row_of, whole = np.flatnonzero(kept), (toolpath, usable)
+    expected: CompensatedContour | None = None
     if nominal is None:
         if settings.method == "predicted":
             _require_side(settings, toolpath, usable)
-        nominal = _own_contour(program, toolpath, settings, measurement, request.radius, path_radius, usable, warnings)
-    reach = settings.limit if carried else 0.0
-    nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, request.nominal is not None)
-    row_of, whole = np.flatnonzero(kept), (toolpath, usable)
-    cut, row = cut_onto_the_contour(toolpath, commanded.following)
-    if len(cut) > len(toolpath):
-        _, found = _turned_to_the_path(nominal, cut, path_radius, usable[row], reach, False)
-        # What only touches the contour is no part of it, and stays one move.
-        if len(np.unique(row[found.following])) > commanded.following.sum():
-            toolpath, commanded, usable, row_of = cut, found, usable[row], row_of[row]
+        nominal, cut = _own_contour(
+            program, toolpath, settings, measurement, request.radius, path_radius, usable, warnings
+        )
+        if in_place:
+            toolpath, row_of, following = on_the_path(toolpath, usable, cut, program.resolution)
+    if not in_place:
+        reach = settings.limit if carried else 0.0
+        given = request.nominal is not None
+        nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, given)
+        divided, row = cut_onto_the_contour(toolpath, commanded.following)
+        if len(divided) > len(toolpath):
+            _, found = _turned_to_the_path(nominal, divided, path_radius, usable[row], reach, False)
+            # What only touches the contour is no part of it, and stays one move.
+            if len(np.unique(row[found.following])) > commanded.following.sum():
+                toolpath, commanded, usable, row_of = divided, found, usable[row], row_of[row]
+        expected, following = commanded.expected, commanded.following
     rows = np.zeros(len(kept), dtype=bool)
-    rows[row_of[beside_the_path(toolpath, commanded.following)]] = True
+    rows[row_of[beside_the_path(toolpath, following)]] = True
     program.require_plain(rows)
+    surface = CommandedSurface(program.toolpath, cutters)
+
+    def offset_of(deviation: Deviation, has_z: bool = False) -> Floats:
+        return commanded_offset(surface, deviation, has_z, expected)
 
     before: Simulation | None = None
     axes: AxisTransfer | None = None
@@ -344,7 +362,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
     noted: list[Ints] = []
     if before is not None:
         deviation = deviations(before.surface(), nominal, cutter_radius=request.radius)
-        offset = commanded_offset(commanded, deviation)
+        offset = offset_of(deviation)
         as_cut = Part(deviation, offset, deviation.value - offset)
         work = predicted_target(as_cut, nominal, before.setup, settings, bool(carried), warnings)
         aim = aim_of(work)
@@ -354,7 +372,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
         parts: list[Part] = []
         sources: list[str] = []
         filter_ = Filter.parse(settings.filter)
-        heights = distrust.CutHeights.of(toolpath, commanded.following, nominal)
+        heights = distrust.CutHeights.of(toolpath, following, nominal)
         if setup is not None and not settings.depths and setup.stock.allowance_mm is not None:
             # What an elastic machine may leave of this depth is no mistake.
             depths = tuple(max(setup.stock.allowance_mm - allowance, 0.0) for allowance in allowances)
@@ -377,8 +395,11 @@ def correct(request: Request, *, check: bool = False) -> Result:
                 provenance.refuse_mark(otherwise, program.name)
             # A first cut that millcorr wrote runs on the exact parallel; what this program is off by came after it.
             cut_by_another = allowance or again is not None
-            offset = np.zeros(len(deviation)) if cut_by_another else commanded_offset(commanded, deviation)
+            offset = np.zeros(len(deviation)) if cut_by_another else offset_of(deviation, part.has_z)
             machine = deviation.value - offset
+            if in_place and not cut_by_another:
+                # The nominal is what the passes leave; the profile only says where and which way.
+                deviation, offset = replace(deviation, value=machine), np.zeros(len(machine))
             findings = distrust.examine_deviations(
                 deviation,
                 nominal,
@@ -406,7 +427,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
             first = _first_cut(request, nominal, allowances[0])
             work, aim, before, axes, machine_found = combined_target(
                 parts, program, nominal, setup, settings, bool(carried), first,
-                partial(commanded_offset, commanded), warnings,
+                offset_of, warnings,
             )  # fmt: skip
         else:
             work = target_of(parts, nominal, settings, bool(carried), warnings)
@@ -421,12 +442,18 @@ def correct(request: Request, *, check: bool = False) -> Result:
             work = replace(work, wanted=wanted)
         if aim is None:
             # What was not measured stays as the program has it; errors of an uncorrected one's own go all the same.
-            rest = commanded.expected.correction if carried and again is None else None
+            rest = expected.correction if expected is not None and carried and again is None else None
             correction = correction_through(work, nominal, settings, warnings, rest)
 
     header = _header(request, noted)
 
     def lay(correction: Correction) -> Emission:
+        if in_place:
+            emission, note = emit_in_place(
+                program, toolpath, following, nominal, correction, path_radius, cutters, settings, header=header
+            )
+            warnings.extend([note] if note is not None and note not in warnings else [])
+            return emission
         moves, free = (toolpath, usable) if correction.largest > EXACT else whole
         return emit(
             program,
@@ -438,7 +465,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
             nominal_from_path=request.nominal is None,
             header=header,
             toolpath=moves,
-            expected=commanded.expected,
+            expected=expected,
         )
 
     foreseen: Foreseen | None = None
@@ -447,7 +474,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
     else:
         foreseen, correction, written = foresee(aim, before, first, settings, program.name, lay, warnings)
         foreseen = replace(foreseen, axes=axes, machine=machine_found)
-    if correction.largest > EXACT:
+    if in_place or correction.largest > EXACT:
         of_program = replace(written.regeneration, origin=row_of[written.regeneration.origin])
         written = replace(written, regeneration=of_program)
     applied = np.zeros(len(work.deviation))
@@ -510,7 +537,7 @@ def nominal_from_program(
     usable, path_radius = _usable(program, radius, settings)
     if measurement is not None:
         measurement = _taken_down(measurement, (*settings.allowances, 0.0)[0])
-    return _own_contour(program, program.toolpath, settings, measurement, radius, path_radius, usable, [])
+    return _own_contour(program, program.toolpath, settings, measurement, radius, path_radius, usable, [])[0]
 
 
 def _require_a_cut(settings: Settings, radius: float) -> None:
@@ -586,8 +613,8 @@ def _own_contour(
     path_radius: float,
     usable: NDArray[np.bool_],
     warnings: list[str],
-) -> Profile:
-    """The contour that the program cuts near the measured points."""
+) -> tuple[Profile, list[CutContour]]:
+    """The contour that the program cuts near the measured points, and what cuts it."""
 
     def doubt(everything: Profile) -> None:
         if measurement is not None and measurement.axis_radii is None and measurement.probe is None:
@@ -607,11 +634,19 @@ def _own_contour(
             except InputError:
                 continue
         raise
-    nominal, others = nominal_of(toolpath, usable, path_radius, right, measurement, program.name, doubt)
+    nominal, others, cut = nominal_of(
+        toolpath, usable, path_radius, right, measurement, program.name, doubt, resolution=program.resolution
+    )
     if others:
         contours = "another contour" if others == 1 else f"{others} other contours"
         warnings.append(f"the program cuts {contours} without measured points: left as it is")
-    return nominal
+    return nominal, cut
+
+
+def _cutters(toolpath: Toolpath, radius: float, path_radius: float) -> Floats:
+    """Radius of the cutter of every move, mm; 0 where the control takes it into account."""
+    compensated = toolpath.compensation != Compensation.OFF
+    return np.where(compensated, path_radius, radius)
 
 
 def _usable(program: gcode.Program, radius: float, settings: Settings) -> tuple[NDArray[np.bool_], float]:

@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from .comparison.path_distance import PathDistance, chords_of_cubic
 from .errors import InputError
 from .nurbs import NurbsCurve
 from .profile import CORNER_ANGLE, GAP, Contour, Profile
@@ -27,6 +28,9 @@ SAME_POINT = 2e-4
 """Path points closer than this, in mm, are the same vertex (programs round to 0.001 or finer)."""
 TAB_SHARE = 0.25
 """Holding tabs take no more of a contour than this; what is run above the cut over a longer way is a way back."""
+ON_SURFACE = 1e-6
+"""A place whose distance from the path is less than the radius by no more than this, in mm, is on the surface: the
+error of an arc whose ends were rounded."""
 ON_THE_MOVE = 2e-3
 """A vertex this near, in mm, lies on a move: on a slope the ends of moves are rounded, down to 0.0001 inch."""
 
@@ -42,11 +46,14 @@ class CutContour:
     rows : (n,) int64
         Rows of the toolpath that cut it, in the order of the program.
     closed : bool
+    path : Toolpath
+        The moves that cut it, from where it begins to where it ends.
     """
 
     contour: Contour
     rows: Ints
     closed: bool
+    path: Toolpath
 
 
 @dataclass(slots=True)
@@ -93,19 +100,19 @@ class _Piece:
         out: Floats = d / np.hypot(d[0], d[1])
         return out
 
+    def places(self, u: Floats) -> Floats:
+        """Points at several parameters; (n, 2)."""
+        if self.centre is None:
+            return np.asarray(self.p0 + u[:, None] * (self.p1 - self.p0))
+        x, y = self.p0 - self.centre
+        c, s = np.cos(self.sweep * u), np.sin(self.sweep * u)
+        return np.asarray(self.centre + np.stack([x * c - y * s, x * s + y * c], axis=1))
+
     def offset_left(self, distance: float) -> _Piece | None:
-        """Parallel piece to the left; None where it shrinks to a point. InputError where it turns inside out."""
+        """Parallel piece to the left; None where it shrinks to a point or turns inside out."""
         n0, n1 = _left(self.tangent(0.0)), _left(self.tangent(1.0))
-        if self.centre is not None and self.sweep > 0:
-            left = float(np.hypot(*(self.p0 - self.centre))) - distance
-            if abs(left) <= 2e-3:
-                return None
-            if left < 0:
-                x, y = self.at(0.5)[0]
-                raise InputError(
-                    f"the path turns with radius {left + distance:.4g} mm about X{x:.3f} Y{y:.3f}, less than the "
-                    f"tool radius {distance:g}: check --tool-diameter and --side"
-                )
+        if self.centre is not None and self.sweep > 0 and np.hypot(*(self.p0 - self.centre)) - distance <= 2e-3:
+            return None
         return _Piece(self.p0 + distance * n0, self.p1 + distance * n1, self.centre, self.sweep)
 
     def curve(self) -> NurbsCurve:
@@ -181,7 +188,12 @@ def _vertices(points: Floats) -> Ints:
 
 
 def cut_contours(
-    toolpath: Toolpath, radius: float, material_right: bool, rows: NDArray[np.bool_] | None = None
+    toolpath: Toolpath,
+    radius: float,
+    material_right: bool,
+    rows: NDArray[np.bool_] | None = None,
+    *,
+    resolution: float = 0.0,
 ) -> Iterator[CutContour]:
     """Contours that the feed moves of a program leave.
 
@@ -195,6 +207,9 @@ def cut_contours(
         True where the material lies to the right of the direction of travel.
     rows : (n,) bool, optional
         Moves that may be used; all by default.
+    resolution : float
+        What the program's coordinates are rounded to, mm: lines that differ from a longer one by no more are drawn as
+        that one. Facets of a hundredth of a millimetre have no direction of their own otherwise.
 
     Yields
     ------
@@ -204,8 +219,7 @@ def cut_contours(
     Raises
     ------
     InputError
-        If the path turns tighter than the radius on the material's side, or holds a spline move (the offset of
-        a spline is none: give the nominal).
+        If the path leaves nothing of a contour, or what it leaves does not hang together.
     """
     parts: list[Ints] = []
     for run in cutting_runs(toolpath):
@@ -219,7 +233,7 @@ def cut_contours(
             # The cutter rises on the spot: the stretches between the tabs are closed only together.
             chain = [together]
         for part in chain:
-            yield from _contours_of_run(toolpath, part, radius, material_right)
+            yield from _contours_of_run(toolpath, part, radius, material_right, resolution)
 
 
 def _over_tabs(toolpath: Toolpath, chain: list[Ints]) -> bool:
@@ -247,7 +261,9 @@ def _joined_on_the_spot(toolpath: Toolpath, runs: list[Ints]) -> list[list[Ints]
     return chains
 
 
-def _contours_of_run(toolpath: Toolpath, run: Ints, radius: float, material_right: bool) -> Iterator[CutContour]:
+def _contours_of_run(
+    toolpath: Toolpath, run: Ints, radius: float, material_right: bool, resolution: float
+) -> Iterator[CutContour]:
     moves, origin = toolpath.take(run), run
     loops = closed_loops(moves, np.arange(len(moves)))
     if not loops:
@@ -260,14 +276,14 @@ def _contours_of_run(toolpath: Toolpath, run: Ints, radius: float, material_righ
         origin = run[row]
         loops = closed_loops(moves, np.arange(len(moves)))
     for a, b in loops:
-        found = _offset(moves, np.arange(a, b), radius, material_right, True)
+        found = _offset(moves, np.arange(a, b), radius, material_right, True, resolution)
         yield replace(found, rows=np.unique(origin[a:b]))
     if not loops:
         first = 0
         if toolpath.compensation[run[0]] != Compensation.OFF and len(run) > 1:
             # The control moves onto the contour during the first compensated move.
             first = 1
-        yield _offset(toolpath, run[first:], radius, material_right, False)
+        yield _offset(toolpath, run[first:], radius, material_right, False, resolution)
 
 
 def _crossings(moves: Toolpath) -> Floats:
@@ -342,75 +358,190 @@ def _cross(a: Floats, b: Floats) -> Floats:
     return out
 
 
-def _offset(toolpath: Toolpath, rows: Ints, radius: float, material_right: bool, closed: bool) -> CutContour:
-    pieces = []
-    for i in rows:
-        if toolpath.kind[i] == Kind.CUBIC and radius:
-            raise InputError(
-                "the program cuts along splines (G5), whose offset is no spline: give the contour with --nominal"
-            )
-        start, end = toolpath.start[i, :2], toolpath.end[i, :2]
-        if toolpath.kind[i] == Kind.CUBIC:
-            pieces.append(_Piece(start, end, control=toolpath.control[i].reshape(2, 2)))
-        elif toolpath.kind[i] == Kind.ARC:
-            pieces.append(_Piece.arc(start, end, toolpath.centre[i, :2], float(toolpath.sweep[i])))
-        else:
-            pieces.append(_Piece(start, end))
+def _offset(
+    toolpath: Toolpath, rows: Ints, radius: float, material_right: bool, closed: bool, resolution: float = 0.0
+) -> CutContour:
+    pieces = _pieces(toolpath, rows, radius, resolution)
     if material_right:
         pieces = [p.reversed() for p in reversed(pieces)]
     if radius == 0:
-        return CutContour(Contour(_merge(pieces), closed), rows, closed)
-    return CutContour(Contour(_merge(_trimmed(pieces, radius, closed)), closed), rows, closed)
+        return CutContour(Contour(_merge(pieces), closed), rows, closed, toolpath.take(rows))
+    return CutContour(Contour(_merge(_trimmed(pieces, radius, closed)), closed), rows, closed, toolpath.take(rows))
+
+
+def _pieces(toolpath: Toolpath, rows: Ints, radius: float, resolution: float) -> list[_Piece]:
+    """Moves as pieces; rows of lines with the fewest vertices that the program's rounding leaves certain."""
+    out: list[_Piece] = []
+    chain: list[Floats] = []
+
+    def flush() -> None:
+        if chain:
+            line = _simplified(np.concatenate(chain), resolution)
+            out.extend(_Piece(a, b) for a, b in zip(line[:-1], line[1:], strict=True))
+            chain.clear()
+
+    kinds = toolpath.kind[rows]
+    edges = np.flatnonzero(np.diff(kinds)) + 1
+    for group in np.split(rows, edges):
+        kind = int(toolpath.kind[group[0]])
+        if kind == Kind.ARC or (kind == Kind.CUBIC and radius == 0):
+            flush()
+            for i in group:
+                start, end = toolpath.start[i, :2], toolpath.end[i, :2]
+                if kind == Kind.ARC:
+                    out.append(_Piece.arc(start, end, toolpath.centre[i, :2], float(toolpath.sweep[i])))
+                else:
+                    out.append(_Piece(start, end, control=toolpath.control[i].reshape(2, 2)))
+        elif kind == Kind.CUBIC:
+            # The parallel of a spline is none: chords whose error does not matter stand for it.
+            for i in group:
+                t = np.linspace(0.0, 1.0, chords_of_cubic(toolpath, int(i)) + 1)
+                chain.append(toolpath.take(np.array([i])).position(t)[0, :, :2])
+        else:
+            chain.append(np.vstack([toolpath.start[group[:1], :2], toolpath.end[group, :2]]))
+    flush()
+    return out
+
+
+def _simplified(points: Floats, resolution: float) -> Floats:
+    """A row of points without those that a straight line replaces within the resolution; (m, 2)."""
+    import shapely
+
+    apart = np.concatenate([[True], np.abs(np.diff(points, axis=0)).max(axis=1) > 0])
+    points = points[apart]
+    if len(points) < 3 or resolution <= 0:
+        return points
+    line = shapely.simplify(shapely.linestrings(points), resolution, preserve_topology=False)
+    out: Floats = shapely.get_coordinates(line)
+    return out
 
 
 def _trimmed(pieces: list[_Piece], radius: float, closed: bool) -> list[_Piece]:
-    """Offset pieces, trimmed at convex corners of the part and filleted at concave ones."""
+    """What the cutter's disc leaves on the left of a path: offset pieces, cut where others come nearer.
+
+    A place of an offset piece is on the surface where no part of the path is nearer to it than the radius: so
+    pieces that vanish, overlap or lie behind others need no rules of their own. Neighbours are continued to their
+    intersection, at concave corners too.
+    """
     pieces = _continued(pieces, closed)
     offset = [p.offset_left(radius) for p in pieces]
-    kept = [i for i, p in enumerate(offset) if p is not None]
-    if not kept:
-        raise InputError("the path only circles a point at the tool radius: there is no contour")
-    out: list[_Piece] = []
-    count = len(kept)
-    for n, i in enumerate(kept):
-        a = offset[i]
-        assert a is not None
-        out.append(a)
-        if n + 1 == count and not closed:
+    runs = _on_the_surface(pieces, offset, radius)
+    if not runs:
+        raise InputError(
+            f"the path only circles points at the tool radius {radius:g} mm, or turns tighter than it everywhere: "
+            "there is no contour; check --tool-diameter and --side"
+        )
+    # A piece whose two intersections have changed places is a sliver between samples: it vanishes, too.
+    while True:
+        out = _joined(pieces, offset, runs, radius, closed)
+        lost = [n for n, (_, part) in enumerate(out) if part is not None and _extent(part) < -1e-6]
+        if not lost or len(lost) == len(runs):
             break
-        j = kept[(n + 1) % count]
-        b = offset[j]
-        assert b is not None
+        number = [n for n, (of_run, _) in enumerate(out) if of_run]
+        gone = {number.index(n) for n in lost if n in number}
+        if not gone:
+            break
+        runs = [run for n, run in enumerate(runs) if n not in gone]
+    return [part for _, part in out if part is not None and _extent(part) > 1e-6]
+
+
+def _extent(piece: _Piece) -> float:
+    """Length in mm of a trimmed piece; negative where its ends have changed places."""
+    return float((piece.high - piece.low) * np.hypot(*piece.at(0.5)[1]))
+
+
+def _on_the_surface(pieces: list[_Piece], offset: list[_Piece | None], radius: float) -> list[tuple[int, float, float]]:
+    """Pieces of which something is left, in the path's order: number, and the parameters of what is first and last."""
+    number, share = [], []
+    for i, one in enumerate(offset):
+        if one is None:
+            continue
+        length = float(np.hypot(*one.at(0.5)[1]))
+        count = int(np.clip(np.ceil(length / (0.05 * radius)), 3, 400))
+        inset = min(0.05, 1e-3 / max(length, 1e-9))
+        share.append(np.concatenate([[inset], (np.arange(count) + 0.5) / count, [1.0 - inset]]))
+        number.append(np.full(count + 2, i, dtype=np.int64))
+    if not number:
+        return []
+    which, u = np.concatenate(number), np.concatenate(share)
+    places = np.empty((len(u), 2))
+    for begin, end in _groups(which):
+        one = offset[which[begin]]
+        assert one is not None
+        places[begin:end] = one.places(u[begin:end])
+    good = np.flatnonzero(_distance_to(pieces, places) >= radius - ON_SURFACE)
+    return [(int(which[good[a]]), float(u[good[a]]), float(u[good[b - 1]])) for a, b in _groups(which[good])]
+
+
+def _groups(number: Ints) -> list[tuple[int, int]]:
+    """First and past-the-last position of every row of equal numbers."""
+    edges = np.flatnonzero(np.diff(number)) + 1
+    bounds = [0, *edges.tolist(), len(number)]
+    return list(zip(bounds[:-1], bounds[1:], strict=True)) if len(number) else []
+
+
+def _distance_to(pieces: list[_Piece], points: Floats) -> Floats:
+    """Distance in mm of points from the nearest piece of a path; (n,)."""
+    n = len(pieces)
+    flat = np.zeros((n, 1))
+    arcs = np.array([p.centre is not None for p in pieces])
+    centre = np.array([(np.nan, np.nan) if p.centre is None else p.centre for p in pieces])
+    path = Toolpath(
+        kind=np.where(arcs, int(Kind.ARC), int(Kind.LINE)).astype(np.int64),
+        start=np.hstack([np.array([p.p0 for p in pieces]), flat]),
+        end=np.hstack([np.array([p.p1 for p in pieces]), flat]),
+        centre=np.hstack([centre, flat]),
+        sweep=np.array([p.sweep for p in pieces], dtype=np.float64),
+        control=np.full((n, 4), np.nan),
+        plane=np.full(n, int(Plane.XY)),
+        feed=np.full(n, np.nan),
+        source=np.zeros(n, dtype=np.int64),
+        compensation=np.zeros(n, dtype=np.int64),
+        tool=np.zeros(n, dtype=np.int64),
+    )
+    return PathDistance(path, np.arange(n))(points)
+
+
+def _joined(
+    pieces: list[_Piece], offset: list[_Piece | None], runs: list[tuple[int, float, float]], radius: float, closed: bool
+) -> list[tuple[bool, _Piece | None]]:
+    """Trimmed pieces of the runs, and fillets between them; each with whether it is a run of its own."""
+    out: list[tuple[bool, _Piece | None]] = []
+    parts: list[_Piece] = []
+    for i, low, high in runs:
+        one = offset[i]
+        assert one is not None
+        parts.append(replace(one, low=0.0 if low < 0.05 else low, high=1.0 if high > 0.95 else high))
+    for n, (a, (i, _, _)) in enumerate(zip(parts, runs, strict=True)):
+        out.append((True, a))
+        last = n + 1 == len(parts)
+        if last and (not closed or len(parts) == 1):
+            break
+        b, j = parts[(n + 1) % len(parts)], runs[(n + 1) % len(parts)][0]
+        if i == j:
+            continue
         adjacent = j == (i + 1) % len(pieces)
         ta, tb = a.tangent(1.0), b.tangent(0.0)
         turn = float(np.arctan2(ta[0] * tb[1] - ta[1] * tb[0], ta @ tb))
         if adjacent and turn > np.pi - 1e-6:
             # Straight back the cutter leaves a slot's round end; a fin without thickness it cannot.
             turn -= 2 * np.pi
-        gap = float(np.hypot(*(b.p0 - a.p1)))
+        gap = float(np.hypot(*(b.at(b.low)[0] - a.at(a.high)[0])))
         if adjacent and abs(turn) < 1e-7:
             continue
         # A convex corner is cut back however far the path ran past it; a concave one is continued so far only.
         reach = 4 * radius if turn < 0 else np.inf
-        if (adjacent or gap > 1e-9) and not _trim_to_each_other(a, b, reach):
-            if gap < GAP / 2:
+        if (adjacent or gap > 1e-9) and not _trim_to_each_other(a, b, reach) and gap >= GAP / 2:
+            if adjacent and turn < 0:
+                # The sides never meet (the path turns back): what the cutter leaves is a fillet of its radius.
+                out.append((False, _Piece(a.p1, b.p0, pieces[j].p0, turn)))
                 continue
-            if turn >= 0 or not adjacent:
-                x, y = a.p1
-                raise InputError(
-                    f"the offset path does not close at the corner near X{x:.3f} Y{y:.3f}: "
-                    "check --tool-diameter and --side, or give the contour with --nominal"
-                )
-            # The sides never meet (the path turns back): what the cutter leaves is a fillet of its radius.
-            out.append(_Piece(a.p1, b.p0, pieces[j].p0, turn))
-    for p in out:
-        if (p.high - p.low) * np.hypot(*p.at(0.5)[1]) < -1e-6:
-            x, y = p.at(0.5)[0]
+            x, y = a.at(a.high)[0]
             raise InputError(
-                f"the path near X{x:.3f} Y{y:.3f} turns tighter than the tool radius {radius:g} mm: "
+                f"the offset path does not close near X{x:.3f} Y{y:.3f}: "
                 "check --tool-diameter and --side, or give the contour with --nominal"
             )
-    return [p for p in out if (p.high - p.low) * np.hypot(*p.at(0.5)[1]) > 1e-6]
+    return out
 
 
 def _continued(pieces: list[_Piece], closed: bool) -> list[_Piece]:
@@ -439,11 +570,11 @@ def _continues(a: _Piece, b: _Piece) -> bool:
 
 
 def _trim_to_each_other(a: _Piece, b: _Piece, reach: float) -> bool:
-    """Cut or extend the end of `a` and the start of `b` to their intersection (Newton from the ends).
+    """Cut or extend the end of `a` and the start of `b` to their intersection (Newton from where they are cut so far).
 
     Returns False, changing nothing, where they do not intersect within `reach` mm.
     """
-    u, v = 1.0, 0.0
+    u, v = a.high, b.low
     for _ in range(60):
         pa, da = a.at(u)
         pb, db = b.at(v)

@@ -156,6 +156,37 @@ class Toolpath:
             points[rows, :, :2] = p0 * (1 - u) ** 3 + 3 * p1 * u * (1 - u) ** 2 + 3 * p2 * u**2 * (1 - u) + p3 * u**3
         return points
 
+    def place(self, row: Ints, u: Floats) -> Floats:
+        """Places in the plane at one fraction of each of some moves.
+
+        Parameters
+        ----------
+        row : (n,) int64
+        u : (n,) float64
+            0 at a move's start, 1 at its end.
+
+        Returns
+        -------
+        (n, 2) float64
+            mm; ends are exact.
+        """
+        a, b, share = self.start[row, :2], self.end[row, :2], u[:, None]
+        out: Floats = a * (1 - share) + b * share
+        inner = (u > 0) & (u < 1)
+        bent = np.flatnonzero(inner & (self.kind[row] == Kind.ARC) & (self.plane[row] == Plane.XY))
+        if len(bent):
+            centre, v = self.centre[row[bent], :2], u[bent]
+            arm0, arm1 = a[bent] - centre, b[bent] - centre
+            r = np.hypot(*arm0.T) * (1 - v) + np.hypot(*arm1.T) * v
+            angle = np.arctan2(arm0[:, 1], arm0[:, 0]) + self.sweep[row[bent]] * v
+            out[bent] = centre + r[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+        curved = np.flatnonzero(inner & (self.kind[row] == Kind.CUBIC))
+        if len(curved):
+            v, control = share[curved], self.control[row[curved]]
+            out[curved] = a[curved] * (1 - v) ** 3 + b[curved] * v**3
+            out[curved] += 3 * control[:, :2] * v * (1 - v) ** 2 + 3 * control[:, 2:] * v**2 * (1 - v)
+        return out
+
     def length(self) -> Floats:
         """Length of every move in mm, shape (n,); arcs with their helix."""
         delta = self.end - self.start

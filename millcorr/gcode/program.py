@@ -64,6 +64,12 @@ class Program:
         """Return the number of lines."""
         return len(self.line_start) - 1
 
+    @property
+    def resolution(self) -> float:
+        """How far in mm the program's rounding may put a point off: half a unit in each of two axes."""
+        unit = 25.4 if (self.modal.unit == 20).any() else 1.0
+        return float(np.sqrt(0.5) * unit * 10.0 ** -max(self.style.decimals, 0))
+
     def line(self, index: int) -> bytes:
         """Line by index from 0, with its line ending."""
         return self.data[self.line_start[index] : self.line_start[index + 1]]

@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.errors import FitError, LimitError
-from millcorr.reconstruction import CompensatedContour
 from millcorr.toolpath import Kind, Plane, Toolpath
 
 Floats = NDArray[np.float64]
@@ -21,6 +21,13 @@ LARGEST_RADIUS = 5000.0
 """An arc of larger radius, in mm, is written as a line where the tolerance allows: controls refuse or round it."""
 
 ROUNDS = 24
+
+
+class ExactPath(Protocol):
+    """A path made of pieces, each a function of one parameter."""
+
+    def evaluate(self, piece: Ints, sigma: Floats, offset: float = 0.0, /) -> tuple[Floats, Floats, Floats]:
+        """Points (n, 2) in mm, unit normals to the right of growing sigma, and length per unit of sigma."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -68,14 +75,14 @@ class Intervals:
 
 
 def fit_moves(
-    intervals: Intervals, contour: CompensatedContour, radius: float, tolerance: float
+    intervals: Intervals, contour: ExactPath, radius: float, tolerance: float
 ) -> tuple[Toolpath, Ints, float]:
     """Replace intervals of the exact path by moves.
 
     Parameters
     ----------
     intervals : Intervals
-    contour : CompensatedContour
+    contour : ExactPath
     radius : float
         Distance of the path from the contour, mm.
     tolerance : float
@@ -183,14 +190,14 @@ def _about_corners(rows: Intervals, tolerance: float) -> list[tuple[Ints, Floats
     return out
 
 
-def _probe(rows: Intervals, contour: CompensatedContour, radius: float) -> Floats:
+def _probe(rows: Intervals, contour: ExactPath, radius: float) -> Floats:
     """Points of the exact path within each interval, (e, 15, 2)."""
     sigma = rows.sigma0[:, None] + (rows.sigma1 - rows.sigma0)[:, None] * PROBES
     piece = np.repeat(rows.piece, len(PROBES))
     return contour.evaluate(piece, sigma.ravel(), radius)[0].reshape(-1, len(PROBES), 2)
 
 
-def _refuse_gouge(rows: Intervals, probes: Floats, contour: CompensatedContour, radius: float) -> None:
+def _refuse_gouge(rows: Intervals, probes: Floats, contour: ExactPath, radius: float) -> None:
     """LimitError where the parallel curve runs backwards: the contour turns tighter than the radius."""
     sigma = rows.sigma0[:, None] + (rows.sigma1 - rows.sigma0)[:, None] * PROBES
     piece = np.repeat(rows.piece, len(PROBES))
@@ -211,7 +218,7 @@ def _refuse_gouge(rows: Intervals, probes: Floats, contour: CompensatedContour, 
 
 
 def _lines(
-    rows: Intervals, probes: Floats, tolerance: float, contour: CompensatedContour, radius: float
+    rows: Intervals, probes: Floats, tolerance: float, contour: ExactPath, radius: float
 ) -> tuple[Floats, list[tuple[Ints, Floats, Toolpath]]]:
     error = np.where(rows.whole, np.inf, _off_chord(rows, probes))
     good = rows.take(error <= tolerance)
@@ -229,7 +236,7 @@ def _off_chord(rows: Intervals, probes: Floats) -> Floats:
 
 
 def _arcs(
-    rows: Intervals, probes: Floats, tolerance: float, contour: CompensatedContour, radius: float
+    rows: Intervals, probes: Floats, tolerance: float, contour: ExactPath, radius: float
 ) -> tuple[Floats, list[tuple[Ints, Floats, Toolpath]]]:
     """One arc through the ends and the middle; a line where that is as good and the radius is huge."""
     middle = len(PROBES) // 2
@@ -272,7 +279,7 @@ def _sweep(start: Floats, middle: Floats, end: Floats, centre: Floats, whole: Bo
 
 
 def _cubics(
-    rows: Intervals, probes: Floats, tolerance: float, contour: CompensatedContour, radius: float
+    rows: Intervals, probes: Floats, tolerance: float, contour: ExactPath, radius: float
 ) -> tuple[Floats, list[tuple[Ints, Floats, Toolpath]]]:
     """One Bezier cubic with the path's tangents at its ends."""
     step = (rows.sigma1 - rows.sigma0)[:, None] / 3
@@ -302,7 +309,7 @@ def _cubics(
     return error, [(good.owner, _place(good), moves)]
 
 
-def _halves(rows: Intervals, contour: CompensatedContour, radius: float) -> Intervals:
+def _halves(rows: Intervals, contour: ExactPath, radius: float) -> Intervals:
     """Each interval cut in the middle of its arc length."""
     if not len(rows.owner):
         return rows

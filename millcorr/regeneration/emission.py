@@ -106,7 +106,7 @@ def emit(
     if settings.depth_along != "normal" and not any(c.closed for c in nominal.contours):
         regeneration = keep_coordinate(toolpath, regeneration, axis="yx".index(settings.depth_along))
     _refuse_detour(toolpath, regeneration)
-    text = _written(program, regeneration, settings.tolerance, header)
+    text = written_text(program, regeneration, settings.tolerance, header)
     emitted = gcode.parse(text, program.name).toolpath
     if len(emitted) != len(regeneration.toolpath):
         raise LimitError(
@@ -154,7 +154,7 @@ def _refuse_detour(toolpath: Toolpath, regeneration: Regeneration) -> None:
         )
 
 
-def _written(program: gcode.Program, regeneration: Regeneration, tolerance: float, header: Sequence[str]) -> bytes:
+def written_text(program: gcode.Program, regeneration: Regeneration, tolerance: float, header: Sequence[str]) -> bytes:
     """The new program; decimals as the program has them where the tolerance allows."""
     plain = gcode.write(program, regeneration.toolpath, tolerance=tolerance)
     if plain == program.data:

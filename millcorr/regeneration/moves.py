@@ -396,26 +396,81 @@ def _assemble(
 
     following = np.zeros(n, dtype=bool)
     following[parts.row] = True
-    replaced = np.zeros(n, dtype=bool)
-    replaced[parts.row[pick]] = True
-    rigid = _moved_rigidly(toolpath, shift0, shift1, ~following)
+    return put_together(
+        toolpath,
+        following,
+        parts.row[pick],
+        fitted,
+        owner,
+        shift0,
+        shift1,
+        original_error=float(np.nanmax(parts.error)),
+        fit_error=fit_error,
+    )
+
+
+def put_together(
+    toolpath: Toolpath,
+    following: Bools,
+    replaced: Ints,
+    fitted: Toolpath,
+    owner: Ints,
+    shift0: Floats,
+    shift1: Floats,
+    *,
+    original_error: float,
+    fit_error: float,
+) -> Regeneration:
+    """The corrected toolpath: new moves in place of some, the others displaced with their neighbours.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+        As it was.
+    following : (n,) bool
+        Moves that follow the contour.
+    replaced : (k,) int64
+        Rows that new moves stand for; the order of those of one row counts.
+    fitted : Toolpath
+        The new moves.
+    owner : (m,) int64
+        Which of `replaced` each new move belongs to.
+    shift0, shift1 : (n, 2) float64
+        Displacement of every move's start and end, mm; NaN where a place is not known.
+    original_error, fit_error : float
+        See `Regeneration`.
+    """
+    rewritten = np.zeros(len(toolpath), dtype=bool)
+    rewritten[replaced] = True
+    rigid = _moved_rigidly(toolpath, shift0, shift1, ~rewritten)
     base = toolpath.with_moves(start=rigid.start, end=rigid.end, centre=rigid.centre, control=rigid.control)
-    rest = np.flatnonzero(~replaced)
-    moves = Toolpath.concatenate([base.take(rest), _dressed(fitted, toolpath, parts.row[pick][owner])])
-    origin = np.concatenate([rest, parts.row[pick][owner]])
+    rest = np.flatnonzero(~rewritten)
+    moves = Toolpath.concatenate([base.take(rest), _dressed(fitted, toolpath, replaced[owner])])
+    origin = np.concatenate([rest, replaced[owner]])
     # Fitted moves come part by part and in order within a part; a stable sort restores the program's order.
     order = np.argsort(origin, kind="stable")
     shift = np.concatenate([shift0[np.isfinite(shift0).all(axis=1)], shift1[np.isfinite(shift1).all(axis=1)]])
-    changed = replaced | (np.abs(shift0) > 0).any(axis=1) | (np.abs(shift1) > 0).any(axis=1)
+    changed = rewritten | (np.abs(shift0) > 0).any(axis=1) | (np.abs(shift1) > 0).any(axis=1)
     return Regeneration(
         moves.take(order),
         origin[order],
         following[origin[order]],
         int(changed.sum()),
-        float(np.nanmax(parts.error)),
+        original_error,
         fit_error,
         float(np.hypot(*shift.T).max(initial=0.0)),
     )
+
+
+def wanted_kind(kind: Ints, z0: Floats, z1: Floats, output_moves: str) -> Ints:
+    """Kind of move to write in place of each, from heights at its ends in mm."""
+    if output_moves == "keep":
+        return kind.copy()
+    wanted = {"lines": Kind.LINE, "arcs": Kind.ARC, "nurbs": Kind.CUBIC}[output_moves]
+    out = np.full(len(kind), int(wanted))
+    # A spline block (G5) moves in the plane only; a rising move takes arcs.
+    out[(out == Kind.CUBIC) & (z0 != z1)] = int(Kind.ARC)
+    return out
 
 
 def _intervals(
@@ -431,12 +486,7 @@ def _intervals(
 ) -> Intervals:
     row, piece = parts.row[pick], parts.piece[pick]
     z0, z1 = toolpath.start[row, 2], toolpath.end[row, 2]
-    kind = toolpath.kind[row]
-    if output_moves != "keep":
-        wanted = {"lines": Kind.LINE, "arcs": Kind.ARC, "nurbs": Kind.CUBIC}[output_moves]
-        kind = np.full(len(pick), int(wanted))
-        # A spline block (G5) moves in the plane only; a rising move takes arcs.
-        kind[(kind == Kind.CUBIC) & (z0 != z1)] = int(Kind.ARC)
+    kind = wanted_kind(toolpath.kind[row], z0, z1, output_moves)
     # On a closed piece the arc length runs on past the seam, the way the move does.
     whole = np.hypot(*(end[pick] - start[pick]).T) < 1e-9
     step = sigma1[pick] - sigma0[pick]

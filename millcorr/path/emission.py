@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A program corrected in place: its path displaced, written, read back and proven."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr import gcode
+from millcorr.commanded import CommandedSurface
+from millcorr.compensation import Correction
+from millcorr.errors import FitError, LimitError
+from millcorr.nurbs import NurbsCurve
+from millcorr.profile import Contour, Profile
+from millcorr.reconstruction import CompensatedContour
+from millcorr.regeneration.emission import Emission, written_text
+from millcorr.settings import Settings
+from millcorr.toolpath import Toolpath
+
+from .displacement import displace
+from .surface_proof import prove_surface
+from .wanted_surface import WantedSurface
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Bools = NDArray[np.bool_]
+
+
+def emit_in_place(
+    program: gcode.Program,
+    toolpath: Toolpath,
+    following: Bools,
+    nominal: Profile,
+    correction: Correction,
+    radius: float,
+    cutters: Floats,
+    settings: Settings,
+    *,
+    header: Sequence[str],
+    carried: Correction | None = None,
+) -> tuple[Emission, str | None]:
+    """Move the surface of a program by a correction, write it and prove what was written.
+
+    Parameters
+    ----------
+    program : Program
+    toolpath : Toolpath
+        Its moves, some of them divided where the contour begins.
+    following : (n,) bool
+        Moves that make the surface.
+    nominal : Profile
+    correction : Correction
+        Of the nominal, in all.
+    radius : float
+        Distance in mm from contour to path.
+    cutters : (m,) float64
+        Radius of the cutter of every move of the program, mm; NaN where it is not known.
+    settings : Settings
+        Its tolerance and moves.
+    header : sequence of str
+        Comments for the first lines of a program that changed.
+    carried : Correction, optional
+        What of it the program carries already; nothing by default.
+
+    Returns
+    -------
+    Emission
+    note : str or None
+        What the cutter cannot reach, with place and amount.
+
+    Raises
+    ------
+    LimitError, FitError
+        If the path would be unsafe, or the text does not prove.
+    """
+    before = WantedSurface(nominal, Correction.none(nominal) if carried is None else carried)
+    after = WantedSurface(nominal, correction)
+    regeneration = displace(
+        toolpath,
+        following,
+        before,
+        after,
+        nominal,
+        radius,
+        tolerance=settings.tolerance,
+        output_moves=settings.output_moves,
+    )
+    text = written_text(program, regeneration, settings.tolerance, header)
+    emitted = gcode.parse(text, program.name).toolpath
+    if len(emitted) != len(regeneration.toolpath):
+        raise LimitError(
+            f"the written program reads back with {len(emitted)} moves in place of {len(regeneration.toolpath)}"
+        )
+    proof, (stays, place) = prove_surface(
+        CommandedSurface(toolpath, _by_tool(program.toolpath, cutters, toolpath)),
+        CommandedSurface(emitted, _by_tool(program.toolpath, cutters, emitted)),
+        (following, regeneration.following),
+        before,
+        after,
+        radius,
+        tolerance=settings.tolerance,
+    )
+    note = None
+    if stays > settings.tolerance:
+        note = (
+            f"{stays:.3f} mm stays at X{place[0]:.3f} Y{place[1]:.3f}: the corner is too narrow for a cutter of "
+            f"{2 * radius:g} mm to reach what is wanted there; a smaller one would"
+        )
+    compensated, residual = compensated_profile(nominal, correction, after)
+    return Emission(compensated, residual, regeneration, proof, text), note
+
+
+def _by_tool(program: Toolpath, cutters: Floats, emitted: Toolpath) -> Floats:
+    """Radius of the cutter of every move that was read back."""
+    key = np.stack([program.tool, program.compensation], axis=1)
+    out = np.full(len(emitted), np.nan)
+    for tool, compensation in np.unique(key, axis=0):
+        there = (key == (tool, compensation)).all(axis=1)
+        out[(emitted.tool == tool) & (emitted.compensation == compensation)] = cutters[there][0]
+    return out
+
+
+def compensated_profile(nominal: Profile, correction: Correction, surface: WantedSurface) -> tuple[Profile, float]:
+    """The corrected profile as NURBS, and the largest distance in mm of it from the exact one.
+
+    Where the profile has details that the correction swallows, such as facets shorter than it, it is given as the
+    fine row of chords of the surface that is wanted.
+    """
+    try:
+        return CompensatedContour(nominal, correction).to_profile()
+    except (LimitError, FitError):
+        pass
+    contours = []
+    after = dict(surface.chords.tolist())
+    contour_of = np.array([stretch.contour for stretch in nominal.stretches()])[surface.stretch]
+    for k, contour in enumerate(nominal.contours):
+        row = int(np.flatnonzero((contour_of == k) & np.isin(np.arange(len(contour_of)), surface.chords[:, 0]))[0])
+        rows = [row]
+        while (row := after.get(row, -1)) >= 0 and row != rows[0]:
+            rows.append(row)
+        points = surface.place[rows + ([rows[0]] if contour.closed else [])]
+        points = points[np.concatenate([[True], np.hypot(*np.diff(points, axis=0).T) > 1e-6])]
+        count = np.ones(len(points), dtype=np.int64)
+        count[[0, -1]] = 2
+        curve = NurbsCurve(1, points, np.ones(len(points)), np.arange(float(len(points))), count)
+        contours.append(Contour((curve,), contour.closed))
+    return Profile.from_contours(contours), 0.0

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The proof of a displaced path: the surface that all passes of the written program leave is where it was to be."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr.commanded import CommandedSurface
+from millcorr.comparison.path_distance import PathDistance, SegmentTree
+from millcorr.errors import LimitError
+from millcorr.toolpath import Kind, Toolpath
+from millcorr.verification import Verification
+
+from .wanted_surface import WantedSurface
+
+Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+REACHED = 0.01
+"""A place where the program left more than this over the nominal, in mm, was never reached by the cutter: an inner
+corner. Facets of 0.01 mm chord error are the coarsest that finish a surface."""
+
+
+def prove_surface(
+    original: CommandedSurface,
+    written: CommandedSurface,
+    made_by: tuple[Bools, Bools],
+    before: WantedSurface,
+    after: WantedSurface,
+    radius: float,
+    *,
+    tolerance: float,
+) -> tuple[Verification, tuple[float, tuple[float, float]]]:
+    """Compare the surface of a written program with that of the original and with what was wanted.
+
+    Parameters
+    ----------
+    original, written : CommandedSurface
+        All passes of the program before, and of the text as it is read back.
+    made_by : (n,) bool, (m,) bool
+        Moves of either that make the surface and are corrected.
+    before, after : WantedSurface
+        What the original makes, and what the written one is to make.
+    radius : float
+        Distance in mm from contour to path.
+    tolerance : float
+        mm.
+
+    Returns
+    -------
+    Verification
+    stays : (float, (float, float))
+        The most that the cutter cannot reach of what was wanted, mm, and where.
+
+    Raises
+    ------
+    LimitError
+        If the surface is farther off than the tolerance: names place, amount and, where a pass that stays cuts into it,
+        its line.
+    """
+    wanted = after.moved - before.moved
+    rest = _out_of_reach(after, radius) if radius > 0 else np.zeros(len(wanted))
+    error = np.zeros(len(wanted))
+    own = np.full(len(wanted), np.inf)
+    reached = np.zeros(len(wanted), dtype=bool)
+    for z in _heights(written.toolpath, made_by[1], len(wanted)):
+        was = original.only(made_by[0]).offset(before.nominal, before.normal, z)
+        now = written.only(made_by[1]).offset(after.nominal, after.normal, z)
+        known = np.isfinite(was) & np.isfinite(now) & ~after.at_corner
+        here = known & (was - before.moved < REACHED)
+        reached |= here
+        own = np.where(here, np.fmin(own, was), own)
+        # What was off before stays: rounding and chords of the program itself.
+        off = np.where(here, now - was - wanted, np.where(known, np.minimum(now - after.moved, 0.0), 0.0))
+        off = np.where(off > 0, np.maximum(off - rest, 0.0), off)
+        error = np.where(np.abs(off) > np.abs(error), off, error)
+    worst = int(np.argmax(np.abs(error)))
+    x, y = after.place[worst]
+    length = float(np.nansum(written.toolpath.take(made_by[1]).length()))
+    result = Verification(float(abs(error[worst])), (float(x), float(y)), float(max(0.0, -error.min())), length)
+    if abs(error[worst]) > tolerance:
+        raise LimitError(
+            f"the corrected surface would be {abs(error[worst]) * 1000:.2f} um off at X{x:.3f} Y{y:.3f}, more than "
+            f"the tolerance of {tolerance * 1000:g} um"
+            + (" (the cutter gouges there)" if error[worst] < 0 else ": where that does no harm, a larger --tolerance")
+        )
+    _refuse_gouging_others(original, written, made_by, after, own, wanted, tolerance)
+    most = int(np.argmax(np.where(reached, rest, 0.0)))
+    x, y = after.place[most]
+    return result, (float(rest[most]) if reached[most] else 0.0, (float(x), float(y)))
+
+
+def _heights(toolpath: Toolpath, made_by: Bools, count: int) -> list[Floats | None]:
+    """Heights at which the surface is looked at: where only the deepest pass cuts, and where all of them do."""
+    z = toolpath.end[made_by, 2]
+    lowest = z[np.isfinite(z)].min(initial=np.inf)
+    return [None, np.full(count, lowest)] if np.ptp(z[np.isfinite(z)]) > 0 else [None]
+
+
+def _refuse_gouging_others(
+    original: CommandedSurface,
+    written: CommandedSurface,
+    made_by: tuple[Bools, Bools],
+    after: WantedSurface,
+    own: Floats,
+    wanted: Floats,
+    tolerance: float,
+) -> None:
+    """LimitError where another move of the written program cuts deeper into the corrected surface than before."""
+    was = original.only(~made_by[0]).offset(after.nominal, after.normal)
+    now = written.only(~made_by[1]).offset(after.nominal, after.normal)
+    # A lead that cuts into the contour, as one rounder than an inside corner does, goes on doing so.
+    before = np.minimum(np.nan_to_num(was, nan=np.inf) - own, 0.0)
+    over = np.nan_to_num(now, nan=np.inf) - own - wanted - before
+    over[after.at_corner | ~np.isfinite(own)] = 0.0
+    worst = int(np.argmin(over))
+    if over[worst] >= -tolerance:
+        return
+    x, y = after.place[worst]
+    cuts = np.flatnonzero(~made_by[1] & np.isfinite(written.radius) & (written.toolpath.kind != int(Kind.RAPID)))
+    _, row, _ = PathDistance(written.toolpath, cuts).nearest(
+        after.nominal[worst : worst + 1] + now[worst] * after.normal[worst : worst + 1]
+    )
+    line = int(written.toolpath.source[row[0]]) + 1
+    raise LimitError(
+        f"line {line} of the corrected program, which is not corrected itself, would cut {-over[worst] * 1000:.1f} um "
+        f"into the corrected surface at X{x:.3f} Y{y:.3f}: it leaves too little stock for it; --keep-allowance moves "
+        "such passes along"
+    )
+
+
+def _out_of_reach(after: WantedSurface, radius: float) -> Floats:
+    """What the cutter has to leave over the wanted surface, mm; (n,)."""
+    centre = after.clearance(after.nominal, after.normal, radius, radius + after.moved)
+    path = after.nominal + centre[:, None] * after.normal
+    a, b = after.chords.T
+    joined = np.hypot(*(path[b] - path[a]).T) < 2 * radius
+    tree = SegmentTree(path[a[joined]], path[b[joined]])
+    return np.maximum(tree.distance(after.place) - radius, 0.0)

@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The surface that is wanted, and how near a cutter's centre may come to it.
+
+The path of a corrected program is what a disc may follow without cutting into the wanted surface anywhere near: for
+each place the outermost centre that any wanted point within a radius asks for. In an inside corner hardly wider than
+the cutter, a disc let in by its own place's deviation would cut into the wall beside it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr.comparison.path_distance import SegmentTree
+from millcorr.compensation import Correction
+from millcorr.profile import CORNER_ANGLE, Profile
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+CHORD = 1e-4
+"""The surface is drawn by chords that are off it by no more than this, in mm. Two surfaces drawn at the same places
+err alike, so that what is moved errs by far less."""
+
+FINEST, COARSEST = 0.02, 0.25
+"""Shortest and longest chord, mm: a correction does not change on shorter ways, and is followed on longer ones."""
+
+FLAT = 0.02
+"""Where the sides of a joint turn less, in rad, what they differ by is no corner."""
+
+ROUNDS = 60
+"""Steps of the search for a centre; each is as long as the centre is too far, or too near."""
+
+
+class WantedSurface:
+    """A profile moved along its normal by a correction, as a fine row of chords.
+
+    Parameters
+    ----------
+    profile : Profile
+    correction : Correction
+
+    Attributes
+    ----------
+    nominal, place : (n, 2) float64
+        Points of the profile, and of the surface, mm.
+    stretch, s : (n,)
+        Where they come from: smooth stretch, and arc length from the contour's start, mm.
+    normal : (n, 2) float64
+        Normal of the profile there.
+    moved : (n,) float64
+        The correction there, mm.
+    at_corner : (n,) bool
+        So near to a corner that the sides it moves along do not meet there any more.
+    chords : (k, 2) int64
+        Points that follow each other.
+    """
+
+    def __init__(self, profile: Profile, correction: Correction) -> None:
+        span, t = self._samples(profile)
+        self.nominal = profile.evaluate(span, t)[0]
+        self.normal = profile.normals(span, t)
+        self.stretch, self.s = profile.stretch[span], profile.arc_length(span, t)
+        self.moved = correction.at(self.stretch, self.s, profile)
+        self.place = self.nominal + self.moved[:, None] * self.normal
+        keep = self._set_corners(profile, span, t, self.nominal)
+        after = self._next(profile, span, t, keep)
+        rows = np.flatnonzero(after >= 0)
+        self._tree = SegmentTree(self.place[rows], self.place[after[rows]])
+        self.chords = np.stack([rows, after[rows]], axis=1)
+
+    @staticmethod
+    def _samples(profile: Profile) -> tuple[Ints, Floats]:
+        every = np.arange(profile.spans)
+        bend = np.abs(profile.curvature(np.repeat(every, 3), np.tile([0.0, 0.5, 1.0], profile.spans)))
+        step = np.clip(np.sqrt(8 * CHORD / np.maximum(bend.reshape(-1, 3).max(axis=1), 1e-9)), FINEST, COARSEST)
+        count = np.maximum(1, np.ceil(profile.length / step).astype(np.int64))
+        span = np.repeat(every, count + 1)
+        number = np.arange(len(span)) - np.repeat(np.cumsum(count + 1) - (count + 1), count + 1)
+        return span, number / count[span]
+
+    def _set_corners(self, profile: Profile, span: Ints, t: Floats, nominal: Floats) -> NDArray[np.bool_]:
+        """Move the ends of the sides of every joint to where the moved sides meet; which samples stay."""
+        keep = np.ones(len(span), dtype=bool)
+        self.at_corner = np.zeros(len(span), dtype=bool)
+        last = np.flatnonzero(t == 1.0)
+        last = last[np.isfinite(profile.turn[span[last]])]
+        first_of = np.flatnonzero(t == 0.0)
+        first = first_of[profile.neighbour(span[last], 1)]
+        n0, n1 = self.normal[last], self.normal[first]
+        shift = meeting(n0, n1, self.moved[last], self.moved[first])
+        corner = nominal[last] + shift
+        self.place[last], self.place[first] = corner, corner
+        for i in np.flatnonzero(np.abs(profile.turn[span[last]]) > CORNER_ANGLE):
+            for end, normal, way in ((last[i], n0[i], -1), (first[i], n1[i], 1)):
+                along = float(way * (shift[i] @ np.array([-normal[1], normal[0]])))
+                side = np.flatnonzero(self.stretch == self.stretch[end])
+                total = float(profile.total[profile.contour[span[end]]])
+                away = way * (self.s[side] - self.s[end])
+                if profile.contours[profile.contour[span[end]]].closed:
+                    away = np.mod(away + 1e-9, total) - 1e-9
+                self.at_corner[side[(away > -1e-9) & (away < 2 * abs(along) + FINEST)]] = True
+                # What lies beyond the corner is cut off; not round the whole contour, and never the corner itself.
+                keep[side[(away > 1e-9) & (away < min(along, 0.5 * total))]] = False
+        return keep
+
+    @staticmethod
+    def _next(profile: Profile, span: Ints, t: Floats, keep: NDArray[np.bool_]) -> Ints:
+        """Sample that follows each along its contour; -1 at an open end."""
+        after = np.full(len(span), -1)
+        for k in range(len(profile.contours)):
+            rows = np.flatnonzero((profile.contour[span] == k) & keep)
+            after[rows[:-1]] = rows[1:]
+            if profile.contours[k].closed:
+                after[rows[-1]] = rows[0]
+        return after
+
+    def distance(self, points: Floats) -> Floats:
+        """Distance of points (n, 2) from the surface, mm."""
+        return self._tree.distance(points)
+
+    def clearance(self, origin: Floats, direction: Floats, radius: float, guess: Floats) -> Floats:
+        """How far along a direction a disc's centre may come to the surface.
+
+        Parameters
+        ----------
+        origin, direction : (n, 2) float64
+            Places in mm, and unit vectors away from the surface.
+        radius : float
+            mm.
+        guess : (n,) float64
+            Where to begin, mm from the origins.
+
+        Returns
+        -------
+        (n,) float64
+            Distances from the origins, mm, at which the disc touches the surface and does not cut into it.
+        """
+        t = guess.copy()
+        active = np.arange(len(t))
+        for _ in range(ROUNDS):
+            if not len(active):
+                break
+            step = radius - self.distance(origin[active] + t[active, None] * direction[active])
+            t[active] += step
+            active = active[np.abs(step) > 1e-8]
+        return t
+
+
+def meeting(n0: Floats, n1: Floats, c0: Floats, c1: Floats) -> Floats:
+    """Shift of a corner whose sides move by c0 and c1 along their normals.
+
+    Parameters
+    ----------
+    n0, n1 : (n, 2) float64
+        Unit normals of the sides.
+    c0, c1 : (n,) float64
+        mm.
+
+    Returns
+    -------
+    (n, 2) float64
+        mm. Where the sides are as good as in line, along their common normal only.
+    """
+    both, apart = n0 + n1, n0 - n1
+    size2, apart2 = (both * both).sum(axis=1), (apart * apart).sum(axis=1)
+    out: Floats = ((c0 + c1) / np.maximum(size2, 1e-6))[:, None] * both
+    sharp = apart2 > FLAT**2
+    out[sharp] += ((c0 - c1)[sharp] / apart2[sharp])[:, None] * apart[sharp]
+    return out
