@@ -427,10 +427,14 @@ def correct(request: Request, *, check: bool = False) -> Result:
                 # The nominal is what the passes leave; the profile only says where and which way.
                 deviation, offset = replace(deviation, value=machine), np.zeros(len(machine))
             findings = distrust.examine_deviations(
-                deviation, machine, nominal, heights if part.has_z else None, distrust.resolution(read), depth
+                deviation,
+                nominal,
+                request.radius,
+                ball_radius=moved.ball_radius - allowance,
+                heights=heights if part.has_z else None,
+                step=distrust.resolution(read),
+                depth=depth,
             )
-            if settings.method != "combined":
-                findings += distrust.examine_sampling(deviation, nominal, filter_)
             if carried and not cut_by_another:
                 findings += distrust.examine_program(deviation, offset, provenance.gain(program.comments()))
             if len(surfaces) > 1:
@@ -501,9 +505,6 @@ def correct(request: Request, *, check: bool = False) -> Result:
     applied = np.zeros(len(work.deviation))
     if len(work.deviation):
         applied = correction.at(work.deviation.stretch, work.deviation.s, nominal)
-    rejected = len(work.deviation.rejected)
-    if rejected:
-        warnings.append(f"{rejected} {'point was' if rejected == 1 else 'points were'} rejected, see the report")
     return Result(
         request=request,
         nominal=nominal,
@@ -526,7 +527,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
         verification=written.verification,
         text=written.text,
         advice=(
-            *(_advice(work, len(carried) + 1, settings) if foreseen is None else foreseen.advice()),
+            *(_advice(work, settings) if foreseen is None else foreseen.advice()),
             *(f"{m.source}: {note}" for m in request.measurements for note in m.notes),
         ),
         warnings=tuple(warnings),
@@ -758,19 +759,13 @@ def _header(request: Request, noted: Sequence[Ints]) -> tuple[str, ...]:
     )
 
 
-def _advice(work: Target, loops: int, settings: Settings) -> tuple[str, ...]:
+def _advice(work: Target, settings: Settings) -> tuple[str, ...]:
     """What to expect of the next part."""
     if not len(work.deviation):
         return ()
     if work.elastic is not None:
         return work.elastic.advice(settings)
-    if settings.gain != 1.0:
-        left = 100 * (1 - settings.gain)
-        return (f"gain {settings.gain:g} leaves {left:.0f} % of the determined deviation on purpose",)
-    stiff = 100 * (0.05 / 1.05) ** loops
-    ordinal = {1: "", 2: "taken twice, ", 3: "taken three times, "}.get(loops, f"taken {loops} times, ")
-    return (
-        "tool and machine give way: a share MS/(1+MS) of every correction comes back, so the next part still shows "
-        f"that share, {ordinal}of the first deviation (a stiff machine, MS 0.05: {stiff:.2g} %); "
-        "measure the next part, or take that into account at once: --method transfer --depth MM",
-    )
+    if settings.gain == 1.0:
+        return ()
+    left = 100 * (1 - settings.gain)
+    return (f"gain {settings.gain:g} leaves {left:.0f} % of the determined deviation on purpose",)

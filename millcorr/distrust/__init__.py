@@ -5,7 +5,7 @@ Each finding has a name, a figure, and the option that resolves it. A dangerous 
 who knows better accepts it by name, and the report records it.
 """
 
-from .deviations import CutHeights, examine_deviations, examine_sampling
+from .deviations import CutHeights, examine_deviations
 from .file import examine_file, resolution
 from .findings import NAMES, Finding, named, refuse_dangerous
 from .parts import examine_parts, examine_program
@@ -22,7 +22,6 @@ __all__ = [
     "examine_parts",
     "examine_points",
     "examine_program",
-    "examine_sampling",
     "examine_separated",
     "named",
     "refuse_dangerous",

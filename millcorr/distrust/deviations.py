@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the deviations show: a moved or scaled part, wrong heights, outliers, too few points for the filter."""
+"""What the deviations show: a moved or scaled part, wrong heights, another revision, one cause all along."""
 
 from __future__ import annotations
 
@@ -7,12 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import median_filter
 
-from millcorr.compensation import along
 from millcorr.deviation import Deviation
 from millcorr.footpoint import FootPointSearch
 from millcorr.profile import Profile
-from millcorr.separation.filters import Filter
 from millcorr.toolpath import Toolpath
 
 from . import elastic
@@ -26,33 +25,48 @@ Bools = NDArray[np.bool_]
 MANY_REJECTED = 0.4
 """A larger share of points that cannot be used means the wrong program, part or frame."""
 
+SOME_REJECTED = 0.1
+"""A larger share is worth a word; below it the points beside those left out speak for their places."""
+
 MISALIGNED = 0.05
 """A shift, turn or size of the whole part that moves points by more than this, in mm, is dangerous to correct."""
 
-NOTICEABLE = 0.005
-"""A shift, turn or size that moves no point by this, in mm, is not worth a word."""
+NOTICEABLE = 0.02
+"""A shift, turn or size that moves no point by this, in mm, is what guideways out of square leave, too."""
 
-EXPLAINED = 0.7
-"""Share of the squared deviations that a shift, turn or size explains by itself before it is suspected."""
+EXPLAINED = 0.9
+"""Share of the deviations' variance that a shift, turn or size explains before it is suspected: what is left over is
+then a third of its size. Walls that give way are similar to a shift up to 0.85 (1,000 random sound jobs)."""
 
-OUTLIER = 8.0
-"""So many standard deviations from its neighbours' median a point is an outlier."""
+LARGE_MEAN = 0.025
+"""Below this mean, in mm, tool wear and a machine that gives way need no other explanation."""
 
-AMONG_OTHERS = 5.0
-"""A value this many standard deviations of all values, waves and steps included, off their median is no wave."""
+MEAN_OVER_FORM = 2.0
+"""A mean that is so many times the form's height is no average of a form: one cause acts all along."""
 
-LEAST_SCATTER = 1e-4
-"""Scatter in mm below which nobody measures."""
+GROWTH = 11.5e-6
+"""Thermal expansion of steel, 1/K."""
+
+PLAUSIBLE_DEGREES = 20.0
+"""No shop and no cut warms a part by more than this, in K, above where it is measured."""
+
+STEP = 0.05
+"""Sides that differ by less than this, in mm, differ by how much their walls and their direction of cut give way."""
+
+STEP_OVER_FORM = 3.0
+"""... and so many times more than anything on the sides themselves varies: machines leave transitions."""
+
+NO_MACHINE = 0.2
+"""A side cut this much too deep, in mm, beside others that are right is another drawing and no error of a machine."""
+
+STRAIGHT = 1e-4
+"""Largest curvature in 1/mm of a straight side."""
 
 NEARLY_ALL = 0.9
 """Where a larger share of points lies where nothing is cut, it is the frame that is wrong and not a few points."""
 
 TIP = 0.01
 """Points may lie this far, in mm, below the deepest pass: the height of a probe is no more exact."""
-
-AUTO_NEEDS = 6
-"""With fewer points on a stretch `auto` has no freedom to tell the determined from the random part: its finest
-line takes three points a knot, and Moran's I needs neighbours."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -99,22 +113,26 @@ class CutHeights:
 
 def examine_deviations(
     deviation: Deviation,
-    machine: Floats,
     profile: Profile,
-    heights: CutHeights | None,
+    cutter_radius: float,
+    *,
+    ball_radius: float = 0.0,
+    heights: CutHeights | None = None,
     step: float = 0.0,
     depth: float = 0.0,
 ) -> tuple[Finding, ...]:
-    """Signs of misalignment, a wrong size, outliers, nominal in place of measured data and a wrong height.
+    """Signs of another part or program, frame, size, ball or tool, and of nominal in place of measured data.
 
     Parameters
     ----------
     deviation : Deviation
         Used points.
-    machine : (n,) float64
-        Deviations less the program's own offset, mm.
     profile : Profile
-    heights : CutHeights or None
+    cutter_radius : float
+        mm.
+    ball_radius : float
+        What was taken off between point and surface, mm; 0 for contact points.
+    heights : CutHeights, optional
         None where the points have no height.
     step : float
         Resolution of the file's coordinates in mm; 0 where it has none.
@@ -128,22 +146,32 @@ def examine_deviations(
     identical = identical_to_nominal(deviation.value, step)
     if identical is not None:
         return (identical,)
-    found = []
-    read = len(deviation) + len(deviation.rejected)
-    if len(deviation.rejected) > MANY_REJECTED * read:
-        text = (
-            f"only {len(deviation)} of {read} points can be used, most others are {_commonest(deviation)}: is the "
-            "program whole, and is it the one that cut the part?"
-        )
-        found.append(Finding("many-rejected", text, True))
+    found = _rejected(deviation)
     found += [] if heights is None else _heights(deviation, heights)
-    found += _outliers(deviation, machine)
-    return (*found, *_moved_or_scaled(deviation, profile, depth))
+    misaligned, scaled = _moved_or_scaled(deviation, profile, depth)
+    stepped, sides = _step(deviation, profile)
+    # On few sides one is a special case of the other: the simplest is named, of what stops first.
+    stops = misaligned if misaligned is not None and misaligned.dangerous else None
+    found += [f for f in (stops, stepped if sides == 1 else None, scaled, misaligned, stepped) if f is not None][:1]
+    return (*found, *_mean(deviation, profile, cutter_radius, ball_radius, depth))
 
 
-def _commonest(deviation: Deviation) -> str:
-    reasons = [r.reason for r in deviation.rejected]
-    return max(set(reasons), key=reasons.count)
+def _rejected(deviation: Deviation) -> list[Finding]:
+    """A large share of points that belong nowhere."""
+    rejected = deviation.rejected
+    read = len(deviation) + len(rejected)
+    if len(rejected) <= SOME_REJECTED * read:
+        return []
+    reasons = [r.reason for r in rejected]
+    commonest = max(sorted(set(reasons)), key=reasons.count)
+    if len(rejected) > MANY_REJECTED * read:
+        text = (
+            f"only {len(deviation)} of {read} points can be used, most others are {commonest}: is the program whole, "
+            "and is it the one that cut the part?"
+        )
+        return [Finding("many-rejected", text, True)]
+    text = f"{len(rejected)} of {read} points are left out, most are {commonest}: see the report for which"
+    return [Finding("many-rejected", text, False)]
 
 
 def _heights(deviation: Deviation, heights: CutHeights) -> list[Finding]:
@@ -188,67 +216,122 @@ def _heights(deviation: Deviation, heights: CutHeights) -> list[Finding]:
     return found
 
 
-def _outliers(deviation: Deviation, machine: Floats) -> list[Finding]:
-    """Single points far from their neighbours along the contour."""
-    from scipy.ndimage import median_filter
+def _ordered(deviation: Deviation) -> Ints:
+    """Rows in the order of their places along the contours, heights side by side."""
+    return np.lexsort((deviation.s, deviation.contour))
 
-    if len(machine) < 8:
+
+def _form(value: Floats) -> tuple[Floats, float]:
+    """Values in order without single points, mm, and their height.
+
+    The running median of a hundredth of the points, of 3 at least: shorter lumps are outliers, longer ones form.
+    """
+    size = max(3, len(value) // 100 | 1)
+    middle: Floats = median_filter(value, size=min(size, len(value)), mode="nearest")
+    return middle, float(np.ptp(middle))
+
+
+def _mean(
+    deviation: Deviation, profile: Profile, cutter_radius: float, ball_radius: float, depth: float
+) -> list[Finding]:
+    """A mean that stands above the form, and what would explain it figure by figure."""
+    order = _ordered(deviation)
+    form, height = _form(deviation.value[order])
+    mean = float(form.mean())
+    if abs(mean) < max(LARGE_MEAN, MEAN_OVER_FORM * height) or elastic.expected(mean, mean, depth):
         return []
-    residual = np.empty(len(machine))
-    order = np.lexsort((deviation.s, deviation.level, deviation.stretch))
-    block = deviation.stretch[order] * (int(deviation.level.max()) + 1) + deviation.level[order]
-    for rows in np.split(order, np.flatnonzero(np.diff(block)) + 1):
-        middle = median_filter(machine[rows], size=7, mode="mirror") if len(rows) >= 8 else np.median(machine[rows])
-        residual[rows] = machine[rows] - middle
-    size = np.abs(residual)
-    # Where a few points of a stretch are their own median, the mean of the smaller nine tenths holds.
-    scatter = max(1.482602 * float(np.median(size)), 1.253314 * float(np.minimum(size, np.quantile(size, 0.9)).mean()))
-    # A wave or a step that the few points round it do not show is no outlier: it stays among the others' values.
-    low, typical, high = np.percentile(machine, [25.0, 50.0, 75.0])
-    usual = max((high - low) / 1.349, LEAST_SCATTER)
-    far = (size > OUTLIER * max(scatter, LEAST_SCATTER)) & (np.abs(machine - typical) > AMONG_OTHERS * usual)
-    if not far.any() or far.mean() > 0.1:
-        return []
-    worst = int(np.argmax(size))
-    x, y = deviation.foot[worst]
-    count = int(far.sum())
+    more = mean > 0
+    causes = [
+        f"a probe's radius {ball_radius + mean:.3f} for {ball_radius:g}"
+        if ball_radius
+        else f"a probe's radius {abs(mean):.3f} too {'small' if more else 'large'}",
+        f"a tool D{2 * (cutter_radius - mean):.3f} for D{2 * cutter_radius:g}",
+    ]
+    if more:
+        causes.append(f"{mean:.3f} mm of stock left")
+    left, bottom, right, top = profile.bounding_box()
+    arm = float(((deviation.foot - [(left + right) / 2, (bottom + top) / 2]) * deviation.normal).sum(axis=1).mean())
+    degrees = mean / (GROWTH * arm) if arm else np.inf
+    if abs(degrees) <= PLAUSIBLE_DEGREES:
+        causes.append(f"steel measured {abs(degrees):.0f} K too {'warm' if degrees > 0 else 'cold'}")
     text = (
-        f"{count} {'outlier' if count == 1 else 'outliers'}, the largest {residual[worst] * 1000:+.1f} um off its "
-        f"neighbours at X{x:.3f} Y{y:.3f}: the filters auto and robust leave them out, mean and gauss do not"
+        f"mean {mean * 1000:+.0f} um all along, form only {height * 1000:.0f} um: check for {', '.join(causes)}; else "
+        "the machine gives way"
     )
-    return [Finding("outliers", text, False)]
+    return [Finding("constant-offset", text, False)]
 
 
-def _moved_or_scaled(deviation: Deviation, profile: Profile, depth: float) -> tuple[Finding, ...]:
+def _step(deviation: Deviation, profile: Profile) -> tuple[Finding | None, int]:
+    """Straight sides that lie off by a constant which the other sides do not have: another revision of the drawing.
+
+    The sides fall into two groups with a gap between their medians that is wider than all that varies within either
+    group and on any side. What a machine leaves varies along a side, and from side to side in between. With the
+    finding, how many sides lie off.
+    """
+    sides = _sides(deviation, profile)
+    if len(sides) < 2:
+        return None, 0
+    # Outliers are few on each side, and its ends may lie on a fillet of another revision.
+    low, median, high = np.array([np.percentile(deviation.value[rows], [10.0, 50.0, 90.0]) for rows in sides]).T
+    rank = np.argsort(median)
+    gaps = np.diff(median[rank])
+    widest = int(np.argmax(gaps))
+    groups = rank[: widest + 1], rank[widest + 1 :]
+    varies = max(float((high - low).max()), *(float(np.ptp(median[group])) for group in groups))
+    if gaps[widest] < max(STEP, STEP_OVER_FORM * varies):
+        return None, 0
+    # The sides that lie off are those farther from the nominal.
+    off = max(groups, key=lambda group: abs(float(median[group].mean())))
+    others = groups[1] if off is groups[0] else groups[0]
+    step = float(median[off].mean() - median[others].mean())
+    x, y = deviation.foot[sides[off[0]]].mean(axis=0)
+    which = f"the side at X{x:.1f} Y{y:.1f} lies" if len(off) == 1 else f"{len(off)} sides (X{x:.1f} Y{y:.1f} …) lie"
+    text = (
+        f"{which} {step * 1000:+.0f} um from the other {len(others)} all along (each within {varies * 1000:.0f} um): "
+        "compare that dimension with the drawing; another revision, or a wall that gives way"
+    )
+    # Nothing that gives way cuts deeper than it is told to on one side and rightly on the others.
+    return Finding("step", text, step < -NO_MACHINE and float(median[off].max()) < -NO_MACHINE), len(off)
+
+
+def _sides(deviation: Deviation, profile: Profile) -> list[Ints]:
+    """Rows of the points on each straight side, of at least 5 points and a twentieth of the contour."""
+    order = _ordered(deviation)
+    order = order[:: max(1, len(order) // 20_000)]
+    contour, s, normal = deviation.contour[order], deviation.s[order], deviation.normal[order]
+    straight = np.abs(profile.curvature(*profile.locate(contour, s))) < STRAIGHT
+    turned = np.abs(normal[1:, 0] * normal[:-1, 1] - normal[1:, 1] * normal[:-1, 0]) > 0.01
+    cut = (straight[1:] != straight[:-1]) | turned | (contour[1:] != contour[:-1])
+    runs = np.split(np.arange(len(order)), np.flatnonzero(cut) + 1)
+    whole = profile.total[contour]
+    return [order[run] for run in runs if len(run) >= 5 and straight[run[0]] and np.ptp(s[run]) > 0.05 * whole[run[0]]]
+
+
+def _moved_or_scaled(deviation: Deviation, profile: Profile, depth: float) -> tuple[Finding | None, Finding | None]:
     """A shift and turn, or a change of size, that by itself explains most of the deviations.
 
-    Dangerous only where the machine's giving way cannot be it: walls of different stiffness look like either.
+    No word where a stated depth leaves that much: walls of different stiffness look like either.
     """
-    if len(deviation) < 10:
-        return ()
+    low, high = np.percentile(deviation.value, [2, 98])
+    if len(deviation) < 10 or elastic.expected(low, high, depth):
+        return None, None
     n = deviation.normal
     left, bottom, right, top = profile.bounding_box()
     middle = np.array([(left + right) / 2, (bottom + top) / 2])
     size = max(right - left, top - bottom) / 2
     arm = (deviation.foot - middle) / size
     turn = arm[:, 0] * n[:, 1] - arm[:, 1] * n[:, 0]
-    low, high = np.percentile(deviation.value, [2, 98])
     clipped = np.clip(deviation.value, low, high)
-    expected = elastic.expected(low, high, depth)
-    also = ""
-    if expected:
-        ms = [elastic.transfer(value, depth) for value in (low, high)]
-        also = f"; a transfer function of {ms[0]:.3f} to {ms[1]:.3f} would give them, too"
-    found = []
+    misaligned = grown = None
     fitted, explained, moved = _explained(clipped, np.column_stack([n, turn]))
     if explained >= EXPLAINED and moved >= NOTICEABLE:
         dx, dy, turned = fitted
         text = (
             f"{100 * explained:.0f} % of the deviations are what a shift of X{dx * 1000:+.0f} Y{dy * 1000:+.0f} um and "
             f"a turn of {np.degrees(turned / size) * 3600:+.0f} arc seconds would give: check the alignment of the "
-            f"measurement (--align), or correct the work offset{also}"
+            "measurement (--align), or correct the work offset"
         )
-        found.append(Finding("misalignment", text, moved > MISALIGNED and not expected))
+        misaligned = Finding("misalignment", text, moved > MISALIGNED)
     growth = (arm * n).sum(axis=1)
     fitted, scaled, _ = _explained(clipped, np.column_stack([n, turn, growth]))
     moved = float(np.abs(fitted[3] * growth).max())
@@ -258,91 +341,23 @@ def _moved_or_scaled(deviation: Deviation, profile: Profile, depth: float) -> tu
         text = (
             f"{100 * scaled:.0f} % of the deviations are what a size of {factor:.6f} times the profile's would "
             f"give ({moved * 1000:.0f} um at the rim; steel makes 11.5 um per metre and degree): check temperature, "
-            f"unit and scale of the measurement; no scale is ever applied{also}"
+            "unit and scale of the measurement; no scale is ever applied"
         )
-        found.append(Finding("scale", text, moved > MISALIGNED and not expected))
-    return tuple(found)
+        grown = Finding("scale", text, moved > MISALIGNED)
+    return misaligned, grown
 
 
 def _explained(value: Floats, design: Floats) -> tuple[Floats, float, float]:
-    """Fit of columns beside a constant: coefficients, share that they explain, largest effect.
-
-    The share is the smaller one of those of the squares (a constant is no motion: what it explains is not theirs) and
-    of the variation about a constant (which must not be split into a motion and its opposite).
+    """Fit of columns beside a constant: coefficients, share of the variance that they explain, largest effect.
 
     Columns that the points hardly determine (one straight edge, a round part) say nothing and are left out.
     """
     out = np.zeros(design.shape[1])
     strong = np.sqrt(((design - design.mean(axis=0)) ** 2).mean(axis=0)) > 0.1
     columns = np.column_stack([np.ones(len(value)), design[:, strong]])
-    if columns.shape[1] < 2 or np.linalg.cond(columns) > 20:
+    variance = float(value.var())
+    if columns.shape[1] < 2 or np.linalg.cond(columns) > 20 or variance == 0.0:
         return out, 0.0, 0.0
     out[strong] = np.linalg.lstsq(columns, value, rcond=None)[0][1:]
     effect = design @ out
-    total, variation = float((value**2).mean()), float(value.var())
-    if variation == 0.0:
-        return out, 0.0, 0.0
-    explained = 1.0 - float(((value - effect) ** 2).mean()) / total
-    of_variation = 1.0 - float((value - effect).var()) / variation
-    return out, min(explained, of_variation), float(np.abs(effect).max())
-
-
-def examine_sampling(deviation: Deviation, profile: Profile, filter: Filter) -> tuple[Finding, ...]:
-    """Whether there are enough points for a filter.
-
-    Parameters
-    ----------
-    deviation : Deviation
-        Used points.
-    profile : Profile
-    filter : Filter
-
-    Returns
-    -------
-    tuple of Finding
-        At most one, with the worst stretch.
-
-    Notes
-    -----
-    A wave comes back from points only if it is longer than twice their spacing (Nyquist). A cutoff below the
-    spacing itself lets all of the random part through, whatever the user meant to keep out of the next part.
-    """
-    few: list[tuple[float, str, bool]] = []
-    stretches = profile.stretches()
-    levels = int(deviation.level.max(initial=0)) + 1
-    for key in np.unique(deviation.stretch * levels + deviation.level):
-        number, level = divmod(int(key), levels)
-        stretch = stretches[number]
-        rows = (deviation.stretch == number) & (deviation.level == level)
-        s = np.unique(np.round(along(stretch, deviation.s[rows], profile), 6))
-        gaps = np.diff(s)
-        if stretch.closed and len(s) > 1:
-            gaps = np.append(gaps, s[0] + stretch.length - s[-1])
-        if not len(gaps):
-            continue
-        x, y = deviation.foot[np.flatnonzero(rows)[0]]
-        where = f"on the stretch of {stretch.length:.3g} mm at X{x:.3f} Y{y:.3f}"
-        typical = float(np.median(gaps))
-        if filter.kind == "auto" and len(s) < AUTO_NEEDS:
-            text = (
-                f"{len(s)} points {where} are too few for --filter auto to tell the determined from the random "
-                f"part, it needs {AUTO_NEEDS}: measure more points, or average several parts"
-            )
-            few.append((AUTO_NEEDS / len(s), text, False))
-        elif filter.kind == "mean" and len(filter.mask) > len(s):
-            text = (
-                f"{len(s)} points {where} are fewer than the {len(filter.mask)} that --filter {filter} averages: "
-                "measure more points, or take --filter auto"
-            )
-            few.append((len(filter.mask) / len(s), text, False))
-        elif filter.cutoff < typical:
-            text = (
-                f"the points {where} are {typical:.3g} mm apart, farther than the cutoff of --filter {filter}: nothing "
-                f"would be filtered; take --filter {filter.kind}:{2.0 * typical:.2g} or more, or points every "
-                f"{0.5 * filter.cutoff:.2g} mm"
-            )
-            few.append((typical / filter.cutoff, text, True))
-    if not few:
-        return ()
-    _, text, dangerous = max(few, key=lambda entry: (entry[2], entry[0]))
-    return (Finding("too-few-points", text, dangerous),)
+    return out, 1.0 - float((value - effect).var()) / variance, float(np.abs(effect).max())

@@ -24,9 +24,6 @@ NOTHING = 1e-6
 ROUNDING = 0.75
 """Rounding two coordinates moves a point along any direction by at most 0.71 of the step; and a bit."""
 
-FEW_AT_A_LEVEL = 4
-"""With fewer points at a height than this there is nothing to filter along it."""
-
 
 def examine_file(measurement: Measurement) -> tuple[Finding, ...]:
     """Signs that a measured file is not what it is taken for, from the file alone.
@@ -45,7 +42,6 @@ def examine_file(measurement: Measurement) -> tuple[Finding, ...]:
         _identical(measurement, step),
         _stated(measurement, step),
         _coarse(step),
-        _levels(measurement),
     )
     return tuple(finding for finding in found if finding is not None)
 
@@ -131,18 +127,3 @@ def _coarse(step: float) -> Finding | None:
         f"{step / np.sqrt(12) * 1000:.1f} um (standard deviation): export to 0.0001 mm"
     )
     return Finding("coarse-resolution", text, False)
-
-
-def _levels(measurement: Measurement) -> Finding | None:
-    if not measurement.has_z or len(measurement) < 2 * FEW_AT_A_LEVEL:
-        return None
-    count = int(measurement.levels().max()) + 1
-    if count == 1 or len(measurement) >= FEW_AT_A_LEVEL * count:
-        return None
-    z = measurement.points[:, 2]
-    text = (
-        f"{len(measurement)} points lie on {count} heights (Z{z.min():.3f} to Z{z.max():.3f}), fewer than "
-        f"{FEW_AT_A_LEVEL} at each: filters work along each height by itself; measure at few heights, or leave the "
-        "column z out"
-    )
-    return Finding("many-levels", text, False)

@@ -80,6 +80,13 @@ def examine_points(
     own = _other_nominal(measurement, search, step)
     ball = measurement.ball_radius
     feet = search.find(points)
+    if measurement.normals is not None:
+        normals = measurement.normals[::step, :2]
+        said = search.on_the_side_of(points, normals, feet)
+        turned = _normals_reversed(measurement, normals, feet, said)
+        own = (*turned, *own)
+        # Normals the wrong way round say the wrong side.
+        feet = feet if turned else said
     value = feet.distance - ball
     offset, scatter = _middle(value)
     size = np.abs(value)
@@ -96,7 +103,7 @@ def examine_points(
     shifted = axis_signature(measurement, profile)
     if shifted is not None:
         return (Finding(*shifted), *own)
-    return (*_sides(measurement, search, feet, value, step), *own)
+    return (*_thin_walls(measurement, search, feet, value, step), *own)
 
 
 def _other_nominal(measurement: Measurement, search: FootPointSearch, step: int) -> tuple[Finding, ...]:
@@ -115,39 +122,46 @@ def _other_nominal(measurement: Measurement, search: FootPointSearch, step: int)
     return (Finding("other-nominal", text, True),)
 
 
-def _sides(
+def _normals_reversed(
+    measurement: Measurement, normals: Floats, nearest: FootPoints, said: FootPoints
+) -> tuple[Finding, ...]:
+    """Normals that point into the material; `said` are the feet on the sides that the normals say."""
+    value = nearest.distance - measurement.ball_radius
+    belongs = (np.abs(value) <= REACH) & (nearest.place == Place.SMOOTH)
+    length, facing = np.hypot(*normals.T), (normals * nearest.normal).sum(axis=1)
+    against = belongs & (length > 0.1) & (facing < -0.5 * length)
+    if against.sum() <= 0.5 * belongs.sum():
+        return ()
+    # Where no side faces as the normal does none is near; a thin wall's other side is near, but far less so.
+    moved = (said.normal * nearest.normal).sum(axis=1) < 0.0
+    other = np.where(moved, np.abs(said.distance - measurement.ball_radius), np.inf)
+    if np.median(np.abs(value[against])) > FAR_BETTER * np.median(other[against]):
+        return ()
+    text = (
+        f"the normals of {int(against.sum())} of {int(belongs.sum())} points point into the material: export normals "
+        "out of the material, not directions of approach"
+    )
+    return (Finding("normals-reversed", text, bool(moved[against].any())),)
+
+
+def _thin_walls(
     measurement: Measurement, search: FootPointSearch, feet: FootPoints, value: Floats, step: int
 ) -> tuple[Finding, ...]:
-    """Normals that point into the material, and points that may belong to the other side of a thin wall."""
-    points = measurement.points[::step, :2]
+    """Points on walls so thin that either side may be meant, where no normals say which."""
     belongs = (np.abs(value) <= REACH) & (feet.place == Place.SMOOTH)
-    if not belongs.any():
+    if measurement.normals is not None or not belongs.any():
         return ()
     wall = _wall(search, feet, belongs)
-    thin = wall < THIN_WALL
-    if measurement.normals is None:
-        doubtful = thin & (np.abs(value) >= CERTAIN * wall)
-        said, remedy = "so far off that the other side may be meant, and the file has no normals", "export normals"
-    else:
-        normals = measurement.normals[::step, :2]
-        facing = (normals * feet.normal).sum(axis=1)
-        against = belongs & (facing < -0.5 * np.maximum(np.hypot(*normals.T), 1e-12)) & (np.hypot(*normals.T) > 0.1)
-        if against.sum() > 0.5 * belongs.sum():
-            text = (
-                f"the normals of {int(against.sum())} of {int(belongs.sum())} points point into the material: export "
-                "normals out of the material, not directions of approach"
-            )
-            return (Finding("normals-reversed", text, bool(thin.any())),)
-        doubtful = thin & against
-        said, remedy = "nearer to the side that their normals do not mean", "check the normals and the work frame"
+    doubtful = np.abs(value) >= CERTAIN * wall
     if not doubtful.any():
         return ()
     worst = int(np.argmin(np.where(doubtful, wall, np.inf)))
-    x, y = points[worst]
+    x, y = measurement.points[worst * step, :2]
     count = int(doubtful.sum())
     text = (
         f"{count} {'point' if count == 1 else 'points'} on a wall of {wall[worst]:.3f} mm (X{x:.3f} Y{y:.3f}, "
-        f"{measurement.origin(worst * step)}) {'lies' if count == 1 else 'lie'} {said}: {remedy}"
+        f"{measurement.origin(worst * step)}) {'lies' if count == 1 else 'lie'} so far off that the other side may be "
+        "meant, and the file has no normals: export normals"
     )
     return (Finding("thin-wall", text, bool(count >= 3 and count > SOME * len(value))),)
 
