@@ -265,7 +265,7 @@ def nominal_of(
         raise InputError(f"{name}: {trouble[0] if trouble else 'the program cuts no contour in the XY plane'}")
     if measurement is None:
         return Profile.from_contours([c.contour for c in found]), 0, found
-    made = _making(toolpath, found, measurement)
+    made = _making(found, measurement)
     if not made:
         everything = Profile.from_contours([c.contour for c in found])
         if doubt is not None:
@@ -316,7 +316,12 @@ def _contours_near(
                 found += list(cut_contours(toolpath, path_radius, material_right, only, resolution=resolution))
             except InputError as error:
                 trouble.append(str(error))
-    return _different(found), trouble, len(far)
+    return _different(sorted(found, key=_deepest)), trouble, len(far)
+
+
+def _deepest(cut: CutContour) -> float:
+    """Lowest height in mm of the moves that cut a contour; without bound where it is not stated."""
+    return float(np.nan_to_num(cut.path.end[:, 2], nan=-np.inf).min())
 
 
 def _different(cut: list[CutContour]) -> list[CutContour]:
@@ -335,7 +340,7 @@ def _different(cut: list[CutContour]) -> list[CutContour]:
     return [one for one, _, _ in kept]
 
 
-def _making(toolpath: Toolpath, cut: list[CutContour], measurement: Measurement) -> list[CutContour]:
+def _making(cut: list[CutContour], measurement: Measurement) -> list[CutContour]:
     """Contours that made points: of those near a point the one that goes deepest into the material there."""
     rows = np.arange(0, len(measurement), max(1, len(measurement) // SAMPLE))
     points, z = measurement.points[rows, :2], measurement.points[rows, 2]
@@ -347,8 +352,7 @@ def _making(toolpath: Toolpath, cut: list[CutContour], measurement: Measurement)
         here = (np.abs(off) < REACH) & (feet.place != Place.END)
         over[k, here] = off[here]
         if measurement.has_z:
-            deepest = float(np.nan_to_num(toolpath.end[one.rows, 2], nan=-np.inf).min())
-            high[k] = z < deepest - 1e-6
+            high[k] = z < _deepest(one) - 1e-6
     # What does not go down to a point made it only if nothing does.
     low = np.where(high, -np.inf, over)
     over = np.where(np.isfinite(low).any(axis=0), low, over)

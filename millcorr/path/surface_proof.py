@@ -52,7 +52,7 @@ def prove_surface(
     -------
     Verification
     stays : (float, (float, float))
-        The most that the cutter cannot reach of what was wanted, mm, and where.
+        The most that stays of what was wanted because the cutter cannot reach it, mm, and where.
 
     Raises
     ------
@@ -88,9 +88,11 @@ def prove_surface(
         )
     if radius > 0:
         _refuse_gouging_others(original, written, made_by, after, own, wanted, tolerance)
-    most = int(np.argmax(np.where(reached, rest, 0.0)))
+    # What was out of reach before, as the corners of facets are, is no matter of the correction.
+    more = np.where(reached, rest - (_out_of_reach(before, radius) if radius > 0 else 0.0), 0.0)
+    most = int(np.argmax(more))
     x, y = after.place[most]
-    return result, (float(rest[most]) if reached[most] else 0.0, (float(x), float(y)))
+    return result, (float(more[most]), (float(x), float(y)))
 
 
 def _heights(toolpath: Toolpath, made_by: Bools, count: int) -> list[Floats | None]:
