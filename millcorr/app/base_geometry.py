@@ -182,7 +182,10 @@ def profile_of_operation(operation: Any, toolpath: Toolpath) -> Profile:
         joined = convert.chain([convert.curve_of_edge(e) for e in edges])
         contours += [_turned(c, material_inside, toolpath) for c in joined]
     if not contours:
-        raise InputError(f"{operation.Label}: the operation's base geometry gives no profile")
+        raise InputError(
+            f"{operation.Label}: the operation's base geometry gives no profile; select faces or edges of it in the "
+            "operation, with processPerimeter or processHoles on"
+        )
     return Profile.from_contours(contours)
 
 
@@ -339,7 +342,12 @@ def _outline(shape: Any) -> list[Any]:
     for known, edges in _outlines:
         if known.isEqual(shape):
             return edges
-    edges = list(convert.outline_edges(shape) if shape.Solids else shape.Edges)
+    if not shape.Faces:
+        edges = shape.Edges
+    elif shape.Solids or not all(convert.is_horizontal(face) for face in shape.Faces):
+        edges = convert.outline_edges(shape)
+    else:
+        edges = [edge for face in _together(shape.Faces, True) for edge in face.OuterWire.Edges]
     _outlines[3:] = []
     _outlines.insert(0, (shape, edges))
     return edges

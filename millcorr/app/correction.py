@@ -114,6 +114,11 @@ def _described(obj: Any) -> tuple[pipeline.Request, list[Any], list[Callable[[],
     commands = list(path.Commands)
     if not commands:
         raise InputError(f"{obj.Base.Label}: the operation has no path; recompute it")
+    if not any(command.Name in motion.FEEDS for command in commands):
+        raise InputError(
+            f"{obj.Base.Label}: the operation cuts along no contour; check its base geometry, and that its FinalDepth "
+            "lies below the edges that are selected"
+        )
     program = motion.program_of_path(path, obj.Base.Label)
     operation = compat.bottom_operation(obj.Base)
     tool_radius = (_value(obj, "tool_diameter", None) or compat.tool_diameter(obj.Base)) / 2
