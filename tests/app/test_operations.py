@@ -159,7 +159,7 @@ def cutting(obj):
     return toolpath.take((toolpath.kind != Kind.RAPID) & along)
 
 
-def distances(moves, profile, places=5):
+def distances(moves, profile, places=4):
     """Distance of places on moves from the nominal, by OCCT."""
     from millcorr.app import convert
 

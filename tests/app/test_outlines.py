@@ -118,7 +118,7 @@ def test_outline_is_the_model_s(name, how, tmp_path):
     assert profile.total[0] == pytest.approx(length, rel=1e-5 if "parallel" in name else 1e-8)
     walls = Part.makeCompound([face for face in shape.Faces if not convert.is_horizontal(face)])
     z = shape.BoundBox.ZMin + np.array([0.5, 0.8]) * HEIGHT
-    places, _ = profile.at(0, np.linspace(0.0, profile.total[0], 101)[:-1])
+    places, _ = profile.at(0, np.linspace(0.0, profile.total[0], 41)[:-1])
     off = [min(walls.distToShape(Part.Vertex(V(x, y, h)))[0] for h in z) for x, y in places.tolist()]
     assert max(off) < 1e-6
 
