@@ -32,7 +32,9 @@ def spline(closed=True, radius=30.0):
 
 
 def prism(*edges, height=HEIGHT, z=0.0):
-    return Part.Face(Part.Wire(list(edges))).extrude(V(0, 0, height)).translate(V(0, 0, z))
+    out = Part.Face(Part.Wire(list(edges))).extrude(V(0, 0, height))
+    out.Placement = FreeCAD.Placement(V(0, 0, z), FreeCAD.Rotation())
+    return out
 
 
 def wave():
