@@ -11,6 +11,7 @@ from typing import Any
 import FreeCAD
 import numpy as np
 import Part
+from scipy.spatial import cKDTree
 
 from millcorr.errors import InputError
 from millcorr.profile import Contour, Profile
@@ -101,11 +102,8 @@ def side_of_path(profile: Profile, toolpath: Toolpath) -> Compensation:
         points = cutting.position(np.linspace(0.0, 1.0, 9))[:, :, :2]
         step = np.diff(points, axis=1).reshape(-1, 2)
         middle = ((points[:, 1:] + points[:, :-1]) / 2).reshape(-1, 2)
-        for p, d in zip(middle, step, strict=True):
-            distance = np.hypot(*(on - p).T)
-            nearest = int(distance.argmin())
-            if distance[nearest] < 0.5:
-                along += float(tangent[nearest] @ d)
+        distance, nearest = cKDTree(on).query(middle)
+        along += float((tangent[nearest] * step).sum(axis=1)[distance < 0.5].sum())
     return Compensation.RIGHT if along >= 0 else Compensation.LEFT
 
 
@@ -182,7 +180,10 @@ def profile_of_operation(operation: Any, toolpath: Toolpath) -> Profile:
         joined = convert.chain([convert.curve_of_edge(e) for e in edges])
         contours += [_turned(c, material_inside, toolpath) for c in joined]
     if not contours:
-        raise InputError(f"{operation.Label}: the operation's base geometry gives no profile")
+        raise InputError(
+            f"{operation.Label}: the operation's base geometry gives no profile; select faces or edges of it in the "
+            "operation, with processPerimeter or processHoles on"
+        )
     return Profile.from_contours(contours)
 
 
@@ -203,17 +204,10 @@ def _side_of_path(profile: Profile, toolpath: Toolpath) -> float:
     if not len(points):
         return 0.0
     on, outward = profile.at(0, np.linspace(0.0, profile.total[0], 401))
-    total = 0.0
-    for block in np.array_split(points, max(1, len(points) // 2000)):
-        delta = block[:, None, :] - on[None, :, :]
-        distance = np.hypot(delta[..., 0], delta[..., 1])
-        nearest = distance.argmin(axis=1)
-        rows = np.arange(len(block))
-        height = (delta[rows, nearest] * outward[nearest]).sum(axis=1)
-        near = distance[rows, nearest]
-        inner = (nearest > 0) & (nearest < len(on) - 1)
-        total -= float((height / np.maximum(near, 1e-9) ** 2)[inner].sum())
-    return total
+    near, nearest = cKDTree(on).query(points)
+    height = ((points - on[nearest]) * outward[nearest]).sum(axis=1)
+    inner = (nearest > 0) & (nearest < len(on) - 1)
+    return -float((height / np.maximum(near, 1e-9) ** 2)[inner].sum())
 
 
 Wall = tuple[list[Any], bool]
@@ -339,7 +333,12 @@ def _outline(shape: Any) -> list[Any]:
     for known, edges in _outlines:
         if known.isEqual(shape):
             return edges
-    edges = list(convert.outline_edges(shape) if shape.Solids else shape.Edges)
+    if not shape.Faces:
+        edges = shape.Edges
+    elif shape.Solids or not all(convert.is_horizontal(face) for face in shape.Faces):
+        edges = convert.outline_edges(shape)
+    else:
+        edges = [edge for face in _together(shape.Faces, True) for edge in face.OuterWire.Edges]
     _outlines[3:] = []
     _outlines.insert(0, (shape, edges))
     return edges

@@ -29,6 +29,8 @@ JOINED = 1e-4
 """Largest distance in mm between the ends of two edges that count as joined; OCCT's own tolerances in models
 from other systems go that far."""
 
+_LEVEL = "a profile lies parallel to the XY plane: choose level edges, upright faces, or a sketch of it as Nominal"
+
 DEFLECTION = JOINED / 5
 """Largest distance in mm of a polygon from the curve in whose place it is asked what lies above what; no profile is
 made of polygons."""
@@ -61,7 +63,7 @@ def curve_of_edge(edge: Any) -> NurbsCurve:
     if max(heights) - min(heights) > FLAT:
         raise InputError(
             f"an edge near X{box.Center.x:.3f} Y{box.Center.y:.3f} is not level: it runs from "
-            f"Z{min(heights):.6f} to Z{max(heights):.6f}; a profile lies parallel to the XY plane"
+            f"Z{min(heights):.6f} to Z{max(heights):.6f}; {_LEVEL}"
         )
     if isinstance(curve, Part.Line | Part.LineSegment):
         start, end = edge.valueAt(first), edge.valueAt(last)
@@ -109,7 +111,7 @@ def _curve_of_spline(spline: Any, box: Any) -> NurbsCurve:
     if np.ptp(poles[:, 2]) > FLAT:
         raise InputError(
             f"an edge near X{box.Center.x:.3f} Y{box.Center.y:.3f} is not level: its poles differ by "
-            f"{np.ptp(poles[:, 2]):.6f} mm in Z; a profile lies parallel to the XY plane"
+            f"{np.ptp(poles[:, 2]):.6f} mm in Z; {_LEVEL}"
         )
     return NurbsCurve(
         spline.Degree,

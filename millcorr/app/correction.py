@@ -14,6 +14,7 @@ from millcorr.errors import InputError, UsageError
 from millcorr.measurement import Measurement
 from millcorr.series.places import field_of_text
 from millcorr.setup_file import Setup
+from millcorr.toolpath import Compensation
 
 from . import base_geometry, compat, motion
 from .measurement_object import reader_of
@@ -114,18 +115,23 @@ def _described(obj: Any) -> tuple[pipeline.Request, list[Any], list[Callable[[],
     commands = list(path.Commands)
     if not commands:
         raise InputError(f"{obj.Base.Label}: the operation has no path; recompute it")
+    if not any(command.Name in motion.FEEDS for command in commands):
+        raise InputError(
+            f"{obj.Base.Label}: the operation cuts along no contour; check its base geometry, and that its FinalDepth "
+            "lies below the edges that are selected"
+        )
     program = motion.program_of_path(path, obj.Base.Label)
     operation = compat.bottom_operation(obj.Base)
     tool_radius = (_value(obj, "tool_diameter", None) or compat.tool_diameter(obj.Base)) / 2
     nominal = base_geometry.nominal_of(operation, program.toolpath, obj.Nominal)
     settings = settings_of(obj)
-    if base_geometry.is_profile_operation(operation):
-        # The operation itself says whether its path is the contour or the centre's, whatever G41 a dressup adds.
-        given = base_geometry.leaves_radius_to_control(operation)
-        settings = replace(settings, cutter_compensation="contour" if given else "wear")
-        if given and nominal is not None:
-            side = base_geometry.side_of_path(nominal, program.toolpath)
-            program = motion.program_of_path(path, obj.Base.Label, side)
+    if base_geometry.leaves_radius_to_control(operation) and nominal is not None:
+        settings = replace(settings, cutter_compensation="contour")
+        side = base_geometry.side_of_path(nominal, program.toolpath)
+        program = motion.program_of_path(path, obj.Base.Label, side)
+    elif base_geometry.gives_contour(operation) and (program.toolpath.compensation != Compensation.OFF).any():
+        # The operation's path is the centre's: the G41 that a dressup adds holds wear only.
+        settings = replace(settings, cutter_compensation="wear")
     request = pipeline.Request(
         program=program,
         radius=base_geometry.path_radius(operation, tool_radius),

@@ -22,6 +22,8 @@ _PREAMBLE = "G17 G21 G40 G49 G80 G90 G91.1 G94"
 
 _LETTERS = "XYZABCUVWIJKRQPLSTHD"
 _RAPIDS = ("G0", "G00")
+FEEDS = ("G1", "G01", "G2", "G02", "G3", "G03")
+"""Commands that cut."""
 _COMPENSATION = {Compensation.OFF: "G40", Compensation.LEFT: "G41", Compensation.RIGHT: "G42"}
 
 
