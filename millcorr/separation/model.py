@@ -601,10 +601,7 @@ def _of_sizes(gathered: Gathered, fit: Fit, of: Ints, at: Floats, column: Ints) 
     for i in range(n):
         curve[i, i] = plus[i] - 2 * here + minus[i]
         for j in range(i):
-            curve[i, j] = curve[j, i] = 0.5 * (
-                likelihood(x + unit[i] + unit[j], bound) - plus[i] - plus[j] + 2 * here
-                - minus[i] - minus[j] + likelihood(x - unit[i] - unit[j], bound)
-            )  # fmt: skip
+            curve[i, j] = curve[j, i] = likelihood(x + unit[i] + unit[j], bound) - plus[i] - plus[j] + here
     value, vector = np.linalg.eigh(curve / (2.0 * step**2))
     out = np.zeros(len(of))
     lower, upper = np.array(likelihood.limits()).T
