@@ -378,8 +378,7 @@ def test_three_of_four_parts_of_an_earlier_program_are_seen_whatever_the_noise()
 
 def test_every_name_is_tested() -> None:
     elsewhere = {
-        "overshoot",
-        "swarf",
+        "unmeasured",
         "earlier-program",
         "same-part",
         "first-part",

