@@ -24,6 +24,9 @@ Bools = NDArray[np.bool_]
 MOST_CELLS = 2000
 """Points are gathered to about so many places: closer ones than a thousandth of a contour tell the same."""
 
+MANY = 20_000
+"""Of more points a share is enough to find the sizes."""
+
 SEARCHED = 500
 """Places that outliers, sizes and lengths are looked for with; with all cells only the last steps are made."""
 
@@ -68,11 +71,11 @@ _SHORTER = 3.0
 _BARRIER = 0.15
 
 _SUSPECT = 6.0
-_HALVES = (2, 6)
+_HALVES = (6, 2)
 _ROUNDS = 8
 _FEW = 8
 _SETTLED = 0.2
-_ROUNDS_OF_START, _ROUNDS_OF_SEARCH = 4, 12
+_ROUNDS_OF_START, _ROUNDS_OF_SEARCH, _HOPEFUL = 5, 12, 25.0
 _MOST_PLACES = 1000
 
 
@@ -357,9 +360,12 @@ def _settled(gathered: Gathered, weight: Floats, gap: float, x: Floats | None) -
             spread = float(np.sqrt(likelihood.total @ (likelihood.mean - np.average(
                 likelihood.mean, weights=likelihood.total)) ** 2 / likelihood.total.sum()))  # fmt: skip
             found = [likelihood.minimum(start, _ROUNDS_OF_START) for start in _starts(likelihood, noise, spread)]
-            value, x = likelihood.minimum(min(found, key=lambda row: row[0])[1], _ROUNDS_OF_SEARCH)
+            least = min(row[0] for row in found)
+            # Four rounds come within some units of the end.
+            hopeful = [row for row in found if row[0] < least + _HOPEFUL]
+            value, x = min((likelihood.minimum(row[1], _ROUNDS_OF_SEARCH) for row in hopeful), key=lambda row: row[0])
         else:
-            value, x = likelihood.minimum(x, _ROUNDS_OF_START)
+            value, x = likelihood.minimum(x, _ROUNDS_OF_START if turn else _ROUNDS_OF_SEARCH)
         if len(weight) < _FEW:
             return Fit(x, weight, value)
         probability, _, dear = _judged(likelihood, x, weight, gap)
@@ -375,6 +381,17 @@ def _settled(gathered: Gathered, weight: Floats, gap: float, x: Floats | None) -
 def _fitted(observed: Observed, stretches: Stretches) -> tuple[Gathered, Fit]:
     """Sizes and weights of the likeliest of the ways to begin, for all points."""
     gathered = Gathered(observed, stretches, MOST_CELLS)
+    if len(observed) > MANY:
+        # Sizes from a share of the points, evenly among all; then every point is judged by what they say.
+        order = np.lexsort((observed.s, observed.stretch, observed.level, observed.part))
+        rows = np.sort(order[:: -(-len(order) // MANY)])
+        share = Observed(*(getattr(observed, name)[rows] for name in Observed.__slots__))
+        found = _fitted(share, stretches)[1]
+        weight = np.where(_suspects(gathered, observed, max(_HALVES)), IGNORED, 1.0)
+        for _ in range(2):
+            probability, _, _ = _judged(Likelihood(gathered, weight), found.x, weight, gathered.spacing)
+            weight = np.maximum(probability, IGNORED)
+        return gathered, Fit(found.x, weight, found.cost)
     few = gathered if len(observed) <= SEARCHED else Gathered(observed, stretches, SEARCHED)
     gap = few.spacing
     begun: list[Bools] = []
@@ -384,6 +401,9 @@ def _fitted(observed: Observed, stretches: Stretches) -> tuple[Gathered, Fit]:
         if not any(np.array_equal(wrong, other) for other in begun):
             begun.append(wrong)
             fits.append(_settled(few, np.where(wrong, IGNORED, 1.0), gap, None))
+            if not wrong.any() and fits[-1].weight.min() >= 0.5:
+                # Nothing stands out, neither beforehand nor of what was found.
+                break
     best = min(fits, key=lambda fit: fit.cost)
     if few is gathered:
         return gathered, best

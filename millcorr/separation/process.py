@@ -190,17 +190,34 @@ class Layout:
         self.pair = tuple(self.own[np.concatenate([p[i] for p in chain])] for i in (0, 1))
         self.head = self.own[order[starts[~ring]]]
 
-    def read(self, stretch: Ints, s: Floats) -> tuple[Ints, Floats]:
-        """Rows of the six states that a place is read from, (n, 6), and their weights, (n, 6)."""
+    def _cell(self, stretch: Ints, s: Floats) -> tuple[Ints, Ints, Floats]:
+        """Nodes before and after places, and how far they lie between them, 0 to 1; (n,) each."""
         s = np.where(self.closed[stretch], np.mod(s, self.lengths[stretch]), np.clip(s, 0.0, self.lengths[stretch]))
         x = s / self.step[stretch]
         i = np.minimum(x.astype(np.int64), self.number[stretch] - 1)
-        u = x - i
         j = np.where(self.closed[stretch] & (i == self.number[stretch] - 1), 0, i + 1)
-        a, b = self.node[self.first[stretch] + i], self.node[self.first[stretch] + j]
-        rows = np.concatenate([a[:, None] + np.arange(3), b[:, None] + np.arange(3)], axis=1)
+        return self.first[stretch] + i, self.first[stretch] + j, x - i
+
+    def read(self, stretch: Ints, s: Floats) -> tuple[Ints, Floats]:
+        """Rows of the six states that a place is read from, (n, 6), and their weights, (n, 6)."""
+        i, j, u = self._cell(stretch, s)
+        three = np.arange(3)
+        rows = np.concatenate([self.node[i][:, None] + three, self.node[j][:, None] + three], axis=1)
         weight: Floats = (u[:, None] ** np.arange(6)) @ _QUINTIC.T
         return rows, weight
+
+    def value(self, state: Floats, stretch: Ints, s: Floats) -> Floats:
+        """The form at places, in the unit of the state; (n,)."""
+        i, j, u = self._cell(stretch, s)
+        three = np.arange(3)
+        cell, back = np.unique(i * (len(self.node) + 1) + j, return_inverse=True)
+        a, b = np.divmod(cell, len(self.node) + 1)
+        rows = np.concatenate([self.node[a][:, None] + three, self.node[b][:, None] + three], axis=1)
+        power = state[rows] @ _QUINTIC
+        out: Floats = power[back, 5]
+        for k in (4, 3, 2, 1, 0):
+            out = out * u + power[back, k]
+        return out
 
     def bind(self, value: Floats, weight: Floats) -> Bound:
         """Data at the cells: means, mm, and weights (1/weight times the white variance is a mean's own)."""
@@ -387,8 +404,7 @@ class Bound:
 
     def mean(self, solved: Solved, stretch: Ints, s: Floats, column: Ints) -> Floats:
         """Form and the constant of a column at places, mm; column -1 for none. (m,)."""
-        rows, a = self.layout.read(stretch, s)
-        form: Floats = solved.sizes.form * (a * solved.state[rows]).sum(axis=1)
+        form = solved.sizes.form * self.layout.value(solved.state, stretch, s)
         out: Floats = form + np.append(solved.constants, 0.0)[column]
         return out
 
