@@ -75,6 +75,7 @@ _HALVES = (6, 2)
 _ROUNDS = 8
 _FEW = 8
 _SETTLED = 0.2
+_UNLIKELY = 0.01
 _ROUNDS_OF_START, _ROUNDS_OF_SEARCH, _HOPEFUL = 5, 12, 25.0
 _MOST_PLACES = 1000
 
@@ -593,6 +594,7 @@ def separate(observed: Observed, stretches: Stretches, filter: Filter | None = N
     variance, along = bound.variance(solved, of, at, column)
     band = _whole_band(variance, along, of)
     variance = variance + _of_sizes(gathered, fit, of, at, column)
+    variance = variance + _of_kind(gathered, fit, sizes, bound.mean(solved, of, at, column), of, at, column)
     out = Separated(
         observed, stretches, filter, np.zeros(0), np.zeros(0), fit.weight, sizes, band,
         _level_differences(observed, gathered, solved), (), bound, solved, gathered.contours,
@@ -634,6 +636,42 @@ def _of_sizes(gathered: Gathered, fit: Fit, of: Ints, at: Floats, column: Ints) 
                 means.append(bound.mean(solved, of, at, column))
         if len(means) == 2:
             out += 0.25 * (means[0] - means[1]) ** 2
+    return out
+
+
+def _of_kind(
+    gathered: Gathered, fit: Fit, sizes: Sizes, mean: Floats, of: Ints, at: Floats, column: Ints
+) -> Floats:
+    """Variance of the systematic part at places because what is taken for form may be the process of this one part.
+
+    On one part a form hardly longer than the process's memory cannot be told from it but by what is usual for both.
+    Were it process, the systematic part would be a longer form's; the difference counts with the odds of that.
+    """
+    if gathered.parts * gathered.levels > 1:
+        return np.zeros(len(of))
+
+    def usual(name: str, value: float) -> float:
+        centre, spread = _PRIOR[name]
+        return -0.5 * ((math.log(value) - centre) / spread) ** 2 - math.log(spread)
+
+    odds = math.exp(
+        usual("memory", sizes.form_length) + usual("process", sizes.form)
+        - usual("form_length", sizes.form_length) - usual("form", sizes.form)
+    )  # fmt: skip
+    share = odds / (1.0 + odds)
+    if share < _UNLIKELY:
+        return np.zeros(len(of))
+    longer = _SHORTER * sizes.form_length
+    likelihood = Likelihood(gathered, fit.weight)
+    likelihood.box["form_length"] = (longer, max(likelihood.box["form_length"][1], 2.0 * longer))
+    begin = replace(sizes, form_length=max(2.0 * longer, 20.0), process=sizes.form, memory=sizes.form_length)
+    x = likelihood.minimum(likelihood.logs(begin), _ROUNDS_OF_SEARCH)[1]
+    other = likelihood.sizes(x)
+    bound = likelihood.bound(other.form_length)
+    solved = bound.solve(other)
+    if solved is None:
+        return np.zeros(len(of))
+    out: Floats = share * (mean - bound.mean(solved, of, at, column)) ** 2
     return out
 
 
