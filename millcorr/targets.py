@@ -209,7 +209,7 @@ def target_of(
     if len(set(depths)) > 1:
         found = _at_several_depths(parts, depths, nominal, settings, warnings)
     else:
-        found = _at_one_depth(parts, depths[0], nominal, settings, warnings)
+        found = _at_one_depth(parts, depths[0], nominal, settings, corrected_before, warnings)
     deviation, offset = first.deviation, first.offset
     if found.machine is not first.machine:
         deviation = replace(deviation, value=offset + found.machine)
@@ -251,11 +251,15 @@ def _next_depth(parts: list[Part], depths: tuple[float, ...], settings: Settings
     return allowance + filtered if allowance > 0 else depths[0]
 
 
-def _at_one_depth(parts: list[Part], depth: float, nominal: Profile, settings: Settings, warnings: list[str]) -> _Found:
-    """Parts of one depth: their mean, filtered; the transfer function where the settings want one."""
+def _at_one_depth(
+    parts: list[Part], depth: float, nominal: Profile, settings: Settings, corrected_before: bool, warnings: list[str]
+) -> _Found:
+    """Parts of one depth: their mean, separated; the transfer function where the settings want one."""
     first = parts[0]
     deviation, machine = first.deviation, first.machine
-    separated = _separated([(p.deviation, p.machine) for p in parts], nominal, settings)
+    # Of a program that carries a correction the model sees what is left: far from any point the correction stays.
+    shown = [(p.deviation, p.machine + p.offset if corrected_before else p.machine) for p in parts]
+    separated = _separated(shown, nominal, settings)
     part_std = math.nan
     if len(parts) > 1:
         several = averaged([(p.deviation, p.machine) for p in parts], nominal)
@@ -266,6 +270,8 @@ def _at_one_depth(parts: list[Part], depth: float, nominal: Profile, settings: S
         )
     n = len(deviation)
     determined, uncertainty = separated.systematic[:n], separated.uncertainty[:n]
+    if corrected_before:
+        determined = determined - first.offset
     weight = separated.weight[:n]
     random_std = part_std if math.isfinite(part_std) else separated.random_std
     if settings.method != "transfer":
@@ -444,8 +450,8 @@ def correction_through(
 
         def mirrored(at: Floats, k: int = k, base: Course | None = base) -> Floats:
             own = np.zeros(len(at)) if base is None else base(at)[0]
-            mean = separated.at(np.full(len(at), k), at)[0]
-            return own - settings.gain * dead_band(own + mean, settings.dead_band)
+            left = separated.at(np.full(len(at), k), at)[0]
+            return own - settings.gain * dead_band(left, settings.dead_band)
 
         value = mirrored(places)
         if rows.any():

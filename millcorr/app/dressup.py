@@ -156,6 +156,13 @@ PROPERTIES = (
         0.0,
     ),
     Property(
+        "Float",
+        "UnmeasuredShare",
+        "Correction",
+        _text("App::Property", "Largest share of a contour without points near that is corrected all the same"),
+        0.6,
+    ),
+    Property(
         "Length",
         "Tolerance",
         "Correction",

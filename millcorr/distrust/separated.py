@@ -61,9 +61,10 @@ def _unmeasured(separated: Separated, profile: Profile, most: float) -> tuple[Fi
     seen = separated.observed
     trusted = ~separated.outlier
     stretches = profile.stretches()
-    reach = CORRELATED * separated.sizes.form_length
     for contour in np.unique(separated.stretches.contour[seen.stretch]):
         length, closed = float(profile.total[contour]), profile.contours[contour].closed
+        # However smooth the form, points at one end of a contour do not speak for the other.
+        reach = min(CORRELATED * separated.sizes.form_length, 0.5 * BETWEEN * length)
         rows = trusted & (separated.stretches.contour[seen.stretch] == contour)
         if not rows.any():
             continue

@@ -353,8 +353,7 @@ def _own_path_error(result: Result) -> str:
         title = "<h2>The correction in force</h2>"
         words = (
             f"This program was corrected before: it commands a contour up to <b>{um(error)} {MICRO}</b> off the "
-            "nominal. This offset is known exactly and was taken out of the deviations before filtering; the new "
-            "correction takes its place."
+            "nominal. What the part still shows is corrected beside it; where nothing was measured it stays."
         )
     else:
         words = (

@@ -24,6 +24,9 @@ Bools = NDArray[np.bool_]
 MOST_CELLS = 2000
 """Points are gathered to about so many places: closer ones than a thousandth of a contour tell the same."""
 
+MANY = 20_000
+"""Of more points a share is enough to find the sizes."""
+
 SEARCHED = 500
 """Places that outliers, sizes and lengths are looked for with; with all cells only the last steps are made."""
 
@@ -68,11 +71,12 @@ _SHORTER = 3.0
 _BARRIER = 0.15
 
 _SUSPECT = 6.0
-_HALVES = (2, 6)
+_HALVES = (6, 2)
 _ROUNDS = 8
 _FEW = 8
 _SETTLED = 0.2
-_ROUNDS_OF_START, _ROUNDS_OF_SEARCH = 4, 12
+_UNLIKELY = 0.01
+_ROUNDS_OF_START, _ROUNDS_OF_SEARCH, _HOPEFUL = 5, 12, 25.0
 _MOST_PLACES = 1000
 
 
@@ -357,9 +361,12 @@ def _settled(gathered: Gathered, weight: Floats, gap: float, x: Floats | None) -
             spread = float(np.sqrt(likelihood.total @ (likelihood.mean - np.average(
                 likelihood.mean, weights=likelihood.total)) ** 2 / likelihood.total.sum()))  # fmt: skip
             found = [likelihood.minimum(start, _ROUNDS_OF_START) for start in _starts(likelihood, noise, spread)]
-            value, x = likelihood.minimum(min(found, key=lambda row: row[0])[1], _ROUNDS_OF_SEARCH)
+            least = min(row[0] for row in found)
+            # Four rounds come within some units of the end.
+            hopeful = [row for row in found if row[0] < least + _HOPEFUL]
+            value, x = min((likelihood.minimum(row[1], _ROUNDS_OF_SEARCH) for row in hopeful), key=lambda row: row[0])
         else:
-            value, x = likelihood.minimum(x, _ROUNDS_OF_START)
+            value, x = likelihood.minimum(x, _ROUNDS_OF_START if turn else _ROUNDS_OF_SEARCH)
         if len(weight) < _FEW:
             return Fit(x, weight, value)
         probability, _, dear = _judged(likelihood, x, weight, gap)
@@ -375,6 +382,17 @@ def _settled(gathered: Gathered, weight: Floats, gap: float, x: Floats | None) -
 def _fitted(observed: Observed, stretches: Stretches) -> tuple[Gathered, Fit]:
     """Sizes and weights of the likeliest of the ways to begin, for all points."""
     gathered = Gathered(observed, stretches, MOST_CELLS)
+    if len(observed) > MANY:
+        # Sizes from a share of the points, evenly among all; then every point is judged by what they say.
+        order = np.lexsort((observed.s, observed.stretch, observed.level, observed.part))
+        rows = np.sort(order[:: -(-len(order) // MANY)])
+        share = Observed(*(getattr(observed, name)[rows] for name in Observed.__slots__))
+        found = _fitted(share, stretches)[1]
+        weight = np.where(_suspects(gathered, observed, max(_HALVES)), IGNORED, 1.0)
+        for _ in range(2):
+            probability, _, _ = _judged(Likelihood(gathered, weight), found.x, weight, gathered.spacing)
+            weight = np.maximum(probability, IGNORED)
+        return gathered, Fit(found.x, weight, found.cost)
     few = gathered if len(observed) <= SEARCHED else Gathered(observed, stretches, SEARCHED)
     gap = few.spacing
     begun: list[Bools] = []
@@ -384,6 +402,9 @@ def _fitted(observed: Observed, stretches: Stretches) -> tuple[Gathered, Fit]:
         if not any(np.array_equal(wrong, other) for other in begun):
             begun.append(wrong)
             fits.append(_settled(few, np.where(wrong, IGNORED, 1.0), gap, None))
+            if not wrong.any() and fits[-1].weight.min() >= 0.5:
+                # Nothing stands out, neither beforehand nor of what was found.
+                break
     best = min(fits, key=lambda fit: fit.cost)
     if few is gathered:
         return gathered, best
@@ -573,6 +594,7 @@ def separate(observed: Observed, stretches: Stretches, filter: Filter | None = N
     variance, along = bound.variance(solved, of, at, column)
     band = _whole_band(variance, along, of)
     variance = variance + _of_sizes(gathered, fit, of, at, column)
+    variance = variance + _of_kind(gathered, fit, sizes, bound.mean(solved, of, at, column), of, at, column)
     out = Separated(
         observed, stretches, filter, np.zeros(0), np.zeros(0), fit.weight, sizes, band,
         _level_differences(observed, gathered, solved), (), bound, solved, gathered.contours,
@@ -601,10 +623,7 @@ def _of_sizes(gathered: Gathered, fit: Fit, of: Ints, at: Floats, column: Ints) 
     for i in range(n):
         curve[i, i] = plus[i] - 2 * here + minus[i]
         for j in range(i):
-            curve[i, j] = curve[j, i] = 0.5 * (
-                likelihood(x + unit[i] + unit[j], bound) - plus[i] - plus[j] + 2 * here
-                - minus[i] - minus[j] + likelihood(x - unit[i] - unit[j], bound)
-            )  # fmt: skip
+            curve[i, j] = curve[j, i] = likelihood(x + unit[i] + unit[j], bound) - plus[i] - plus[j] + here
     value, vector = np.linalg.eigh(curve / (2.0 * step**2))
     out = np.zeros(len(of))
     lower, upper = np.array(likelihood.limits()).T
@@ -617,6 +636,42 @@ def _of_sizes(gathered: Gathered, fit: Fit, of: Ints, at: Floats, column: Ints) 
                 means.append(bound.mean(solved, of, at, column))
         if len(means) == 2:
             out += 0.25 * (means[0] - means[1]) ** 2
+    return out
+
+
+def _of_kind(
+    gathered: Gathered, fit: Fit, sizes: Sizes, mean: Floats, of: Ints, at: Floats, column: Ints
+) -> Floats:
+    """Variance of the systematic part at places because what is taken for form may be the process of this one part.
+
+    On one part a form hardly longer than the process's memory cannot be told from it but by what is usual for both.
+    Were it process, the systematic part would be a longer form's; the difference counts with the odds of that.
+    """
+    if gathered.parts * gathered.levels > 1:
+        return np.zeros(len(of))
+
+    def usual(name: str, value: float) -> float:
+        centre, spread = _PRIOR[name]
+        return -0.5 * ((math.log(value) - centre) / spread) ** 2 - math.log(spread)
+
+    odds = math.exp(
+        usual("memory", sizes.form_length) + usual("process", sizes.form)
+        - usual("form_length", sizes.form_length) - usual("form", sizes.form)
+    )  # fmt: skip
+    share = odds / (1.0 + odds)
+    if share < _UNLIKELY:
+        return np.zeros(len(of))
+    longer = _SHORTER * sizes.form_length
+    likelihood = Likelihood(gathered, fit.weight)
+    likelihood.box["form_length"] = (longer, max(likelihood.box["form_length"][1], 2.0 * longer))
+    begin = replace(sizes, form_length=max(2.0 * longer, 20.0), process=sizes.form, memory=sizes.form_length)
+    x = likelihood.minimum(likelihood.logs(begin), _ROUNDS_OF_SEARCH)[1]
+    other = likelihood.sizes(x)
+    bound = likelihood.bound(other.form_length)
+    solved = bound.solve(other)
+    if solved is None:
+        return np.zeros(len(of))
+    out: Floats = share * (mean - bound.mean(solved, of, at, column)) ** 2
     return out
 
 

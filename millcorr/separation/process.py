@@ -190,17 +190,34 @@ class Layout:
         self.pair = tuple(self.own[np.concatenate([p[i] for p in chain])] for i in (0, 1))
         self.head = self.own[order[starts[~ring]]]
 
-    def read(self, stretch: Ints, s: Floats) -> tuple[Ints, Floats]:
-        """Rows of the six states that a place is read from, (n, 6), and their weights, (n, 6)."""
+    def _cell(self, stretch: Ints, s: Floats) -> tuple[Ints, Ints, Floats]:
+        """Nodes before and after places, and how far they lie between them, 0 to 1; (n,) each."""
         s = np.where(self.closed[stretch], np.mod(s, self.lengths[stretch]), np.clip(s, 0.0, self.lengths[stretch]))
         x = s / self.step[stretch]
         i = np.minimum(x.astype(np.int64), self.number[stretch] - 1)
-        u = x - i
         j = np.where(self.closed[stretch] & (i == self.number[stretch] - 1), 0, i + 1)
-        a, b = self.node[self.first[stretch] + i], self.node[self.first[stretch] + j]
-        rows = np.concatenate([a[:, None] + np.arange(3), b[:, None] + np.arange(3)], axis=1)
+        return self.first[stretch] + i, self.first[stretch] + j, x - i
+
+    def read(self, stretch: Ints, s: Floats) -> tuple[Ints, Floats]:
+        """Rows of the six states that a place is read from, (n, 6), and their weights, (n, 6)."""
+        i, j, u = self._cell(stretch, s)
+        three = np.arange(3)
+        rows = np.concatenate([self.node[i][:, None] + three, self.node[j][:, None] + three], axis=1)
         weight: Floats = (u[:, None] ** np.arange(6)) @ _QUINTIC.T
         return rows, weight
+
+    def value(self, state: Floats, stretch: Ints, s: Floats) -> Floats:
+        """The form at places, in the unit of the state; (n,)."""
+        i, j, u = self._cell(stretch, s)
+        three = np.arange(3)
+        cell, back = np.unique(i * (len(self.node) + 1) + j, return_inverse=True)
+        a, b = np.divmod(cell, len(self.node) + 1)
+        rows = np.concatenate([self.node[a][:, None] + three, self.node[b][:, None] + three], axis=1)
+        power = state[rows] @ _QUINTIC
+        out: Floats = power[back, 5]
+        for k in (4, 3, 2, 1, 0):
+            out = out * u + power[back, k]
+        return out
 
     def bind(self, value: Floats, weight: Floats) -> Bound:
         """Data at the cells: means, mm, and weights (1/weight times the white variance is a mean's own)."""
@@ -241,9 +258,9 @@ class Bound:
             return out
 
         total = self.shape[0] * size
-        self.data = [
-            np.bincount(place(x, y), np.ascontiguousarray(w).ravel(), total).reshape(self.shape) for x, y, w in pairs
-        ]
+        self.data = np.stack(
+            [np.bincount(place(x, y), np.ascontiguousarray(w).ravel(), total) for x, y, w in pairs]
+        )
         # Both sides of a ring of a single point are the same number of the matrix, and count twice on its diagonal.
         self.twice = np.where(p == q, 2.0, 1.0)
         self.form_place = np.concatenate([place(*lower[0]), place(*lower[1]), place(*cross), place(*start)])
@@ -258,9 +275,20 @@ class Bound:
         self.memory_right[rows[:, 6]] = weighted
         self.normal = right.T @ weighted
         self.log_weight = float(np.log(weight).sum())
+        self.forms: dict[float, tuple[Floats, float]] = {}
+        self.memories: dict[float, tuple[Floats, float]] = {}
 
     def prior(self, form_length: float, memory: float) -> tuple[Floats, float]:
         """Precision of the unit processes, lower band, and the logarithm of its determinant."""
+        # Of neighbouring sizes only one changes at a time.
+        if form_length not in self.forms:
+            self.forms = {**dict(list(self.forms.items())[-1:]), form_length: self._form(form_length)}
+        if memory not in self.memories:
+            self.memories = {**dict(list(self.memories.items())[-1:]), memory: self._memory(memory)}
+        (form, log_form), (process, log_process) = self.forms[form_length], self.memories[memory]
+        return form + process, log_form + log_process
+
+    def _form(self, form_length: float) -> tuple[Floats, float]:
         layout = self.layout
         z = ROOT * layout.step / form_length
         t = _NODES
@@ -301,41 +329,40 @@ class Bound:
             nil_l = nil[layout.closed] * layout.number[layout.closed, None, None]
             whole = np.exp(-zl)[:, None, None] * (np.eye(3) + nil_l + 0.5 * nil_l @ nil_l)
             log_det += 2.0 * float(np.linalg.slogdet(np.eye(3) - whole)[1].sum())
+        return band, log_det
+
+    def _memory(self, memory: float) -> tuple[Floats, float]:
+        layout = self.layout
         rho = np.exp(-layout.gap / memory)
         left = -np.expm1(-2.0 * layout.gap / memory)
         values = np.concatenate(
             [rho * rho / left, 1.0 / left, -rho / left * self.twice, np.ones(len(layout.head))]
         )
-        band += np.bincount(self.memory_place, values, total)
-        log_det -= float(np.log(left).sum())
-        log_det += 2.0 * float(np.log(-np.expm1(-layout.ring_length / memory)).sum())
-        return band.reshape(self.shape), log_det
+        band: Floats = np.bincount(self.memory_place, values, self.shape[0] * self.shape[1]).astype(np.float64)
+        log_det = 2.0 * float(np.log(-np.expm1(-layout.ring_length / memory)).sum()) - float(np.log(left).sum())
+        return band, log_det
 
     def solve(self, sizes: Sizes) -> Solved | None:
         """Posterior for given sizes; None where the numbers do not allow it."""
-        from scipy.linalg import LinAlgError, cho_factor, cho_solve, cho_solve_banded, cholesky_banded
+        from scipy.linalg.lapack import dpbtrf, dpbtrs
 
         v = sizes.white**2
-        band, log_prior = self.prior(sizes.form_length, sizes.memory)
+        prior, log_prior = self.prior(sizes.form_length, sizes.memory)
         f, c = sizes.form, sizes.process
-        band += (f * f / v) * self.data[0]
-        band += (f * c / v) * self.data[1]
-        band += (c * c / v) * self.data[2]
-        try:
-            factor = cholesky_banded(band, overwrite_ab=True, lower=True, check_finite=False)
-        except LinAlgError:
+        band = (prior + np.array([f * f, f * c, c * c]) / v @ self.data).reshape(self.shape)
+        factor, failed = dpbtrf(band, lower=1)
+        if failed:
             return None
         right = (f / v) * self.form_right + (c / v) * self.memory_right
-        found = cho_solve_banded((factor, True), right, check_finite=False)
+        found = dpbtrs(factor, right, lower=1)[0]
         inner = self.normal / v - right.T @ found
-        kind = self.layout.cells.kind
-        own = np.array([0.0, 1.0 / sizes.part**2, 1.0 / sizes.level**2])[kind]
+        own = np.array([0.0, 1.0 / sizes.part**2, 1.0 / sizes.level**2])[self.layout.cells.kind]
         normal = inner[1:, 1:] + np.diag(own)
-        try:
-            chol = cho_factor(normal, lower=True)
-        except LinAlgError:
+        sign, log_normal = np.linalg.slogdet(normal)
+        if sign <= 0:
             return None
-        constants = cho_solve(chol, inner[1:, 0])
+        spread = np.linalg.inv(normal)
+        constants = spread @ inner[1:, 0]
         state = found[:, 0] - found[:, 1:] @ constants
         rows, a = self.layout.rows, self.layout.weight
         left = self.value - self.layout.cells.columns @ constants
@@ -346,11 +373,10 @@ class Bound:
             - self.log_weight
             + 2.0 * float(np.log(factor[0]).sum())
             - log_prior
-            + 2.0 * float(np.log(np.diag(chol[0])).sum())
+            + float(log_normal)
             - float(np.log(own[own > 0]).sum())
             + square
         )
-        spread = cho_solve(chol, np.eye(len(kind)))
         return Solved(minus, factor, state, constants, spread, found[:, 1:], sizes)
 
     def residual(self, solved: Solved) -> tuple[Floats, Floats]:
@@ -378,8 +404,7 @@ class Bound:
 
     def mean(self, solved: Solved, stretch: Ints, s: Floats, column: Ints) -> Floats:
         """Form and the constant of a column at places, mm; column -1 for none. (m,)."""
-        rows, a = self.layout.read(stretch, s)
-        form: Floats = solved.sizes.form * (a * solved.state[rows]).sum(axis=1)
+        form = solved.sizes.form * self.layout.value(solved.state, stretch, s)
         out: Floats = form + np.append(solved.constants, 0.0)[column]
         return out
 

@@ -1,0 +1,355 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The statistical model against dense algebra, against known truth, and at its limits."""
+
+from __future__ import annotations
+
+import math
+import warnings
+
+import numpy as np
+import pytest
+
+from millcorr.separation import Filter, Observed, Separated, Stretches, separate
+from millcorr.separation.process import Cells, Layout, Sizes
+from tests.core.sweeps import slow
+
+UM = 1e-3
+
+
+def separated(
+    s: np.ndarray, value: np.ndarray, length: float, closed: bool, *, part=None, level=None, filter: str = "auto"
+) -> Separated:
+    zero = np.zeros(len(s), dtype=np.int64)
+    observed = Observed(zero, s, value, zero if part is None else part, zero if level is None else level)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        return separate(observed, Stretches(np.array([length]), np.array([closed]), zero[:1]), Filter.parse(filter))
+
+
+def rms(value: np.ndarray) -> float:
+    return math.sqrt(float(np.mean(value**2)))
+
+
+def remembered(rng: np.random.Generator, s: np.ndarray, std: float, memory: float) -> np.ndarray:
+    """Noise whose correlation falls as exp(-distance / memory), at increasing places."""
+    if memory <= 0:
+        return std * rng.standard_normal(len(s))
+    rho = np.exp(-np.diff(s) / memory)
+    out = rng.standard_normal(len(s))
+    for i in range(1, len(s)):
+        out[i] = rho[i - 1] * out[i - 1] + math.sqrt(1 - rho[i - 1] ** 2) * out[i]
+    return std * out
+
+
+# --- the banded algebra
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_posterior_and_likelihood_are_those_of_the_full_matrix(closed: bool) -> None:
+    rng = np.random.default_rng(0)
+    n, length = 60, 100.0
+    s = np.sort(rng.uniform(0, length, n))
+    value = 0.02 + 0.01 * np.sin(4 * np.pi * s / length) + 0.003 * rng.standard_normal(n)
+    sizes = Sizes(0.01, 17.0, 0.002, 1.3, 0.001, 1.0, 1.0)
+
+    def covariance(a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        form, process = 0.0, 0.0
+        for turn in range(-8, 9) if closed else (0,):
+            r = np.abs(a[:, None] - b + turn * length)
+            z = math.sqrt(5) * r / sizes.form_length
+            form = form + sizes.form**2 * (1 + z + z * z / 3) * np.exp(-z)
+            process = process + sizes.process**2 * np.exp(-r / sizes.memory)
+        return form, process
+
+    form, process = covariance(s, s)
+    whole = form + process + sizes.white**2 * np.eye(n)
+    back, ones = np.linalg.inv(whole), np.ones(n)
+    of_mean = 1 / (ones @ back @ ones)
+    mean = of_mean * (ones @ back @ value)
+    minus = np.linalg.slogdet(whole)[1] - math.log(of_mean) + (value - mean) @ back @ (value - mean)
+    at = np.linspace(0, 0.999 * length, 50)
+    across = covariance(at, s)[0]
+    expected = mean + across @ back @ (value - mean)
+    rest = 1 - across @ back @ ones
+    spread = covariance(at, at)[0] - across @ back @ across.T + np.outer(rest, rest) * of_mean
+
+    zero = np.zeros(n, dtype=np.int64)
+    cells = Cells(zero, zero, s, np.ones((n, 1)), np.zeros(1, dtype=np.int64))
+    bound = Layout(cells, np.array([length]), np.array([closed]), 1.0).bind(value, ones)
+    solved = bound.solve(sizes)
+    assert solved is not None
+    where = np.zeros(50, dtype=np.int64)
+    assert solved.minus_log == pytest.approx(minus, abs=1e-4)
+    assert bound.mean(solved, where, at, where) == pytest.approx(expected, abs=1e-8)
+    variance, along = bound.variance(solved, where, at, where)
+    assert variance == pytest.approx(np.diag(spread), rel=1e-5)
+    assert along[:-1] == pytest.approx(np.diag(spread, 1), rel=1e-4, abs=1e-12)
+
+
+# --- error of the systematic part: the table of the method, on signals of these kinds
+
+
+def waves(rng: np.random.Generator, count: int, even: bool) -> tuple[np.ndarray, ...]:
+    s = np.linspace(0, 200, 200) if even else np.sort(rng.uniform(0, 200, 200))
+    truth = 2.0 * UM * np.sin(2 * np.pi * count * s / 200 + rng.uniform(0, 6))
+    return s, truth, truth + UM * rng.standard_normal(200)
+
+
+@pytest.mark.parametrize(("count", "most"), [(8, 0.44), (12, 0.55), (20, 0.68)])
+@pytest.mark.parametrize("even", [True, False])
+@pytest.mark.parametrize("seeds", [3, slow(30)])
+def test_waves_on_an_open_line_are_found(count: int, most: float, even: bool, seeds: int) -> None:
+    error = []
+    for seed in range(seeds):
+        s, truth, value = waves(np.random.default_rng([count, seed]), count, even)
+        error.append(rms(separated(s, value, 200.0, False).systematic - truth) / UM)
+    # Missed, the error would be that of no correction, 1.41.
+    assert max(error) < 1.0
+    assert rms(np.array(error)) < most
+
+
+@pytest.mark.parametrize(
+    ("harmonics", "memory", "most"),
+    [((1, 2, 3), 0, 0.27), ((1, 2, 3, 8), 0, 0.42), ((1, 2, 3), 2, 0.53), ((), 0, 0.15)],
+)
+@pytest.mark.parametrize("seeds", [4, slow(30)])
+def test_harmonics_of_a_closed_contour(harmonics: tuple[int, ...], memory: float, most: float, seeds: int) -> None:
+    error = []
+    s = np.arange(200.0)
+    for seed in range(seeds):
+        rng = np.random.default_rng([len(harmonics), seed])
+        truth = np.zeros(200)
+        for k in harmonics:
+            truth += rng.uniform(1.0, 3.0) * UM * np.sin(2 * np.pi * k * s / 200 + rng.uniform(0, 6))
+        value = truth + remembered(rng, s, UM, memory)
+        error.append(rms(separated(s, value, 200.0, True).systematic - truth) / UM)
+    assert rms(np.array(error)) < most
+
+
+def corners(rng, s: np.ndarray, length: float, wall: float, peak: float, wide: float) -> np.ndarray:
+    """So much on the walls of a pocket and up to the peak in its four corners."""
+    out = np.full(len(s), wall)
+    for at in length * np.array([0.115, 0.365, 0.615, 0.865]):
+        away = np.abs(s - at)
+        away = np.minimum(away, length - away)
+        out += rng.uniform(0.4, 1.0) * (peak - wall) * np.exp(-((away / wide) ** 2))
+    return out
+
+
+@pytest.mark.parametrize(
+    ("count", "wall", "peak", "wide", "process", "white", "outliers", "most"),
+    [
+        (150, 52, 350, 10, 3, 2, 0.0, 2.7),
+        (261, 0, 30, 6, 1, 0.8, 0.0, 1.02),
+        (2050, 0, 20, 15, 0.8, 0.6, 0.0, 0.52),
+        (203, 5, 50, 8, 1.5, 1.3, 0.02, 1.2),
+    ],
+)
+@pytest.mark.parametrize("seeds", [2, slow(20)])
+def test_corners_of_a_pocket(count, wall, peak, wide, process, white, outliers, most, seeds) -> None:
+    error = []
+    s = np.arange(count) * 260.0 / count
+    for seed in range(seeds):
+        rng = np.random.default_rng([count, seed])
+        truth = corners(rng, s, 260.0, wall * UM, peak * UM, wide)
+        value = truth + remembered(rng, s, process * UM, 1.0) + white * UM * rng.standard_normal(count)
+        bad = rng.choice(count, int(outliers * count), replace=False)
+        value[bad] += rng.uniform(-0.3, 0.3, len(bad))
+        error.append(rms(separated(s, value, 260.0, True).systematic - truth) / UM)
+    assert rms(np.array(error)) < most
+
+
+# --- what is wrong is left out
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_outliers_cost_little(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    s = np.sort(rng.uniform(0, 200, 300))
+    s = s[(s < 80) | (s > 95)]
+    truth = 8 * UM * np.sin(2 * np.pi * s / 70)
+    value = truth + UM * rng.standard_normal(len(s))
+    bad = rng.choice(len(s), len(s) // 20, replace=False)
+    spoilt = value.copy()
+    spoilt[bad] += rng.choice([-1, 1], len(bad)) * rng.uniform(8, 40, len(bad)) * UM
+    clean, found = separated(s, value, 200.0, False), separated(s, spoilt, 200.0, False)
+    assert set(np.flatnonzero(found.outlier)) >= set(bad)
+    assert found.outlier.sum() <= len(bad) + 2
+    assert rms(found.systematic - truth) < 1.2 * rms(clean.systematic - truth)
+
+
+@pytest.mark.parametrize("height", [0.03, 0.2])
+def test_a_lump_of_swarf_is_not_followed(height: float) -> None:
+    rng = np.random.default_rng(4)
+    s = np.arange(200.0)
+    truth = 10 * UM * np.sin(2 * np.pi * s / 100)
+    value = truth + 2 * UM * rng.standard_normal(200)
+    value[100:105] += height
+    found = separated(s, value, 200.0, True)
+    assert found.outlier[100:105].all() and found.outlier.sum() <= 7
+    assert np.abs(found.systematic - truth)[95:110].max() < 4 * UM
+
+
+# --- between the points, and where there are none
+
+
+def test_a_gap_is_bridged_and_its_uncertainty_grows() -> None:
+    rng = np.random.default_rng(1)
+    s = np.arange(0.0, 200.0, 0.5)
+    s = s[(s < 90) | (s > 105)]
+    form = lambda s: 36 * UM + 5 * UM * np.sin(2 * np.pi * s / 200)  # noqa: E731
+    found = separated(s, form(s) + UM * rng.standard_normal(len(s)), 200.0, True)
+    at = np.linspace(90, 105, 31)
+    mean, std = found.at(np.zeros(31, dtype=np.int64), at)
+    assert np.abs(mean - form(at)).max() < 4 * UM
+    assert std[15] > 1.2 * np.median(found.uncertainty)
+    assert (np.abs(mean - form(at)) < 3 * std).all()
+
+
+def test_a_side_without_points_has_the_constant_and_says_how_badly() -> None:
+    rng = np.random.default_rng(2)
+    sides = Stretches(np.full(4, 50.0), np.zeros(4, dtype=bool), np.zeros(4, dtype=np.int64))
+    stretch = np.repeat([0, 1, 2], 50)
+    s = np.tile(np.arange(50.0) + 0.5, 3)
+    value = 0.03 + 6 * UM * np.sin(s / 8 + stretch) + UM * rng.standard_normal(150)
+    zero = np.zeros(150, dtype=np.int64)
+    found = separate(Observed(stretch, s, value, zero, zero), sides)
+    mean, std = found.at(np.full(3, 3), np.array([0.0, 25.0, 50.0]))
+    assert mean == pytest.approx(0.03, abs=4 * UM)
+    assert (std > 3 * UM).all() and found.uncertainty.max() < 2 * UM
+
+
+def test_the_seam_makes_no_difference() -> None:
+    rng = np.random.default_rng(3)
+    s = np.sort(rng.uniform(0, 200, 150))
+    value = 5 * UM * np.sin(2 * np.pi * s / 100) + UM * rng.standard_normal(150)
+    one = separated(s, value, 200.0, True)
+    two = separated(np.mod(s + 77.7, 200.0), value, 200.0, True)
+    assert one.systematic == pytest.approx(two.systematic, abs=1e-3 * UM)
+
+
+# --- how well it is known
+
+
+@pytest.mark.parametrize(("count", "memory"), [(20, 0.0), (60, 1.0), (200, 0.0), (200, 1.0), (1000, 1.0)])
+@pytest.mark.parametrize("trials", [8, slow(60)])
+def test_the_band_covers_what_it_says(count: int, memory: float, trials: int) -> None:
+    inside, whole = [], []
+    for trial in range(trials):
+        rng = np.random.default_rng([count, int(10 * memory), trial])
+        s = np.arange(count) * 200.0 / count
+        phase = rng.uniform(0, 6, 3)
+        amplitude = UM * rng.uniform(1, 5, 3)
+
+        def form(s: np.ndarray, phase=phase, amplitude=amplitude) -> np.ndarray:
+            return (amplitude * np.sin(np.pi * np.arange(1, 4) * s[:, None] / 100 + phase)).sum(axis=1)
+
+        value = form(s) + remembered(rng, s, 1.5 * UM, memory) + UM * rng.standard_normal(count)
+        found = separated(s, value, 200.0, True)
+        at = np.linspace(0, 200, 400, endpoint=False)
+        mean, std = found.at(np.zeros(400, dtype=np.int64), at)
+        inside.append(float(np.mean(np.abs(mean - form(at)) < 1.96 * std)))
+        whole.append(bool(np.all(np.abs(mean - form(at)) < found.band * std)))
+    # The places of one part hang together: of 8 parts the share scatters by some 3 %.
+    assert np.mean(inside) > (0.88 if trials < 20 else 0.92)
+    assert np.mean(whole) > 0.8
+
+
+# --- parts and heights
+
+
+def test_what_parts_share_is_systematic() -> None:
+    """Slow waves, anew on each of four parts, are no form; what all four show is."""
+    rng = np.random.default_rng(5)
+    s = np.arange(200.0)
+    truth = 6 * UM * np.sin(2 * np.pi * 3 * s / 200)
+    value = [truth + 2 * UM * rng.standard_normal() + 1.4 * UM * rng.standard_normal(200) for _ in range(4)]
+    found = separated(np.tile(s, 4), np.concatenate(value), 200.0, True, part=np.repeat(np.arange(4), 200))
+    left = (found.systematic - np.tile(truth, 4))[:200]
+    assert rms(left - left.mean()) < 0.5 * UM
+    assert abs(left.mean()) < 3 * UM
+    assert found.uncertainty.mean() > 0.4 * UM
+
+
+def test_heights_share_the_form_and_a_lean_is_seen() -> None:
+    rng = np.random.default_rng(6)
+    s = np.arange(0.0, 200.0, 2.0)
+    truth = 20 * UM * np.exp(-(((s - 100) / 6) ** 2))
+    lean = 8 * UM
+    value = [truth + sign * lean / 2 + 0.5 * UM * rng.standard_normal(len(s)) for sign in (-1, 1)]
+    level = np.repeat([0, 1], len(s))
+    found = separated(np.tile(s, 2), np.concatenate(value), 200.0, True, level=level)
+    assert rms(found.systematic - np.tile(truth, 2)) < 0.6 * UM
+    low, high = found.levels
+    assert high.mean - low.mean == pytest.approx(lean, abs=0.4 * UM)
+    assert high.significant and low.significant
+    same = separated(np.tile(s, 2), np.concatenate([v - m for v, m in zip(value, (-lean / 2, lean / 2), strict=True)]),
+                     200.0, True, level=level)  # fmt: skip
+    assert not any(one.significant for one in same.levels)
+
+
+# --- few points, and none that differ
+
+
+@pytest.mark.parametrize("filter", ["auto", "none", "mean:5", "gauss:8", "robust:8"])
+@pytest.mark.parametrize("closed", [True, False])
+@pytest.mark.parametrize("count", [1, 2, 3, 4, 6])
+def test_few_points(count: int, closed: bool, filter: str) -> None:
+    value = 0.02 + 2 * UM * np.random.default_rng(count).standard_normal(count)
+    s = (np.arange(count) + 0.5) * 60.0 / count
+    found = separated(s, value, 60.0, closed, filter=filter)
+    assert (np.abs(found.systematic - 0.02) < 6 * UM).all()
+    mean, std = found.at(np.zeros(20, dtype=np.int64), np.linspace(0, 60, 20))
+    assert (np.abs(mean - 0.02) < 8 * UM).all() and np.isfinite(std).all()
+    assert not found.outlier.any()
+
+
+@pytest.mark.parametrize("count", [2, 5, 40, 400])
+def test_equal_values_come_back(count: int) -> None:
+    s = np.arange(count) * 80.0 / count
+    found = separated(s, np.full(count, 0.0123), 80.0, True)
+    assert found.systematic == pytest.approx(0.0123, abs=1e-8)
+    assert not found.outlier.any()
+
+
+def test_values_without_noise_come_back() -> None:
+    s = np.arange(100.0)
+    truth = 0.03 * np.sin(2 * np.pi * s / 50)
+    found = separated(s, truth, 100.0, True)
+    assert rms(found.systematic - truth) < 0.05 * UM
+    at = np.arange(100) + 0.5
+    assert rms(found.at(np.zeros(100, dtype=np.int64), at)[0] - 0.03 * np.sin(2 * np.pi * at / 50)) < 0.1 * UM
+
+
+def test_two_points_at_one_place_and_a_stretch_with_one() -> None:
+    stretches = Stretches(np.array([30.0, 30.0]), np.array([False, False]), np.zeros(2, dtype=np.int64))
+    zero = np.zeros(5, dtype=np.int64)
+    observed = Observed(
+        np.array([0, 0, 0, 0, 1]), np.array([1.0, 1.0, 10.0, 20.0, 5.0]), 0.01 + UM * np.arange(5.0), zero, zero
+    )
+    found = separate(observed, stretches)
+    assert found.systematic[0] == pytest.approx(found.systematic[1], abs=1e-12)
+    assert np.isfinite(found.uncertainty).all()
+
+
+def test_the_same_again_is_the_same() -> None:
+    s, _, value = waves(np.random.default_rng(0), 8, False)
+    one, two = (separated(s, value, 200.0, False) for _ in range(2))
+    assert np.array_equal(one.systematic, two.systematic)
+    assert np.array_equal(one.uncertainty, two.uncertainty)
+
+
+@pytest.mark.parametrize("filter", ["none", "mean:5", "gauss:8", "robust:12"])
+def test_a_prescribed_filter_is_what_it_is_and_the_model_carries_it_on(filter: str) -> None:
+    from millcorr.separation import filtered
+
+    rng = np.random.default_rng(7)
+    s = np.sort(rng.uniform(0, 100, 120))
+    truth = 5 * UM * np.sin(2 * np.pi * s / 40)
+    value = truth + UM * rng.standard_normal(120)
+    found = separated(s, value, 100.0, False, filter=filter)
+    made = filtered(s, value, length=100.0, closed=False, filter=Filter.parse(filter))
+    assert found.systematic == pytest.approx(made.determined, abs=1e-9)
+    mean, std = found.at(np.zeros(120, dtype=np.int64), s)
+    assert mean == pytest.approx(made.determined, abs=1e-6)
+    assert np.mean(np.abs(found.systematic - truth) < 1.96 * found.uncertainty) > 0.85
