@@ -37,10 +37,10 @@ GRAZING = 0.1
 SMALLEST_BALL = 0.4
 """A signature of a smaller ball, in mm, is not told from deviations that machining leaves."""
 
-RADIUS_WRONG = 0.1
-"""A radius of a shift that is wrong by less than this, in mm, moves no point by 30 um."""
+RADIUS_WRONG = 0.2
+"""A radius of a shift that is wrong by less than this, in mm, moves no point by 60 um: corners that give way do."""
 
-_LEFT = 0.7
+_LEFT = 0.5
 _NO_SHIFT = 0.2
 _AXES = np.array([[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]])
 _SAMPLE = 500
