@@ -12,10 +12,9 @@ import sys
 import time
 
 import numpy as np
+from millcorr.filtering import Filter, separate
 from scipy.ndimage import gaussian_filter1d, uniform_filter1d
 from scipy.signal import lfilter
-
-from millcorr.filtering import Filter, separate
 
 ALPHA = 0.4697186
 

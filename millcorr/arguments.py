@@ -130,6 +130,10 @@ def _add_inputs(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("--gain", type=float, default=1.0, help="share of the deviation to correct")
     verb.add_argument("--limit", type=float, default=0.5, metavar="MM", help="largest correction")
     verb.add_argument("--dead-band", type=float, default=0.0, metavar="MM", help="leave smaller deviations")
+    share = "largest share of a contour without points near that is corrected all the same (default 0.6)"
+    verb.add_argument(
+        "--unmeasured", type=float, default=0.6, metavar="SHARE", dest="unmeasured_share", help=share
+    )
 
 
 def _add_transfer(verb: argparse.ArgumentParser) -> None:

@@ -28,7 +28,7 @@ from .read_only import ReadOnlyArrays
 from .reconstruction import CompensatedContour
 from .regeneration import BAND
 from .regeneration.carried import carried_correction
-from .regeneration.path_following import follow
+from .regeneration.path_following import follow, length_in_plane
 from .theoretical_contour import SAME_POINT, CutContour, cut_at_vertices, cut_contours, cutting_runs
 from .toolpath import Compensation, Kind, Plane, Toolpath
 
@@ -42,6 +42,10 @@ EXACT = 1e-6
 ALONG = 2.0
 """Moves nearer to a path than so many times the program's rounding run on it: of two rounded points each is off by once
 as much at most."""
+
+SPACING, PARALLEL = 1.0, 0.2
+"""Moves are compared with a path every so many mm, and run along it where their directions differ by less, in rad: the
+facets of one contour differ by so much."""
 
 COVERS = 0.5
 """A pass that runs on less of a path than this share does not cut it again: it leads onto it."""
@@ -141,7 +145,8 @@ class CommandedSurface(ReadOnlyArrays):
         return out
 
     def _found(self, rows: Ints, foot: Floats, normal: Floats, reach: float) -> Floats:
-        parts = [(float(r), PathDistance(self.toolpath, rows[self.radius[rows] == r])) for r in np.unique(self.radius[rows])]
+        own = self.radius[rows]
+        parts = [(float(r), PathDistance(self.toolpath, rows[own == r])) for r in np.unique(own)]
         t = np.zeros(len(foot))
         active = np.arange(len(foot))
         for _ in range(ROUNDS):
@@ -211,8 +216,7 @@ def choose_side(
     near = np.abs(distance - abs(expected)) < REACH
     if near.sum() < 0.5 * len(near) or abs(expected) < 2 * REACH:
         near = distance < radius + 2 * REACH
-    h = 1e-4
-    ahead = toolpath.place(row, np.minimum(u + h, 1.0)) - toolpath.place(row, np.maximum(u - h, 0.0))
+    ahead = _direction(toolpath, row, u)
     away = points - toolpath.place(row, u)
     right = int((ahead[:, 0] * away[:, 1] - ahead[:, 1] * away[:, 0] < 0)[near].sum())
     count = int(near.sum())
@@ -261,7 +265,7 @@ def nominal_of(
         raise InputError(f"{name}: {trouble[0] if trouble else 'the program cuts no contour in the XY plane'}")
     if measurement is None:
         return Profile.from_contours([c.contour for c in found]), 0, found
-    made = _making(toolpath, found, measurement)
+    made = _making(found, measurement)
     if not made:
         everything = Profile.from_contours([c.contour for c in found])
         if doubt is not None:
@@ -312,7 +316,12 @@ def _contours_near(
                 found += list(cut_contours(toolpath, path_radius, material_right, only, resolution=resolution))
             except InputError as error:
                 trouble.append(str(error))
-    return _different(found), trouble, len(far)
+    return _different(sorted(found, key=_deepest)), trouble, len(far)
+
+
+def _deepest(cut: CutContour) -> float:
+    """Lowest height in mm of the moves that cut a contour; without bound where it is not stated."""
+    return float(np.nan_to_num(cut.path.end[:, 2], nan=-np.inf).min())
 
 
 def _different(cut: list[CutContour]) -> list[CutContour]:
@@ -331,20 +340,23 @@ def _different(cut: list[CutContour]) -> list[CutContour]:
     return [one for one, _, _ in kept]
 
 
-def _making(toolpath: Toolpath, cut: list[CutContour], measurement: Measurement) -> list[CutContour]:
+def _making(cut: list[CutContour], measurement: Measurement) -> list[CutContour]:
     """Contours that made points: of those near a point the one that goes deepest into the material there."""
     rows = np.arange(0, len(measurement), max(1, len(measurement) // SAMPLE))
     points, z = measurement.points[rows, :2], measurement.points[rows, 2]
-    best, owner = np.full(len(rows), -np.inf), np.full(len(rows), -1)
+    over = np.full((len(cut), len(rows)), -np.inf)
+    high = np.zeros(over.shape, dtype=bool)
     for k, one in enumerate(cut):
         feet = FootPointSearch(Profile.from_contours([one.contour])).find(points)
-        over = feet.distance - measurement.ball_radius
-        here = (np.abs(over) < REACH) & (feet.place != Place.END)
-        deepest = float(np.nan_to_num(toolpath.end[one.rows, 2], nan=-np.inf).min())
-        if measurement.has_z and (z[here] >= deepest - 1e-6).any():
-            here &= z >= deepest - 1e-6
-        better = here & (over > best)
-        best[better], owner[better] = over[better], k
+        off = feet.distance - measurement.ball_radius
+        here = (np.abs(off) < REACH) & (feet.place != Place.END)
+        over[k, here] = off[here]
+        if measurement.has_z:
+            high[k] = z < _deepest(one) - 1e-6
+    # What does not go down to a point made it only if nothing does.
+    low = np.where(high, -np.inf, over)
+    over = np.where(np.isfinite(low).any(axis=0), low, over)
+    owner = np.where(np.isfinite(over).any(axis=0), over.argmax(axis=0), -1)
     count = np.bincount(owner[owner >= 0], minlength=len(cut))
     return [one for one, n in zip(cut, count, strict=True) if n > FEW * max(1, int((owner >= 0).sum()))]
 
@@ -395,9 +407,7 @@ def beside_the_path(toolpath: Toolpath, following: Bools) -> Bools:
     return out
 
 
-def on_the_path(
-    toolpath: Toolpath, usable: Bools, cut: list[CutContour], resolution: float
-) -> tuple[Toolpath, Ints, Bools]:
+def on_the_path(toolpath: Toolpath, usable: Bools, cut: list[CutContour], resolution: float) -> Bools:
     """Moves that run on the path of contours: the passes that cut them, at every depth, and spring passes.
 
     Parameters
@@ -411,48 +421,43 @@ def on_the_path(
 
     Returns
     -------
-    toolpath : Toolpath
-        Moves that run onto the contour and along it in one, cut where it begins.
-    row : (m,) int64
-        The move that each of them comes from.
-    following : (m,) bool
+    (n,) bool
+        A move that runs onto the path and along it in one is among them.
     """
     band = max(ALONG * resolution, SAME_POINT)
     vertices = np.vstack([np.vstack([one.path.start[:, :2], one.path.end[:, :2]]) for one in cut])
-    distances = [PathDistance(one.path, np.arange(len(one.path))) for one in cut]
     same = np.zeros(len(toolpath), dtype=bool)
     for tool, compensation in np.unique(
         np.concatenate([np.stack([one.path.tool, one.path.compensation], axis=1) for one in cut]), axis=0
     ):
         same |= (toolpath.tool == tool) & (toolpath.compensation == compensation)
-    candidates = same & usable & rows_near(toolpath, vertices, band)
+    runs = cutting_runs(toolpath)
+    rows = np.concatenate(runs) if runs else np.zeros(0, dtype=np.int64)
+    rows = rows[(same & usable & rows_near(toolpath, vertices, band))[rows]]
+    length = length_in_plane(toolpath.take(rows))
+    count = np.clip(np.ceil(length / SPACING), 9, 400).astype(np.int64)
+    which = np.repeat(np.arange(len(rows)), count)
+    u = (np.arange(len(which)) - np.repeat(np.cumsum(count) - count, count) + 0.5) / count[which]
+    places, ahead = toolpath.place(rows[which], u), _direction(toolpath, rows[which], u)
+    section = _sections(toolpath)[rows]
+    out = np.zeros(len(toolpath), dtype=bool)
+    for one in cut:
+        distance, row, at = PathDistance(one.path, np.arange(len(one.path))).nearest(places)
+        there = _direction(one.path, row, at)
+        parallel = np.abs(ahead[:, 0] * there[:, 1] - ahead[:, 1] * there[:, 0]) < PARALLEL
+        share = np.bincount(which[(distance <= band) & parallel], minlength=len(rows)) / count
+        # What only meets the path, as the lead of another pass does, covers little of it.
+        covered = np.bincount(section, share * length, minlength=int(section.max(initial=0)) + 1)
+        out[rows[(share > 0) & (covered[section] > COVERS * float(length_in_plane(one.path).sum()))]] = True
+    return out
 
-    def along(toolpath: Toolpath, candidates: Bools) -> tuple[Bools, Bools]:
-        runs = cutting_runs(toolpath)
-        rows = np.concatenate(runs) if runs else np.zeros(0, dtype=np.int64)
-        rows = rows[candidates[rows]]
-        moves = toolpath.take(rows)
-        samples = moves.position(np.linspace(0.0, 1.0, 9))[:, :, :2].reshape(-1, 2)
-        section, length = _sections(toolpath)[rows], np.nan_to_num(moves.length())
-        whole, partly = np.zeros(len(toolpath), dtype=bool), np.zeros(len(toolpath), dtype=bool)
-        for one, distance in zip(cut, distances, strict=True):
-            on = (distance(samples) <= band).reshape(-1, 9)
-            complete = on.all(axis=1)
-            # What only meets the path, as the lead of another pass does, covers little of it.
-            covered = np.bincount(section[complete], length[complete], minlength=int(section.max(initial=0)) + 1)
-            covers = covered[section] > COVERS * float(np.nansum(one.path.length()))
-            whole[rows] |= complete & covers
-            partly[rows] |= on[:, 1:-1].any(axis=1) & ~complete & covers
-        return whole, partly & ~whole
 
-    whole, partly = along(toolpath, candidates)
-    row = np.arange(len(toolpath))
-    if partly.any():
-        cut_path, cut_row = _cut_at(toolpath, partly, vertices)
-        if len(cut_path) > len(toolpath):
-            toolpath, row = cut_path, cut_row
-            whole, _ = along(toolpath, candidates[row])
-    return toolpath, row, whole
+def _direction(toolpath: Toolpath, row: Ints, u: Floats) -> Floats:
+    """Unit vectors along moves at a fraction of each, (n, 2)."""
+    h = 1e-4
+    ahead = toolpath.place(row, np.minimum(u + h, 1.0)) - toolpath.place(row, np.maximum(u - h, 0.0))
+    out: Floats = ahead / np.maximum(np.hypot(*ahead.T), 1e-15)[:, None]
+    return out
 
 
 def _sections(toolpath: Toolpath) -> Ints:
@@ -519,7 +524,7 @@ class Commanded:
 
 
 def commanded_offset(
-    surface: CommandedSurface, deviation: Deviation, has_z: bool = False, expected: CompensatedContour | None = None
+    surface: CommandedSurface, deviation: Deviation, z: Floats | None = None, expected: CompensatedContour | None = None
 ) -> Floats:
     """Offset in mm, along the normal, of the surface the program commands from the nominal at measured points.
 
@@ -527,8 +532,8 @@ def commanded_offset(
     ----------
     surface : CommandedSurface
     deviation : Deviation
-    has_z : bool
-        Whether the points' heights tell which passes made them.
+    z : (n,) float64, optional
+        Heights in mm that tell which passes made the points; by default all passes did.
     expected : CompensatedContour, optional
         Contour that the program follows within `BAND`; by default any within `REACH` of the nominal will do.
 
@@ -542,7 +547,7 @@ def commanded_offset(
     InputError
         If points were measured where the program does not cut the profile.
     """
-    out = surface.offset(deviation.foot, deviation.normal, deviation.z if has_z else None)
+    out = surface.offset(deviation.foot, deviation.normal, z)
     wide = np.isnan(out)
     if expected is not None:
         there = expected.correction.at(deviation.stretch, deviation.s, expected.profile)

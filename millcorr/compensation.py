@@ -7,7 +7,6 @@ mirroring a deviation d gives -g d (werner-2018, eqs. 2 and 3, with gain g).
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -15,7 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .errors import LimitError
-from .gaps import Gap
 from .profile import Profile, Stretch
 
 Floats = NDArray[np.float64]
@@ -26,9 +24,6 @@ CONSTANT = 1e-7
 
 NEAR = 0.01
 """Points nearer to each other than this, in mm, are averaged: no machine follows waves so short."""
-
-RUN_OUT_SUPPORTS = 8
-"""Spans of a cubic spline that follow a smooth step to 0.1 % of its height."""
 
 GAP_SPACINGS = 10.0
 """A gap between points longer than this many typical spacings is bridged by a straight line and reported."""
@@ -58,11 +53,11 @@ class Course:
         return Course(np.array([0.0, length]), np.array([[value], [0.0], [0.0], [0.0]]), length if closed else 0.0)
 
     @staticmethod
-    def through(s: Floats, value: Floats, length: float, closed: bool) -> Course:
+    def through(s: Floats, value: Floats, length: float, closed: bool, level: bool = True) -> Course:
         """Cubic spline through values at increasing arc lengths within one stretch (at least one).
 
         On an open stretch it runs out level at the first and the last value, so that holding them beyond makes
-        no kink.
+        no kink; not with `level` False, for values that reach from end to end.
         """
         if len(s) == 1 or np.ptp(value) == 0.0:
             return Course.constant(float(value[0]), length, closed)
@@ -71,7 +66,7 @@ class Course:
         if closed:
             spline = CubicSpline(np.append(s, s[0] + length), np.append(value, value[0]), bc_type="periodic")
         else:
-            spline = CubicSpline(s, value, bc_type="clamped")
+            spline = CubicSpline(s, value, bc_type="clamped" if level else "not-a-knot")
         return Course(np.array(spline.x), np.array(spline.c[::-1]), length if closed else 0.0)
 
     @property
@@ -192,8 +187,6 @@ def correction_from(
     value: Floats,
     *,
     limit: float,
-    gaps: Sequence[Gap] = (),
-    rest: Correction | None = None,
 ) -> tuple[Correction, tuple[str, ...]]:
     """Correction through values at points.
 
@@ -208,11 +201,6 @@ def correction_from(
         Wanted displacement of the profile along its normal, mm.
     limit : float
         Largest displacement allowed, mm.
-    gaps : sequence of Gap
-        Where nothing is known: from the points at their ends the correction runs out smoothly, and leaves stretches
-        without a point as they are. Beyond the last point of an open contour its value holds on.
-    rest : Correction, optional
-        What it runs out to: what the program has there already. By default nothing.
 
     Returns
     -------
@@ -225,7 +213,6 @@ def correction_from(
     LimitError
         If a value, or the correction between two points, exceeds the limit; names the place.
     """
-    gaps = [gap for gap in gaps if gap.between]
     stretches = tuple(profile.stretches())
     worst = int(np.argmax(np.abs(value))) if len(value) else 0
     if len(value) and abs(value[worst]) > limit:
@@ -248,9 +235,7 @@ def correction_from(
             warnings.append(_one_place(profile, stretch, float(x[0]), float(y[0])))
         x, y, bridges = _bridged(x, y, stretch)
         course = Course.through(x, y, stretch.length, stretch.closed)
-        bridges = [(a, b) for a, b in bridges if not _unknown(np.array([0.5 * (a + b)]), stretch, profile, gaps)[0]]
-        course = _run_out(course, stretch, profile, gaps, None if rest is None else rest.courses[k])
-        _refuse_swing(profile, stretch, course, limit)
+        refuse_swing(profile, stretch, course, limit)
         courses.append(course)
         if bridges:
             a, b = max(bridges, key=lambda bridge: bridge[1] - bridge[0])
@@ -260,13 +245,6 @@ def correction_from(
                 f"no usable point on {b - a:.2f} mm between X{p[0, 0]:.3f} Y{p[0, 1]:.3f} and "
                 f"X{p[1, 0]:.3f} Y{p[1, 1]:.3f}{more}: the correction runs straight across or holds its last value"
             )
-    left = 0.0
-    for k, stretch in enumerate(stretches):
-        if courses[k] is None and _unknown(np.array([0.5 * stretch.length]), stretch, profile, gaps)[0]:
-            courses[k] = Course.constant(0.0, stretch.length, stretch.closed) if rest is None else rest.courses[k]
-            left += stretch.length
-    if left:
-        warnings.append(f"stretches of {left:.3f} mm in all lie in wide gaps without a usable point: left as they are")
     _fill_unmeasured(profile, stretches, courses, warnings)
     return Correction(stretches, tuple(c for c in courses if c is not None)), tuple(warnings)
 
@@ -279,7 +257,8 @@ def _one_place(profile: Profile, stretch: Stretch, at: float, value: float) -> s
     )
 
 
-def _refuse_swing(profile: Profile, stretch: Stretch, course: Course, limit: float) -> None:
+def refuse_swing(profile: Profile, stretch: Stretch, course: Course, limit: float) -> None:
+    """LimitError where a course exceeds the limit, mm; names the place."""
     at, value = course.extreme
     if abs(value) > limit * (1 + 1e-9):
         p, _ = profile.at(stretch.contour, np.array([stretch.begin + at]))
@@ -379,47 +358,6 @@ def _bridged(s: Floats, value: Floats, stretch: Stretch) -> tuple[Floats, Floats
     all_s, all_v = all_s[order], all_v[order]
     apart = np.concatenate([[True], np.diff(all_s) > 1e-9])
     return all_s[apart], all_v[apart], gaps
-
-
-def _into(s: Floats, stretch: Stretch, profile: Profile, gap: Gap) -> Floats:
-    """Arc lengths from a gap's begin, mm, for arc lengths from a stretch's start."""
-    into: Floats = stretch.begin + s - gap.begin
-    if profile.contours[gap.contour].closed:
-        into = np.mod(into, float(profile.total[gap.contour]))
-    return into
-
-
-def _unknown(s: Floats, stretch: Stretch, profile: Profile, gaps: Sequence[Gap]) -> NDArray[np.bool_]:
-    """Whether arc lengths from a stretch's start lie in one of the gaps."""
-    out = np.zeros(len(s), dtype=bool)
-    for gap in gaps:
-        if gap.contour == stretch.contour:
-            into = _into(s, stretch, profile, gap)
-            out |= (into > 0) & (into < gap.length)
-    return out
-
-
-def _run_out(course: Course, stretch: Stretch, profile: Profile, gaps: Sequence[Gap], rest: Course | None) -> Course:
-    """Course that within wide gaps runs out into what is there, along a cubic smooth step from either end."""
-    own = [gap for gap in gaps if gap.contour == stretch.contour]
-    if not own:
-        return course
-    # As close everywhere, so that what runs out does not ring where it was measured.
-    count = math.ceil(RUN_OUT_SUPPORTS * stretch.length / min(gap.reach for gap in own))
-    supports = [course.breaks, np.linspace(0.0, stretch.length, count + 1)]
-    if rest is not None:
-        supports.append(rest.breaks[_unknown(rest.breaks, stretch, profile, own)])
-    s = np.concatenate(supports)
-    s = np.unique(np.mod(s, stretch.length) if stretch.closed else s[(s >= 0.0) & (s <= stretch.length)])
-    s = s[np.concatenate([[True], np.diff(s) > NEAR])]
-    share = np.ones(len(s))
-    for gap in own:
-        into = _into(s, stretch, profile, gap)
-        x = np.clip(np.minimum(into, gap.length - into) / gap.reach, 0.0, 1.0)
-        inside = (into > 0) & (into < gap.length)
-        share[inside] = (1.0 - x * x * (3.0 - 2.0 * x))[inside]
-    there = np.zeros(len(s)) if rest is None else rest(s)[0]
-    return Course.through(s, there + share * (course(s)[0] - there), stretch.length, stretch.closed)
 
 
 def _fill_unmeasured(

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from .decimal_text import lines
 from .footpoint import FootPointSearch
 from .pipeline import Result
 from .profile import Profile
@@ -200,24 +201,26 @@ POINT_COLUMNS = ("line", "x", "y", "z", "x_contact", "y_contact", "x_nominal", "
 """Columns of points.csv: as measured, ball taken off, on the contour, error along the normal."""
 
 
-def path_lines(stations: PathStations) -> Iterator[str]:
+def path_lines(stations: PathStations) -> Iterator[bytes]:
     """Lines of contour.csv, in mm and degrees; the header first."""
-    yield ",".join(PATH_COLUMNS) + "\n"
-    angle = slope_angle(stations.normal)
-    columns = (stations.path, stations.s, stations.point, stations.normal, angle)
-    numbers = np.column_stack(columns).tolist()
-    places = zip(stations.line.tolist(), stations.contour.tolist(), numbers, strict=True)
-    for line, contour, (px, py, s, x, y, nx, ny, slope) in places:
-        yield (f"{line},{px:.12g},{py:.12g},{contour},{s:.12g},{x:.12g},{y:.12g},{nx:.12g},{ny:.12g},{slope:.9g}\n")
+    yield ",".join(PATH_COLUMNS).encode() + b"\n"
+    columns = (
+        stations.line,
+        *stations.path.T,
+        stations.contour,
+        stations.s,
+        *stations.point.T,
+        *stations.normal.T,
+        slope_angle(stations.normal),
+    )
+    yield from lines(columns, (12,) * 9 + (9,))
 
 
-def point_lines(points: TouchedPoints) -> Iterator[str]:
+def point_lines(points: TouchedPoints) -> Iterator[bytes]:
     """Lines of points.csv, in mm and degrees; the header first."""
-    yield ",".join(POINT_COLUMNS) + "\n"
-    columns = (points.measured, points.contact, points.foot, slope_angle(points.normal), points.error)
-    numbers = np.column_stack(columns).tolist()
-    for line, row in zip(points.line.tolist(), numbers, strict=True):
-        yield f"{line}," + ",".join(f"{value:.12g}" for value in row) + "\n"
+    yield ",".join(POINT_COLUMNS).encode() + b"\n"
+    angle = slope_angle(points.normal)
+    yield from lines((points.line, *points.measured.T, *points.contact.T, *points.foot.T, angle, points.error))
 
 
 def table(points: TouchedPoints) -> str:

@@ -136,7 +136,7 @@ def deviations(
     normal, span, t = feet.normal.copy(), feet.span.copy(), feet.t.copy()
     reasons = np.full(len(points), -1)
 
-    at_corner = np.flatnonzero((feet.place == Place.JOINT) & _is_corner(profile, feet))
+    at_corner = np.flatnonzero((feet.place == Place.JOINT) & is_corner(profile, feet))
     if len(at_corner):
         reasons[at_corner] = 2
         if normals is not None:
@@ -195,7 +195,8 @@ def deviations(
     )
 
 
-def _is_corner(profile: Profile, feet: FootPoints) -> NDArray[np.bool_]:
+def is_corner(profile: Profile, feet: FootPoints) -> NDArray[np.bool_]:
+    """Foot points at joints where the profile turns by more than `CORNER_ANGLE`; those at other places mean nothing."""
     before = np.where(feet.t == 1.0, feet.span, profile.neighbour(feet.span, -1))
     out: NDArray[np.bool_] = np.abs(np.nan_to_num(profile.turn[before])) > CORNER_ANGLE
     return out
@@ -203,10 +204,12 @@ def _is_corner(profile: Profile, feet: FootPoints) -> NDArray[np.bool_]:
 
 def _out_of_reach(profile: Profile, span: Ints, t: Floats, radius: float) -> NDArray[np.bool_]:
     """Places that a cutter cannot touch: hollows tighter than it, and where it would cut into another side."""
-    foot, _, _ = profile.evaluate(span, t)
-    centre = foot + radius * profile.normals(span, t)
+    foot, first, second = profile.evaluate(span, t)
+    speed = np.hypot(*first.T)
+    centre = foot + radius * np.stack([first[:, 1] / speed, -first[:, 0] / speed], axis=1)
+    curvature = (first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]) / speed**3
     room = FootPointSearch(profile, margin=radius + 1.0).find(centre).distance
-    out: NDArray[np.bool_] = (room < radius - REACHED) | (1.0 + radius * profile.curvature(span, t) < 1e-6)
+    out: NDArray[np.bool_] = (room < radius - REACHED) | (1.0 + radius * curvature < 1e-6)
     return out
 
 

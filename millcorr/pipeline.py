@@ -29,7 +29,6 @@ from .commanded import (
 from .compensation import Correction, dead_band
 from .deviation import Deviation, deviations, statistics
 from .errors import DistrustError, FormatError, InputError, LimitError, UsageError
-from .filtering import Filter, Separation
 from .footpoint import FootPointSearch
 from .largest import largest_correction
 from .measurement import Measurement
@@ -43,6 +42,7 @@ from .reconstruction import CompensatedContour
 from .regeneration import Regeneration
 from .regeneration.emission import Emission, emit
 from .regeneration.vanishing_arcs import without_vanishing_arcs
+from .separation import Filter, Separated
 from .settings import Settings as Settings
 from .setup_file import Setup
 from .targets import Elastic, Part, Target, correction_through, target_of
@@ -124,8 +124,10 @@ class Result:
         What the same machine is expected to leave at each point after the correction, mm.
     commanded : (n,) float64
         Offset of the program's own contour from the nominal at each point, mm.
-    separations : tuple of Separation
-        One a smooth stretch and level with points.
+    separated : Separated or None
+        What repeats, anywhere on the contour; None without a measurement of the whole contour.
+    outlier : (n,) bool
+        Points that are more probably wrong than right; the model and robust filters leave them out.
     random_std : float
         Standard deviation of the random part, mm; NaN where it is not known.
     elastic : Elastic or None
@@ -158,7 +160,8 @@ class Result:
     uncertainty: Floats
     predicted: Floats
     commanded: Floats
-    separations: tuple[Separation, ...]
+    separated: Separated | None
+    outlier: NDArray[np.bool_]
     random_std: float
     elastic: Elastic | None
     foreseen: Foreseen | None
@@ -207,6 +210,8 @@ class Result:
                 "uncertainty_max": float(np.fmax.reduce(self.correction_uncertainty, initial=np.nan)),
             },
             "uncertainty": uncertainty,
+            "band": None if self.separated is None else self.separated.band,
+            "outliers": self.outliers(),
             "transfer": None if self.elastic is None else self.elastic.summary(self.request.settings),
             "foreseen": None if self.foreseen is None else self.foreseen.summary(),
             "alignment": self._alignment_summary(),
@@ -222,6 +227,23 @@ class Result:
             "advice": list(self.advice),
             "warnings": list(self.warnings),
         }
+
+    def outliers(self) -> list[dict[str, Any]]:
+        """Points that are more probably wrong than right, by their row of the file; lengths in mm."""
+        measurement, d = self.request.measurement, self.deviation
+        if measurement is None:
+            return []
+        rows = np.flatnonzero(self.outlier)
+        points = measurement.points[d.index[rows]].tolist()
+        return [
+            {
+                "index": int(d.index[i]),
+                **dict(zip("xyz", point, strict=True)),
+                "value": float(d.value[i]),
+                "expected": float(self.filtered[i]),
+            }
+            for i, point in zip(rows, points, strict=True)
+        ]
 
     def _alignment_summary(self) -> dict[str, Any]:
         fit = self.alignment
@@ -328,7 +350,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
             program, toolpath, settings, measurement, request.radius, path_radius, usable, warnings
         )
         if in_place:
-            toolpath, row_of, following = on_the_path(toolpath, usable, cut, program.resolution)
+            following = on_the_path(toolpath, usable, cut, program.resolution)
     if not in_place:
         reach = settings.limit if carried else 0.0
         given = request.nominal is not None
@@ -345,8 +367,12 @@ def correct(request: Request, *, check: bool = False) -> Result:
     program.require_plain(rows)
     surface = CommandedSurface(program.toolpath, cutters)
 
+    # Points without a height are taken for points of the deepest pass: a way back above the part makes no surface.
+    deepest = np.nan_to_num(toolpath.end[following, 2], nan=np.inf).min()
+
     def offset_of(deviation: Deviation, has_z: bool = False) -> Floats:
-        return commanded_offset(surface, deviation, has_z, expected)
+        z = deviation.z if has_z else np.full(len(deviation), deepest)
+        return commanded_offset(surface, deviation, z, expected)
 
     before: Simulation | None = None
     axes: AxisTransfer | None = None
@@ -421,7 +447,6 @@ def correct(request: Request, *, check: bool = False) -> Result:
         if settings.method != "combined":
             with_points = [(m, p.deviation) for m, p in zip(request.measurements, parts, strict=True)]
             together = distrust.examine_parts(with_points, nominal)
-            together += distrust.examine_coverage(parts[0].deviation, nominal, filter_)
             warnings += distrust.refuse_dangerous(together, settings.accept, sources[0])
         if setup is not None:
             first = _first_cut(request, nominal, allowances[0])
@@ -431,9 +456,9 @@ def correct(request: Request, *, check: bool = False) -> Result:
             )  # fmt: skip
         else:
             work = target_of(parts, nominal, settings, bool(carried), warnings)
-            seen, repeats = work.deviation.value - work.commanded, work.filtered - work.commanded
-            made = distrust.examine_determined(work.deviation, seen, repeats, work.trust, nominal)
-            warnings += distrust.refuse_dangerous(made, settings.accept, sources[0])
+            if work.separated is not None:
+                seen = distrust.examine_separated(work.deviation, work.separated, nominal, settings.unmeasured_share)
+                warnings += distrust.refuse_dangerous(seen, settings.accept, sources[0])
         if request.smoothed is not None:
             left = request.smoothed.at(work.deviation.stretch, work.deviation.s, nominal)
             # Of a path moved by e an elastic machine leaves e / (1 + MS).
@@ -450,7 +475,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
     def lay(correction: Correction) -> Emission:
         if in_place:
             emission, note = emit_in_place(
-                program, toolpath, following, nominal, correction, path_radius, cutters, settings, header=header
+                program, following, nominal, correction, path_radius, cutters, settings, header=header
             )
             warnings.extend([note] if note is not None and note not in warnings else [])
             return emission
@@ -474,7 +499,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
     else:
         foreseen, correction, written = foresee(aim, before, first, settings, program.name, lay, warnings)
         foreseen = replace(foreseen, axes=axes, machine=machine_found)
-    if in_place or correction.largest > EXACT:
+    if correction.largest > EXACT:
         of_program = replace(written.regeneration, origin=row_of[written.regeneration.origin])
         written = replace(written, regeneration=of_program)
     applied = np.zeros(len(work.deviation))
@@ -491,7 +516,8 @@ def correct(request: Request, *, check: bool = False) -> Result:
         uncertainty=work.uncertainty,
         predicted=work.predicted(applied) if foreseen is None else foreseen.left_at(work),
         commanded=work.commanded,
-        separations=work.separations,
+        separated=work.separated,
+        outlier=np.zeros(len(work.deviation), dtype=bool) if work.outlier is None else work.outlier,
         random_std=work.random_std,
         elastic=work.elastic,
         foreseen=foreseen,
@@ -644,9 +670,13 @@ def _own_contour(
 
 
 def _cutters(toolpath: Toolpath, radius: float, path_radius: float) -> Floats:
-    """Radius of the cutter of every move, mm; 0 where the control takes it into account."""
+    """Radius of the cutter of every move, mm; 0 where the control takes it into account.
+
+    In such a program it is not known (NaN) of moves without compensation, which begin where the control has put the
+    cutter and not where the program says.
+    """
     compensated = toolpath.compensation != Compensation.OFF
-    return np.where(compensated, path_radius, radius)
+    return np.where(compensated, path_radius, np.nan if path_radius == 0 else radius)
 
 
 def _usable(program: gcode.Program, radius: float, settings: Settings) -> tuple[NDArray[np.bool_], float]:

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 from . import alignment
 from .errors import UsageError
-from .filtering import Filter
 from .regeneration import OUTPUT_MOVES
+from .separation.filters import Filter
 
 LARGEST_TOLERANCE = 0.05
 """Path errors beyond this, in mm, are as large as the deviations worth correcting."""
@@ -46,6 +46,8 @@ class Settings:
         Stock that the program of the measured parts left over the nominal, one for all or one each; empty for 0.
     leave_stock : float
         Stock that the written program leaves over the nominal: a first cut, before anything is measured.
+    unmeasured_share : float
+        Largest share of a contour that may lie farther from any point than the form hangs together; more is refused.
     iterate : float, optional
         Go on simulating and correcting until the predicted error is at most this, in mm; by default one correction,
         simulated once. For the methods with a setup.
@@ -69,6 +71,7 @@ class Settings:
     allowance: float | Sequence[float] | None = ()
     leave_stock: float = 0.0
     iterate: float | None = None
+    unmeasured_share: float = 0.6
 
     def __post_init__(self) -> None:
         choices = {
@@ -94,6 +97,8 @@ class Settings:
             raise UsageError(
                 f"--tolerance {self.tolerance:g}: more than {LARGEST_TOLERANCE:g} mm would hide what is to be corrected"
             )
+        if not 0 <= self.unmeasured_share <= 1:
+            raise UsageError(f"--unmeasured {self.unmeasured_share:g}: must be a share from 0 to 1")
         if not self.dead_band >= 0:
             raise UsageError(f"--dead-band {self.dead_band:g}: must not be negative")
         for name in ("depth", "allowance"):

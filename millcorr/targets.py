@@ -4,26 +4,33 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from .compensation import Correction, along, correction_from, dead_band
+from .compensation import Correction, Course, along, dead_band, refuse_swing
 from .deviation import Deviation, statistics
-from .errors import UsageError
-from .filtering import Filter, Separation, separate
-from .gaps import wide_gaps
-from .parts import averaged
-from .profile import Profile
+from .errors import LimitError, UsageError
+from .profile import Profile, Stretch
+from .separation import Filter, Observed, Separated, Stretches, interpolated, separate
+from .separation.parts import LEVEL_REACH, averaged
 from .settings import Settings
 from .transfer_function import TransferFunction, along_axis, examine, from_line, identify, line_over_depth, one_value
-from .uncertainty import of_one_part, of_several_parts
+
+SUPPORTS = 24.0
+"""Supports of a correction in a length of the form: its nodes are a sixth apart, with a quintic between them."""
+
+MOST_SUPPORTS = 20_000
+
+SAME = 1e-7
+"""Displacements in mm that are the same."""
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
+Bools = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -108,17 +115,38 @@ class Elastic:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Target:
-    """Deviations with what became of them, and the filter's trust in each; arrays over the used points."""
+    """Deviations with what became of them; arrays over the used points.
+
+    Parameters
+    ----------
+    deviation : Deviation
+    commanded : (n,) float64
+        Program's own offset, mm.
+    filtered, uncertainty : (n,) float64
+        Systematic part and its standard uncertainty, mm; NaN where that is not known.
+    wanted : (n,) float64
+        Wanted displacement of the profile, mm.
+    random_std : float
+        Of what does not repeat, mm; NaN where it is not known.
+    separated : Separated or None
+        What repeats, anywhere on the contour; None without a measurement, or where a model carries touches on.
+    outlier : (n,) bool
+        Points that are more probably wrong than right.
+    elastic : Elastic or None
+    added : bool
+        Whether the wanted displacement is added to what the program carries already.
+    """
 
     deviation: Deviation
     commanded: Floats
     filtered: Floats
     uncertainty: Floats
     wanted: Floats
-    separations: tuple[Separation, ...]
     random_std: float
+    separated: Separated | None = None
+    outlier: Bools | None = None
     elastic: Elastic | None = None
-    trust: Floats | None = None
+    added: bool = False
 
     @staticmethod
     def empty() -> Target:
@@ -126,7 +154,7 @@ class Target:
         none, zero = np.zeros(0, dtype=np.int64), np.zeros(0)
         flat = np.zeros((0, 2))
         deviation = Deviation(none, none, none, none, zero, zero, flat, flat, zero, ())
-        return Target(deviation, zero, zero, zero, zero, (), float("nan"))
+        return Target(deviation, zero, zero, zero, zero, float("nan"))
 
     def predicted(self, applied: Floats) -> Floats:
         """What the same machine is expected to leave after a correction of `applied` mm, with the random part; (n,)."""
@@ -143,42 +171,11 @@ class _Found:
     machine: Floats
     determined: Floats
     uncertainty: Floats
-    filtered: _Filtered
+    separated: Separated
+    weight: Floats
     random_std: float
     aim: TransferFunction | None = None
     system: TransferFunction | None = None
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class _Filtered:
-    """Values filtered, one separation a stretch and level."""
-
-    determined: Floats
-    blocks: tuple[tuple[Ints, Separation], ...]
-
-    @property
-    def random_std(self) -> float:
-        """Standard deviation of the random part over all stretches and levels where it is known; else NaN."""
-        known = [(part.random_std, len(rows)) for rows, part in self.blocks if math.isfinite(part.random_std)]
-        total = sum(n for _, n in known)
-        return math.sqrt(sum(std**2 * n for std, n in known) / total) if total else math.nan
-
-    @property
-    def trust(self) -> Floats:
-        """Weight of every point, 0 (outlier) to 1; (n,)."""
-        out = np.zeros(len(self.determined))
-        for rows, part in self.blocks:
-            out[rows] = part.weights
-        return out
-
-    def std(self, single: float | None = None) -> Floats:
-        """Standard uncertainty of the filtered values: random part times the root of the filter's variance; (n,)."""
-        out = np.full(len(self.determined), math.nan)
-        for rows, part in self.blocks:
-            out[rows] = (part.random_std if single is None else single) * math.sqrt(part.variance_factor)
-        # A point that was given its neighbours' value is as uncertain as the worst.
-        out[np.isnan(out)] = np.fmax.reduce(out)
-        return out
 
 
 def target_of(
@@ -228,9 +225,18 @@ def target_of(
     base = offset if corrected_before else np.zeros(len(offset))
     left = dead_band((base - aim) / yields, settings.dead_band)
     wanted = base - settings.gain * yields * left
-    separations = tuple(part for _, part in found.filtered.blocks)
-    trust = found.filtered.trust
-    return Target(deviation, offset, filtered, found.uncertainty, wanted, separations, found.random_std, elastic, trust)
+    return Target(
+        deviation,
+        offset,
+        filtered,
+        found.uncertainty,
+        wanted,
+        found.random_std,
+        found.separated,
+        found.weight < 0.5,
+        elastic,
+        corrected_before,
+    )
 
 
 def _next_depth(parts: list[Part], depths: tuple[float, ...], settings: Settings, filtered: Floats) -> float | Floats:
@@ -248,7 +254,9 @@ def _next_depth(parts: list[Part], depths: tuple[float, ...], settings: Settings
 def _at_one_depth(parts: list[Part], depth: float, nominal: Profile, settings: Settings, warnings: list[str]) -> _Found:
     """Parts of one depth: their mean, filtered; the transfer function where the settings want one."""
     first = parts[0]
-    deviation, machine, part_std, several = first.deviation, first.machine, math.nan, None
+    deviation, machine = first.deviation, first.machine
+    separated = _separated([(p.deviation, p.machine) for p in parts], nominal, settings)
+    part_std = math.nan
     if len(parts) > 1:
         several = averaged([(p.deviation, p.machine) for p in parts], nominal)
         machine, part_std = several.mean, several.std
@@ -256,27 +264,25 @@ def _at_one_depth(parts: list[Part], depth: float, nominal: Profile, settings: S
             f"deviations are the mean of {len(parts)} parts; from part to part they differ by "
             f"{part_std * 1000:.2f} um (standard deviation)"
         )
-    found = _filtered(deviation, machine, nominal, settings, warnings)
-    if several is None:
-        uncertainty = of_one_part(machine, deviation, found.blocks)
-    else:
-        uncertainty = of_several_parts(several, deviation, found.blocks)
-    random_std = part_std if math.isfinite(part_std) else found.random_std
+    n = len(deviation)
+    determined, uncertainty = separated.systematic[:n], separated.uncertainty[:n]
+    weight = separated.weight[:n]
+    random_std = part_std if math.isfinite(part_std) else separated.random_std
     if settings.method != "transfer":
-        return _Found(machine, found.determined, uncertainty, found, random_std)
+        return _Found(machine, determined, uncertainty, separated, weight, random_std)
     h, place = depth - first.offset, deviation.foot
-    system = identify(found.determined, h, uncertainty, place)
+    system = identify(determined, h, uncertainty, place)
     factor = along_axis(deviation.normal, place, settings.depth_along)
     # A point of the mean of parts is as uncertain as their spread lets it be.
-    single = factor * (part_std / math.sqrt(len(parts)) if math.isfinite(part_std) else found.random_std)
+    single = factor * (part_std / math.sqrt(len(parts)) if math.isfinite(part_std) else separated.random_std)
     if settings.transfer_function == "points":
         aim = identify(factor * machine, h, single, place)
     else:
-        aim = identify(factor * found.determined, h, factor * uncertainty, place)
+        aim = identify(factor * determined, h, factor * uncertainty, place)
     if settings.transfer_function == "one":
-        ms, std = one_value(aim.ms, found.trust, (1.0 + aim.ms) ** 2 * single / h)
+        ms, std = one_value(aim.ms, weight, (1.0 + aim.ms) ** 2 * single / h)
         aim = TransferFunction.constant(ms, std, len(aim))
-    return _Found(machine, found.determined, uncertainty, found, random_std, aim, system)
+    return _Found(machine, determined, uncertainty, separated, weight, random_std, aim, system)
 
 
 def _at_several_depths(
@@ -290,11 +296,13 @@ def _at_several_depths(
     offsets = np.nan_to_num(averaged([(p.deviation, p.offset) for p in parts], nominal).values)
     h: Floats = np.asarray(depths)[:, None] - offsets
     line = line_over_depth(values, h)
-    slope = _filtered(deviation, line.slope, nominal, settings, warnings)
-    b, middle = slope.determined, h.mean(axis=0)
+    slope = _separated([(deviation, line.slope)], nominal, settings)
+    b, b_std, b_weight = _at_points(slope, line.slope, deviation, nominal)
+    middle = h.mean(axis=0)
     # All values brought to the mean depth by the slope, so that a part without a point here makes no step.
     level = np.nanmean(values - b * (h - middle), axis=0)
-    levels = _filtered(deviation, level, nominal, settings, warnings)
+    levels = _separated([(deviation, level)], nominal, settings)
+    at_middle, level_std, weight = _at_points(levels, level, deviation, nominal)
     single = slope.random_std
     if math.isfinite(line.std):
         single = line.std / math.sqrt(float(np.median(line.spread[line.spread > 0])))
@@ -305,16 +313,16 @@ def _at_several_depths(
         )
 
     ones = np.ones(len(b))
-    system = reading(b, slope.std(single), levels.determined, levels.std(), ones)
+    system = reading(b, b_std, at_middle, level_std, ones)
     factor = along_axis(deviation.normal, place, settings.depth_along)
     if settings.transfer_function == "points":
         b_at = np.where(np.isfinite(line.slope), line.slope, b)
         aim = reading(b_at, single * ones, level, levels.random_std * ones, factor)
     elif settings.transfer_function == "one":
-        mean, std = one_value(b, slope.trust, single * ones)
-        aim = reading(mean * ones, std * ones, levels.determined, levels.std(), factor)
+        mean, std = one_value(b, b_weight, single * ones)
+        aim = reading(mean * ones, std * ones, at_middle, level_std, factor)
     else:
-        aim = reading(b, slope.std(single), levels.determined, levels.std(), factor)
+        aim = reading(b, b_std, at_middle, level_std, factor)
     listed = ", ".join(f"{d:g}" for d in sorted(set(depths)))
     warnings.append(
         f"{len(parts)} parts cut {listed} mm deep: the transfer function is taken from the difference, the constant "
@@ -322,38 +330,61 @@ def _at_several_depths(
     )
     first_depth = b * (h[0] - middle)
     random_std = line.std if math.isfinite(line.std) else levels.random_std * math.sqrt(len(parts))
-    uncertainty = np.hypot(
-        of_one_part(level, deviation, levels.blocks),
-        of_one_part(line.slope, deviation, slope.blocks) * (h[0] - middle),
+    uncertainty = np.hypot(level_std, b_std * (h[0] - middle))
+    determined = at_middle + first_depth
+    return _Found(level + first_depth, determined, uncertainty, levels, weight, random_std, aim, system)
+
+
+def stretches_of(nominal: Profile) -> Stretches:
+    """Lengths of the smooth stretches of a profile, which are rings, and the contour of each."""
+    found = nominal.stretches()
+    return Stretches(
+        np.array([t.length for t in found]),
+        np.array([t.closed for t in found]),
+        np.array([t.contour for t in found], dtype=np.int64),
     )
-    determined = levels.determined + first_depth
-    return _Found(level + first_depth, determined, uncertainty, levels, random_std, aim, system)
 
 
-def _filtered(
-    deviation: Deviation, values: Floats, nominal: Profile, settings: Settings, warnings: list[str]
-) -> _Filtered:
-    """Determined part of values, each stretch and level by itself; points without a value take their neighbours'."""
-    filter_ = Filter.parse(settings.filter)
-    determined = np.full(len(deviation), math.nan)
-    blocks: list[tuple[Ints, Separation]] = []
-    for k, stretch in enumerate(nominal.stretches()):
-        for level in np.unique(deviation.level[deviation.stretch == k]):
-            rows = np.flatnonzero((deviation.stretch == k) & (deviation.level == level))
-            s = along(stretch, deviation.s[rows], nominal)
-            known = np.isfinite(values[rows])
-            if not known.any():
-                continue
-            part = separate(s[known], values[rows[known]], length=stretch.length, closed=stretch.closed, filter=filter_)
-            determined[rows[known]] = part.determined
-            if not known.all():
-                order = np.argsort(s[known], kind="stable")
-                period = stretch.length if stretch.closed else None
-                determined[rows[~known]] = np.interp(s[~known], s[known][order], part.determined[order], period=period)
-            blocks.append((rows[known], part))
-            warnings += [w for w in part.warnings if w not in warnings]
-    determined = np.where(np.isfinite(determined), determined, np.nanmean(determined))
-    return _Filtered(determined, tuple(blocks))
+def local(nominal: Profile, stretch: Ints, s: Floats) -> Floats:
+    """Arc lengths from the start of each point's stretch, mm, for those from its contour's; (n,)."""
+    found, out = nominal.stretches(), np.empty(len(s))
+    for k in np.unique(stretch):
+        rows = stretch == k
+        out[rows] = np.clip(along(found[k], s[rows], nominal), 0.0, found[k].length)
+    return out
+
+
+def _separated(parts: Sequence[tuple[Deviation, Floats]], nominal: Profile, settings: Settings) -> Separated:
+    """What repeats of values at the points of all parts, in their order, but for those without a value."""
+    heights = [float(parts[0][0].z[parts[0][0].level == k].mean()) for k in np.unique(parts[0][0].level)]
+    columns: list[tuple[Ints, Floats, Floats, Ints, Ints]] = []
+    for number, (deviation, values) in enumerate(parts):
+        level = np.zeros(len(deviation), dtype=np.int64)
+        for k in np.unique(deviation.level):
+            rows = deviation.level == k
+            z = float(deviation.z[rows].mean())
+            # The same height on another part carries another number there.
+            near = int(np.argmin(np.abs(np.array(heights) - z)))
+            if abs(heights[near] - z) >= LEVEL_REACH and number > 0:
+                heights.append(z)
+                near = len(heights) - 1
+            level[rows] = near if number > 0 else int(np.searchsorted(np.unique(deviation.level), k))
+        known = np.isfinite(values)
+        s = local(nominal, deviation.stretch, deviation.s)
+        part = np.full(len(deviation), number)
+        columns.append((deviation.stretch[known], s[known], values[known], part[known], level[known]))
+    observed = Observed(*(np.concatenate(column) for column in zip(*columns, strict=True)))
+    return separate(observed, stretches_of(nominal), Filter.parse(settings.filter))
+
+
+def _at_points(
+    separated: Separated, values: Floats, deviation: Deviation, nominal: Profile
+) -> tuple[Floats, Floats, Floats]:
+    """Systematic part, its standard uncertainty and the trust at all points, also at those without a value."""
+    mean, std = separated.at(deviation.stretch, local(nominal, deviation.stretch, deviation.s))
+    known, weight = np.isfinite(values), np.zeros(len(values))
+    mean[known], std[known], weight[known] = separated.systematic, separated.uncertainty, separated.weight
+    return mean, std, weight
 
 
 def _typical(std: Floats) -> float:
@@ -364,41 +395,87 @@ def _typical(std: Floats) -> float:
 def correction_through(
     work: Target, nominal: Profile, settings: Settings, warnings: list[str], rest: Correction | None = None
 ) -> Correction:
-    """Course of the correction through a target's points; levels by themselves, then their mean.
+    """Correction along the whole contour, also between the points and where there are none.
 
-    In gaps that are too wide to be bridged it runs out into `rest`, what the program has there already: by default
-    nothing.
+    Parameters
+    ----------
+    work : Target
+    nominal : Profile
+    settings : Settings
+    warnings : list of str
+        Findings are appended.
+    rest : Correction, optional
+        What the program carries already: contours without a point keep it. By default nothing.
+
+    Returns
+    -------
+    Correction
+
+    Raises
+    ------
+    LimitError
+        If the correction exceeds the limit anywhere; names the place.
     """
-    deviation = work.deviation
-    laid = partial(
-        correction_from,
-        nominal,
-        limit=settings.limit,
-        gaps=wide_gaps(deviation, nominal, Filter.parse(settings.filter).cutoff),
-        rest=rest,
-    )
-    levels = np.unique(deviation.level)
-    if len(levels) == 1:
-        correction, notes = laid(deviation.stretch, deviation.s, work.wanted)
-        warnings += notes
-        return correction
-    # Each level by itself, then their mean along the contour: points of different heights are never mixed.
-    single = []
-    for level in levels:
-        rows = deviation.level == level
-        one, notes = laid(deviation.stretch[rows], deviation.s[rows], work.wanted[rows])
-        single.append((one, int(rows.sum())))
-        warnings += [n for n in notes if n not in warnings]
-    densest = max(single, key=lambda pair: pair[1])[0]
-    rows = deviation.level == levels[[pair[0] is densest for pair in single].index(True)]
-    values = np.stack([one.at(deviation.stretch[rows], deviation.s[rows], nominal) for one, _ in single])
-    spread = float(np.ptp(values, axis=0).max())
-    heights = [float(deviation.z[deviation.level == level].mean()) for level in levels]
-    listed = ", ".join(f"{z:g}" for z in heights)
-    warnings.append(
-        f"{len(levels)} levels were measured (Z {listed}); the correction is their mean, they differ by up to "
-        f"{spread * 1000:.1f} um"
-    )
-    mean, notes = laid(deviation.stretch[rows], deviation.s[rows], values.mean(axis=0))
-    warnings += [n for n in notes if n not in warnings]
-    return mean
+    separated = work.separated
+    assert separated is not None
+    stretches = tuple(nominal.stretches())
+    d = work.deviation
+    s = local(nominal, d.stretch, d.s)
+    worst = int(np.argmax(np.abs(work.wanted)))
+    if abs(work.wanted[worst]) > settings.limit:
+        x, y = d.foot[worst]
+        raise LimitError(
+            f"a correction of {work.wanted[worst]:+.4f} mm is needed at X{x:.3f} Y{y:.3f} "
+            f"({int((np.abs(work.wanted) > settings.limit).sum())} points), more than --limit {settings.limit:g} mm; "
+            "nothing was corrected: look at the place in the report of `check`, and say a larger --limit if it is right"
+        )
+    measured = {stretches[k].contour for k in np.unique(d.stretch)}
+    courses = []
+    left = 0
+    for k, stretch in enumerate(stretches):
+        there = None if rest is None else rest.courses[k]
+        if stretch.contour not in measured:
+            left += 1
+            courses.append(there or Course.constant(0.0, stretch.length, stretch.closed))
+            continue
+        rows = d.stretch == k
+        base = there if work.added else None
+        places = _supports(separated, stretch, s[rows], base, settings)
+
+        def mirrored(at: Floats, k: int = k, base: Course | None = base) -> Floats:
+            own = np.zeros(len(at)) if base is None else base(at)[0]
+            mean = separated.at(np.full(len(at), k), at)[0]
+            return own - settings.gain * dead_band(own + mean, settings.dead_band)
+
+        value = mirrored(places)
+        if rows.any():
+            # What a transfer function, or a series, wants otherwise at the points.
+            more = work.wanted[rows] - mirrored(s[rows])
+            if np.abs(more).max() > SAME:
+                value = value + interpolated(s[rows], more, stretch.length, stretch.closed, places)
+        course = Course.through(places, value, stretch.length, stretch.closed, level=False)
+        refuse_swing(nominal, stretch, course, settings.limit)
+        courses.append(course)
+    if left:
+        warnings.append(f"{left} stretches of contours without a measured point are left as they are")
+    return Correction(stretches, tuple(courses))
+
+
+def _supports(
+    separated: Separated, stretch: Stretch, s: Floats, base: Course | None, settings: Settings
+) -> Floats:
+    """Places that a cubic spline through follows the correction to 0.05 um, mm from the stretch's start."""
+    step = separated.sizes.form_length / SUPPORTS
+    if settings.dead_band > 0:
+        step /= 4.0
+    if separated.filter.kind != "auto" and len(s) > 1:
+        # A prescribed filter has a value of its own at every point.
+        step = min(step, max(float(np.median(np.diff(np.sort(s)))), 0.05) / 3.0)
+    count = min(max(math.ceil(stretch.length / step), 8), MOST_SUPPORTS)
+    even = np.linspace(0.0, stretch.length, count, endpoint=not stretch.closed)
+    if base is None:
+        return even
+    inside = base.breaks[(base.breaks > 0.0) & (base.breaks < stretch.length)]
+    both: Floats = np.unique(np.concatenate([even, inside]))
+    out: Floats = both[np.concatenate([[True], np.diff(both) > 1e-3])]
+    return out

@@ -105,14 +105,14 @@ def replaced_whole(path: Path | None, data: bytes) -> Iterator[None]:
         raise
 
 
-def write_together(directory: Path, files: Mapping[str, Iterable[str]]) -> list[Path]:
+def write_together(directory: Path, files: Mapping[str, Iterable[str] | Iterable[bytes]]) -> list[Path]:
     """Write text files in UTF-8 that appear in a directory when all of them are complete; others there stay.
 
     Parameters
     ----------
     directory : Path
         Made where it does not exist.
-    files : mapping of str to iterable of str
+    files : mapping of str to iterable of str or bytes
         Pieces of the text of each file, by its name; lines end as in the text, whatever the system.
 
     Returns
@@ -134,8 +134,8 @@ def write_together(directory: Path, files: Mapping[str, Iterable[str]]) -> list[
     stage = Path(tempfile.mkdtemp(prefix=".millcorr-report-", dir=home))
     try:
         for name, text in files.items():
-            with open(stage / name, "w", encoding="utf-8", newline="\n") as file:
-                file.writelines(text)
+            with open(stage / name, "wb") as file:
+                file.writelines(piece.encode() if isinstance(piece, str) else piece for piece in text)
         if new:
             # mkdtemp makes a private directory; this one is as readable as any other.
             stage.chmod(0o777 & ~_umask())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The contour that a Profile operation follows, taken from the geometry it was given, not from its path.
+"""The contour that a Profile or Pocket operation follows, taken from the geometry it was given, not from its path.
 
 Only properties and shapes are read: the operation's proxy may be dead in a document of an older FreeCAD.
 """
@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import FreeCAD
 import numpy as np
 import Part
 
@@ -23,6 +24,21 @@ def is_profile_operation(obj: Any) -> bool:
     return all(hasattr(obj, name) for name in ("Base", "Side", "UseComp", "OffsetExtra", "processPerimeter"))
 
 
+def is_pocket_operation(obj: Any) -> bool:
+    """Whether an operation is FreeCAD's Pocket Shape, by its properties."""
+    return all(hasattr(obj, name) for name in ("Base", "StepOver", "ExtraOffset", "UseOutline"))
+
+
+def gives_contour(operation: Any) -> bool:
+    """Whether the contour that an operation follows can be taken from its geometry.
+
+    A pocket that runs out over an open side does not follow its face's boundary there; its path tells more.
+    """
+    return is_profile_operation(operation) or (
+        is_pocket_operation(operation) and not getattr(operation, "ExtensionFeature", None)
+    )
+
+
 def path_radius(operation: Any, tool_radius: float) -> float:
     """Distance in mm from the contour to the centre of the tool while it cuts.
 
@@ -36,26 +52,25 @@ def path_radius(operation: Any, tool_radius: float) -> float:
     Returns
     -------
     float
-        The tool's radius and the operation's OffsetExtra.
+        The tool's radius and the operation's OffsetExtra or ExtraOffset.
 
     Raises
     ------
     InputError
-        If OffsetExtra turns the path to the other side of the contour, or is there while the control holds
-        the radius.
+        If the offset turns the path to the other side of the contour, or is there while the control holds the
+        radius.
     """
-    if not is_profile_operation(operation):
+    if not gives_contour(operation):
         return tool_radius
+    name = "OffsetExtra" if is_profile_operation(operation) else "ExtraOffset"
+    offset = float(getattr(operation, name).Value)
     if leaves_radius_to_control(operation):
-        if operation.OffsetExtra.Value:
-            raise InputError(f"{operation.Label}: set OffsetExtra to 0, the control holds the radius (UseComp off)")
+        if offset:
+            raise InputError(f"{operation.Label}: set {name} to 0, the control holds the radius (UseComp off)")
         return tool_radius
-    radius = tool_radius + float(operation.OffsetExtra.Value)
+    radius = tool_radius + offset
     if radius <= 0:
-        raise InputError(
-            f"{operation.Label}: OffsetExtra {operation.OffsetExtra.Value:g} mm puts the path on "
-            "the other side of the contour"
-        )
+        raise InputError(f"{operation.Label}: {name} {offset:g} mm puts the path on the other side of the contour")
     return radius
 
 
@@ -94,8 +109,56 @@ def side_of_path(profile: Profile, toolpath: Toolpath) -> Compensation:
     return Compensation.RIGHT if along >= 0 else Compensation.LEFT
 
 
+def nominal_of(operation: Any, toolpath: Toolpath, chosen: Any = None) -> Profile | None:
+    """Nominal profile of an operation, in the job's frame, material on the left.
+
+    Parameters
+    ----------
+    operation : document object
+        The operation at the bottom of its dressups.
+    toolpath : Toolpath
+        Its path; tells on which side of an open contour the tool runs.
+    chosen : document object, optional
+        What has the contour in place of the operation's own geometry: a sketch, an edge, a flat face, a solid.
+
+    Returns
+    -------
+    Profile or None
+        None where neither is there: the path itself tells.
+
+    Raises
+    ------
+    InputError
+        If the geometry is missing, not level, or not prismatic.
+    """
+    if chosen is not None:
+        inside = is_pocket_operation(operation) or getattr(operation, "Side", "Outside") == "Inside"
+        return convert.profile_of_shape(_shape_in_job(chosen, operation), "outside" if inside else "inside")
+    return profile_of_operation(operation, toolpath) if gives_contour(operation) else None
+
+
+def _shape_in_job(obj: Any, operation: Any) -> Any:
+    """Shape of an object in the frame of an operation's job.
+
+    The job machines a copy of its model, which the user may have moved to the machine's origin; what the model was
+    made of, such as its sketch, moves with it. Everything else is where it stands in the document.
+    """
+    job = compat.parent_job(operation)
+    models = [] if job is None else list(job.Model.Group)
+    shape = compat.shape_in_document(obj)
+    carried = []
+    for model in models:
+        for original in getattr(model, "Objects", None) or []:
+            if obj == original or obj in original.OutListRecursive or original in obj.OutListRecursive:
+                to_job = model.Placement.multiply(compat.global_placement(original).inverse())
+                carried.append(compat.moved(shape, to_job))
+    if obj in models or not carried:
+        return shape
+    return carried[0] if len(carried) == 1 else Part.makeCompound(carried)
+
+
 def profile_of_operation(operation: Any, toolpath: Toolpath) -> Profile:
-    """Contour of a Profile operation, in the job's frame, material on the left.
+    """Contour of a Profile or Pocket Shape operation, in the job's frame, material on the left.
 
     Parameters
     ----------
@@ -113,13 +176,11 @@ def profile_of_operation(operation: Any, toolpath: Toolpath) -> Profile:
     InputError
         If the geometry is missing, not level, or not prismatic.
     """
-    outer, holes = _edges(operation)
-    outside = operation.Side != "Inside"
+    walls = _profile_walls(operation) if is_profile_operation(operation) else _pocket_walls(operation)
     contours: list[Contour] = []
-    for edges, material in ((outer, outside), (holes, not outside)):
-        if edges:
-            joined = convert.chain([convert.curve_of_edge(e) for e in edges])
-            contours += [_turned(c, material, toolpath) for c in joined]
+    for edges, material_inside in walls:
+        joined = convert.chain([convert.curve_of_edge(e) for e in edges])
+        contours += [_turned(c, material_inside, toolpath) for c in joined]
     if not contours:
         raise InputError(f"{operation.Label}: the operation's base geometry gives no profile")
     return Profile.from_contours(contours)
@@ -155,50 +216,108 @@ def _side_of_path(profile: Profile, toolpath: Toolpath) -> float:
     return total
 
 
-def _edges(operation: Any) -> tuple[list[Any], list[Any]]:
-    """Edges of the contours round the material, and of those round holes in it."""
+Wall = tuple[list[Any], bool]
+"""Edges that bound one selection, and whether the material is inside a closed contour of them."""
+
+
+def _profile_walls(operation: Any) -> list[Wall]:
+    outside = operation.Side != "Inside"
     if not operation.Base:
-        return _model_outline(operation), []
-    outer: list[Any] = []
-    holes: list[Any] = []
+        return [(_model_outline(operation), outside)]
+    walls: list[Wall] = []
     for base, names in operation.Base:
-        faces = []
-        for name in names:
-            sub = base.Shape.getElement(name) if name else base.Shape
-            if isinstance(sub, Part.Face):
-                faces.append(sub)
-            elif isinstance(sub, Part.Edge):
-                outer.append(sub)
-            else:
-                raise InputError(f"{operation.Label}: {base.Label}.{name} is neither face nor edge")
-        flat = [f for f in faces if convert.is_horizontal(f)]
+        edges, level, upright = _selected(operation, base, names)
+        if edges:
+            walls.append((edges, outside))
         if operation.processPerimeter:
-            outer += _perimeter(flat, operation.HandleMultipleFeatures == "Collectively")
-            for face in faces:
-                if not convert.is_horizontal(face):
-                    if not convert.is_vertical(face):
-                        raise InputError(f"{operation.Label}: a face of {base.Label} is neither level nor vertical")
-                    outer += convert.foot_edges(face)
-        for face in flat:
-            holes += _holes(face, bool(operation.processHoles), bool(operation.processCircles))
-    return outer, holes
+            feet = [edge for face in upright for edge in convert.foot_edges(face)]
+            if operation.HandleMultipleFeatures == "Collectively":
+                outer = [edge for face in _together(level, True) for edge in face.OuterWire.Edges]
+                around = convert.without_doubles([*outer, *feet])
+                walls += [(around, outside)] if around else []
+            else:
+                walls += [(face.OuterWire.Edges, outside) for face in level]
+                walls += [(feet, outside)] if feet else []
+        for face in level:
+            holes = _holes(face, bool(operation.processHoles), bool(operation.processCircles))
+            walls += [(wire.Edges, not outside) for wire in holes]
+    return walls
 
 
-def _perimeter(faces: list[Any], together: bool) -> list[Any]:
-    """Outer edges of level faces; edges between two faces are inside where the faces count as one."""
-    edges = [e for f in faces for e in f.OuterWire.Edges]
-    if not together:
-        return edges
-    return [e for i, e in enumerate(edges) if not any(e.isSame(o) for j, o in enumerate(edges) if j != i)]
+def _pocket_walls(operation: Any) -> list[Wall]:
+    pattern = next((getattr(operation, name) for name in compat.PATTERN if hasattr(operation, name)), "Offset")
+    if pattern != "Offset":
+        raise InputError(
+            f"{operation.Label}: lines of the pattern {pattern} end on the pocket's walls, and would cut into them "
+            "once they are corrected; choose the pattern Offset"
+        )
+    if not operation.Base:
+        return [(_model_outline(operation), True)]
+    walls: list[Wall] = []
+    for base, names in operation.Base:
+        edges, level, upright = _selected(operation, base, names)
+        if edges:
+            raise InputError(f"{operation.Label}: a pocket follows faces, and an edge of {base.Label} is selected")
+        floors = _together(level, bool(operation.UseOutline))
+        feet = [edge for face in upright for edge in convert.foot_edges(face)]
+        around = convert.without_doubles([*(edge for floor in floors for edge in floor.OuterWire.Edges), *feet])
+        walls += [(around, False)] if around else []
+        walls += [(wire.Edges, True) for floor in floors for wire in _holes(floor, True, True)]
+    return walls
+
+
+def _selected(operation: Any, base: Any, names: tuple[str, ...]) -> tuple[list[Any], list[Any], list[Any]]:
+    """Edges, level faces and upright faces that are selected on an object."""
+    edges: list[Any] = []
+    level: list[Any] = []
+    upright: list[Any] = []
+    for name in names:
+        sub = base.Shape.getElement(name) if name else base.Shape
+        if isinstance(sub, Part.Edge):
+            edges.append(sub)
+        elif not isinstance(sub, Part.Face):
+            raise InputError(f"{operation.Label}: {base.Label}.{name} is neither face nor edge")
+        elif convert.is_horizontal(sub):
+            level.append(sub)
+        elif convert.is_vertical(sub):
+            upright.append(sub)
+        else:
+            raise InputError(
+                f"{operation.Label}: {base.Label}.{name} is neither level nor vertical; choose a sketch of the contour "
+                "as Nominal"
+            )
+    return edges, level, upright
+
+
+def _together(faces: list[Any], filled: bool) -> list[Any]:
+    """Level faces, seen along Z, with those that meet or overlap made one, whatever their heights.
+
+    Parameters
+    ----------
+    faces : list of Part.Face
+    filled : bool
+        Without their holes.
+    """
+    flat = []
+    for face in faces:
+        one = Part.Face(face.OuterWire) if filled else face.copy()
+        # By a vertex: the bounding box of a spline lies outside it by up to its tolerance.
+        one.translate(FreeCAD.Vector(0, 0, -one.Vertexes[0].Z))
+        if one.normalAt(0, 0).z < 0:
+            # Faces that look in opposite directions are not made one.
+            one.reverse()
+        flat.append(one)
+    return flat if len(flat) < 2 else list(flat[0].multiFuse(flat[1:]).removeSplitter().Faces)
 
 
 def _holes(face: Any, others: bool, circles: bool) -> list[Any]:
+    """Inner wires of a face: round ones, others, or both."""
     out = []
     for wire in face.Wires:
         if not wire.isSame(face.OuterWire):
             drilled = all(isinstance(e.Curve, Part.Circle) for e in wire.Edges)
             if circles if drilled else others:
-                out += wire.Edges
+                out.append(wire)
     return out
 
 
@@ -220,7 +339,7 @@ def _outline(shape: Any) -> list[Any]:
     for known, edges in _outlines:
         if known.isEqual(shape):
             return edges
-    edges = list(convert.outline_edges(shape))
+    edges = list(convert.outline_edges(shape) if shape.Solids else shape.Edges)
     _outlines[3:] = []
     _outlines.insert(0, (shape, edges))
     return edges

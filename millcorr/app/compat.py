@@ -14,6 +14,7 @@ from types import ModuleType
 from typing import Any
 
 import FreeCAD
+import Part
 import Path
 
 from millcorr.errors import InputError
@@ -52,6 +53,10 @@ def _has_new_tool_bits() -> bool:
     return importlib.util.find_spec("Path.Tool") is not None and (
         importlib.util.find_spec("Path.Tool.toolbit") is not None
     )
+
+
+PATTERN = ("ClearingPattern", "OffsetPattern")
+"""Property of a pocket with the pattern in which it is cleared: of FreeCAD 1.x, and of 0.20."""
 
 
 def prepare_modules() -> None:
@@ -178,6 +183,34 @@ def path_of(obj: DocumentObject) -> Any:
     return obj.Path if placed is None else placed(obj)
 
 
+def global_placement(obj: DocumentObject) -> Any:
+    """Placement of an object in the document, with those of the parts and bodies it lies in."""
+    # A link has no such method, and stands in nothing's frame but its own.
+    found = getattr(obj, "getGlobalPlacement", None)
+    return obj.Placement if found is None else found()
+
+
+def shape_in_document(obj: DocumentObject) -> Any:
+    """Shape of an object where it stands in the document, with the placements of the parts and bodies it lies in.
+
+    Raises
+    ------
+    InputError
+        If it has none.
+    """
+    shape = Part.getShape(obj)
+    if shape.isNull():
+        raise InputError(f"{obj.Label} has no shape to take as nominal profile")
+    return moved(shape, global_placement(obj).multiply(obj.Placement.inverse()))
+
+
+def moved(shape: Any, placement: Any) -> Any:
+    """Copy of a shape, moved by a placement."""
+    out = shape.copy()
+    out.Placement = placement.multiply(out.Placement)
+    return out
+
+
 def give_views(job: DocumentObject) -> None:
     """Give a job and its Profile operations FreeCAD's own view providers where they have none.
 
@@ -232,12 +265,27 @@ def set_end_mill(controller: DocumentObject, diameter: float) -> None:
 def make_profile(job: DocumentObject, name: str = "Profile") -> DocumentObject:
     """New Profile operation round the job's models, outside."""
     FreeCAD.setActiveDocument(job.Document.Name)
-    operation = profile_module().Create(name, parentJob=job)
+    return _in_job(profile_module().Create(name, parentJob=job), job)
+
+
+def _in_job(operation: DocumentObject, job: DocumentObject) -> DocumentObject:
     if operation.Name not in [obj.Name for obj in operations(job)]:
         job.Operations.Group = [*operations(job), operation]
     if getattr(operation, "ToolController", None) is None:
         operation.ToolController = job.Tools.Group[0]
     return operation
+
+
+def make_pocket(job: DocumentObject, name: str = "Pocket") -> DocumentObject:
+    """New Pocket Shape operation of a job."""
+    FreeCAD.setActiveDocument(job.Document.Name)
+    module = _first("Path.Op.PocketShape", "PathScripts.PathPocketShape")
+    return _in_job(module.Create(name, parentJob=job), job)
+
+
+def set_pattern(pocket: DocumentObject, pattern: str) -> None:
+    """Give a pocket the pattern in which it is cleared."""
+    setattr(pocket, PATTERN[0] if hasattr(pocket, PATTERN[0]) else PATTERN[1], pattern)
 
 
 # Post processing -------------------------------------------------------------------------------------

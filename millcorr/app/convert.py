@@ -12,6 +12,7 @@ from typing import Any, Literal
 import FreeCAD
 import numpy as np
 import Part
+import shapely
 from numpy.typing import NDArray
 
 from millcorr.errors import InputError
@@ -27,6 +28,10 @@ FLAT = 1e-6
 JOINED = 1e-4
 """Largest distance in mm between the ends of two edges that count as joined; OCCT's own tolerances in models
 from other systems go that far."""
+
+DEFLECTION = JOINED / 5
+"""Largest distance in mm of a polygon from the curve in whose place it is asked what lies above what; no profile is
+made of polygons."""
 
 
 def curve_of_edge(edge: Any) -> NurbsCurve:
@@ -276,50 +281,94 @@ def profile_of_shape(shape: Any, material: Material = "inside") -> Profile:
     if shape.Solids:
         return profile_of_edges(outline_edges(shape), material)
     if shape.Faces:
-        for face in shape.Faces:
-            if not is_horizontal(face):
-                raise InputError("a face of the profile is not parallel to the XY plane")
+        if not all(is_horizontal(face) for face in shape.Faces):
+            return profile_of_edges(outline_edges(_sewn(shape)), material)
         return profile_of_edges([e for face in shape.Faces for wire in face.Wires for e in wire.Edges], material)
     return profile_of_edges(shape.Edges, material)
 
 
+def _sewn(shape: Any) -> Any:
+    """Solid of loose faces all round it, as IGES files have them."""
+    shell = Part.makeCompound(shape.Faces)
+    shell.sewShape()
+    if not (shell.Shells and all(s.isClosed() for s in shell.Shells)):
+        raise InputError(
+            "a face of the profile is not parallel to the XY plane, and the faces close round no solid: choose a "
+            "sketch or level edges of the contour as Nominal, or save the model as STEP"
+        )
+    return Part.makeCompound([Part.makeSolid(s) for s in shell.Shells])
+
+
 def is_horizontal(face: Any) -> bool:
-    """Whether a face is a plane parallel to XY."""
-    return isinstance(face.Surface, Part.Plane) and abs(abs(face.Surface.Axis.z) - 1) < 1e-12
+    """Whether a face is flat and parallel to XY, whatever kind of surface it lies on (on a grid of 5 x 5 places)."""
+    if isinstance(face.Surface, Part.Plane):
+        return bool(abs(abs(face.Surface.Axis.z) - 1) < 1e-12)
+    return all(1 - abs(face.normalAt(u, v).z) < 1e-12 for u, v in _grid(face))
 
 
 def is_vertical(face: Any) -> bool:
     """Whether the normal of a face is parallel to XY everywhere (on a grid of 5 x 5 places)."""
+    return all(abs(face.normalAt(u, v).z) < 1e-6 for u, v in _grid(face))
+
+
+def _grid(face: Any) -> list[tuple[float, float]]:
     u0, u1, v0, v1 = face.ParameterRange
-    grid = [(u0 + (u1 - u0) * i / 4, v0 + (v1 - v0) * j / 4) for i in range(5) for j in range(5)]
-    return all(abs(face.normalAt(u, v).z) < 1e-6 for u, v in grid)
+    return [(u0 + (u1 - u0) * i / 4, v0 + (v1 - v0) * j / 4) for i in range(5) for j in range(5)]
 
 
 def foot_edges(face: Any) -> list[Any]:
-    """Level edges along the bottom of a vertical face, or along its top where the bottom is not level.
+    """Level edges on which a vertical face stands, or from which it hangs, one along every place of it.
+
+    Every edge of the face lies above those it stands on: the edge round a gap in them lies above the gap. Where a
+    slot is cut into the face from below, its level ceiling takes the place of what is cut away.
 
     Raises
     ------
     InputError
-        If neither the bottom nor the top of the face is level.
+        If neither the lower nor the upper end of the face is made of level edges alone.
     """
-    box = face.BoundBox
-    for height in (box.ZMin, box.ZMax):
-        edges = [
-            e for e in face.Edges if e.Length > 1e-9 and all(abs(_on(e, k / 4).z - height) <= 1e-5 for k in range(5))
-        ]
-        # A face that is cut into by a slot from below has a shorter bottom than its surface is wide.
-        if edges and sum(e.Length for e in edges) * (box.ZMax - box.ZMin) >= face.Area * (1 - 1e-6):
-            return edges
+    edges = [e for e in face.Edges if e.Length > 1e-9]
+    level = [e for e in edges if np.ptp([p.z for p in _places(e)]) <= 1e-5]
+    ends = []
+    for highest_first in (False, True):
+        feet: list[Any] = []
+        lines: list[Any] = []
+        for edge in sorted(level, key=lambda e: _on(e, 0.5).z, reverse=highest_first):
+            line = _seen_from_above(edge)
+            # Neighbours share no more than their ends.
+            shared = line.intersection(shapely.MultiLineString(lines).buffer(JOINED, quad_segs=2)).length
+            if shared <= 10 * JOINED:
+                feet.append(edge)
+                lines.append(line)
+        if feet and all(_lies_above(edge, lines) for edge in edges):
+            ends.append(feet)
+    if ends:
+        # A whole edge of the model is more exact than pieces that a slot has left of it.
+        return min(ends, key=len)
+    c = face.BoundBox.Center
     raise InputError(
-        f"a side face near X{box.Center.x:.3f} Y{box.Center.y:.3f} has neither a whole bottom nor a whole "
-        "top edge; select the edges of the profile instead"
+        f"a side face near X{c.x:.3f} Y{c.y:.3f} ends neither below nor above in level edges alone: choose a sketch "
+        "or level edges of the contour as Nominal"
     )
 
 
 def _on(edge: Any, t: float) -> Any:
     first, last = edge.ParameterRange
     return edge.valueAt(first + (last - first) * t)
+
+
+def _places(edge: Any) -> list[Any]:
+    return [_on(edge, k / 4) for k in range(5)]
+
+
+def _seen_from_above(edge: Any) -> shapely.LineString:
+    return shapely.LineString([(p.x, p.y) for p in edge.discretize(Deflection=DEFLECTION)])
+
+
+def _lies_above(edge: Any, lines: Sequence[shapely.LineString]) -> bool:
+    """Whether an edge lies above or below lines, seen along Z."""
+    places = shapely.points([(p.x, p.y) for p in _places(edge)])
+    return bool((shapely.distance(places, shapely.MultiLineString(lines)) <= JOINED).all())
 
 
 def outline_edges(shape: Any) -> list[Any]:
@@ -340,86 +389,107 @@ def outline_edges(shape: Any) -> list[Any]:
     InputError
         If the outline is not made of vertical faces alone, that is if the part is not prismatic there.
     """
-    heights = sorted({round(v.Z, 6) for v in shape.Vertexes})
-    slabs = [(a, b) for a, b in zip(heights[:-1], heights[1:], strict=True) if b - a > 1e-3]
-    if not slabs:
-        raise InputError("the model has no height")
+    bottom, top = max(_slabs(shape.Vertexes), key=lambda slab: slab[1] - slab[0])
+    # Pockets and holes within a section change nothing of the outline, and a section takes long.
+    sides = _reaching_out(shape.Faces, _section(shape, (bottom + top) / 2))
+    slabs = _slabs([vertex for face in sides for vertex in face.Vertexes])
     sections = [_section(shape, (a + b) / 2) for a, b in slabs]
-    widest = max(range(len(slabs)), key=lambda k: sections[k].Area)
-    outline = sections[widest]
+    outline = max(sections, key=lambda section: section.area)
+    around = outline.buffer(JOINED)
     for (a, b), section in zip(slabs, sections, strict=True):
-        if section.Area and outline.common(section).Area < section.Area * (1 - 1e-6):
+        if not around.covers(section):
             raise InputError(
-                f"the model is not prismatic: between Z{a:.3f} and Z{b:.3f} it stands out of its outline; "
-                "select the faces or edges of the profile in the operation"
+                f"the model is not prismatic: between Z{a:.3f} and Z{b:.3f} it stands out of its outline; {_CHOOSE}"
             )
-    edges = []
-    for face in shape.Faces:
-        if is_horizontal(face) or not _on_outline(face, outline):
-            continue
+    faces = [face for face in sides if not is_horizontal(face) and _on_outline(face, outline)]
+    for face in faces:
         if not is_vertical(face):
             c = face.BoundBox.Center
             raise InputError(
-                f"the model is not prismatic: the side face near X{c.x:.3f} Y{c.y:.3f} is not vertical; "
-                "select the faces or edges of the profile in the operation"
+                f"the model is not prismatic: the side face near X{c.x:.3f} Y{c.y:.3f} is not vertical; {_CHOOSE}"
             )
-        edges.extend(foot_edges(face))
-    edges = _without_doubles(edges)
-    around = sum(e.Length for e in _outer_edges(outline))
-    if abs(sum(e.Length for e in edges) - around) > 1e-4 * around:
+    edges = without_doubles([edge for face in faces for edge in foot_edges(face)])
+    # A wall that is missing, such as a chamfer's, leaves the way round open or shorter.
+    length = outline.boundary.length
+    closed = bool(edges) and all(contour.closed for contour in chain([curve_of_edge(edge) for edge in edges]))
+    if not closed or abs(sum(e.Length for e in edges) - length) > 1e-4 * length:
         raise InputError(
-            "the model is not prismatic: vertical faces do not go all the way round its outline; "
-            "select the faces or edges of the profile in the operation"
+            f"the model is not prismatic: vertical faces do not go all the way round its outline; {_CHOOSE}"
         )
     return edges
 
 
+_CHOOSE = "select the faces or edges of the profile in the operation, or choose a sketch of it as Nominal"
+
+
+def _slabs(vertexes: Iterable[Any]) -> list[tuple[float, float]]:
+    """Ranges of height between vertices; in each a model has one section, as far as it is prismatic.
+
+    Raises
+    ------
+    InputError
+        If all lie at one height.
+    """
+    heights = sorted({round(v.Z, 6) for v in vertexes})
+    slabs = [(a, b) for a, b in zip(heights[:-1], heights[1:], strict=True) if b - a > 1e-3]
+    if not slabs:
+        raise InputError("the model has no height")
+    return slabs
+
+
+def _reaching_out(faces: Sequence[Any], section: Any) -> list[Any]:
+    """Faces that are not wholly within a section, seen along Z; those that bound it among them."""
+    boxes = [face.BoundBox for face in faces]
+    plan = shapely.box(*np.array([(b.XMin, b.YMin, b.XMax, b.YMax) for b in boxes]).T)
+    return [face for face, inside in zip(faces, shapely.contains_properly(section, plan), strict=True) if not inside]
+
+
 def _section(shape: Any, z: float) -> Any:
-    """Filled outer boundaries of a horizontal section, as faces at Z 0."""
-    faces = []
+    """Filled outer boundaries of a horizontal section, as polygons: whatever lies within a boundary is filled."""
+    rings = []
     for wire in shape.slice(FreeCAD.Vector(0, 0, 1), z):
         if wire.isClosed():
-            wire.translate(FreeCAD.Vector(0, 0, -z))
-            faces.append(Part.Face(wire))
-    if not faces:
-        return Part.Compound([])
-    kept: list[Any] = []
-    for face in sorted(faces, key=lambda f: -f.Area):
-        # A boundary within another one is a hole or a pocket.
-        if not any(other.common(face).Area > 0.5 * face.Area for other in kept):
-            kept.append(face)
-    return Part.Compound(kept)
+            edges = wire.OrderedEdges
+            rings.append(shapely.Polygon(_ring([shapely.get_coordinates(_seen_from_above(e)) for e in edges])))
+    return shapely.union_all(rings)
+
+
+def _ring(pieces: list[Floats]) -> Floats:
+    """Points of pieces joined to a ring: in order, each in whatever direction."""
+    place = pieces[0][0]
+    if len(pieces) > 1 and _gaps(place, pieces[1]).min() < _gaps(pieces[0][-1], pieces[1]).min():
+        place = pieces[0][-1]
+    ring = []
+    for piece in pieces:
+        to_start, to_end = _gaps(place, piece)
+        run = piece if to_start <= to_end else piece[::-1]
+        place = run[-1]
+        # Ends that meet are one point: two, 1e-13 apart, could cross the line.
+        ring.append(run[:-1])
+    return np.concatenate(ring)
+
+
+def _gaps(place: Floats, piece: Floats) -> Floats:
+    """Distances of a place from the start and the end of a piece."""
+    distances: Floats = np.hypot(*(piece[[0, -1]] - place).T)
+    return distances
 
 
 def _on_outline(face: Any, outline: Any) -> bool:
     """Whether a side face lies on the boundary of the filled section, seen along Z."""
-    boundary = Part.Compound(_outer_edges(outline))
     u0, u1, v0, v1 = face.ParameterRange
     point = face.valueAt(u0 + 0.37 * (u1 - u0), v0 + 0.5 * (v1 - v0))
-    flat = Part.Vertex(FreeCAD.Vector(point.x, point.y, 0.0))
-    return bool(boundary.distToShape(flat)[0] <= 1e-4)
+    return bool(outline.boundary.distance(shapely.Point(point.x, point.y)) <= JOINED)
 
 
-def _outer_edges(outline: Any) -> list[Any]:
-    """Edges that bound one face only."""
-    count: dict[int, list[Any]] = {}
-    for face in outline.Faces:
-        for edge in face.OuterWire.Edges:
-            count.setdefault(edge.hashCode(), []).append(edge)
-    return [group[0] for group in count.values() if len(group) == 1]
-
-
-def _without_doubles(edges: list[Any]) -> list[Any]:
-    """Edges without those that lie above another one (the outline runs through several bodies or steps)."""
+def without_doubles(edges: Iterable[Any]) -> list[Any]:
+    """Edges without those that lie above or below longer ones, seen along Z (several bodies, steps, faces)."""
     out: list[Any] = []
-    for edge in edges:
-        mid, length = _on(edge, 0.5), edge.Length
-        for other in out:
-            m = _on(other, 0.5)
-            if np.hypot(mid.x - m.x, mid.y - m.y) < JOINED and abs(length - other.Length) < JOINED:
-                break
-        else:
+    lines: list[Any] = []
+    for edge in sorted(edges, key=lambda e: -e.Length):
+        if not lines or not _lies_above(edge, lines):
             out.append(edge)
+            lines.append(_seen_from_above(edge))
     return out
 
 

@@ -12,11 +12,10 @@ from typing import Any
 from millcorr import pipeline, setup_file
 from millcorr.errors import InputError, UsageError
 from millcorr.measurement import Measurement
-from millcorr.profile import Profile
 from millcorr.series.places import field_of_text
 from millcorr.setup_file import Setup
 
-from . import base_geometry, compat, convert, motion
+from . import base_geometry, compat, motion
 from .measurement_object import reader_of
 
 
@@ -118,15 +117,21 @@ def _described(obj: Any) -> tuple[pipeline.Request, list[Any], list[Callable[[],
     program = motion.program_of_path(path, obj.Base.Label)
     operation = compat.bottom_operation(obj.Base)
     tool_radius = (_value(obj, "tool_diameter", None) or compat.tool_diameter(obj.Base)) / 2
-    if base_geometry.leaves_radius_to_control(operation):
-        side = base_geometry.side_of_path(_nominal(obj, operation, program), program.toolpath)
-        program = motion.program_of_path(path, obj.Base.Label, side)
+    nominal = base_geometry.nominal_of(operation, program.toolpath, obj.Nominal)
+    settings = settings_of(obj)
+    if base_geometry.is_profile_operation(operation):
+        # The operation itself says whether its path is the contour or the centre's, whatever G41 a dressup adds.
+        given = base_geometry.leaves_radius_to_control(operation)
+        settings = replace(settings, cutter_compensation="contour" if given else "wear")
+        if given and nominal is not None:
+            side = base_geometry.side_of_path(nominal, program.toolpath)
+            program = motion.program_of_path(path, obj.Base.Label, side)
     request = pipeline.Request(
         program=program,
         radius=base_geometry.path_radius(operation, tool_radius),
         measurement=None,
-        nominal=_nominal(obj, operation, program),
-        settings=settings_of(obj),
+        nominal=nominal,
+        settings=settings,
         setup=_setup(obj),
     )
     parts = [] if obj.Measurement is None else [obj.Measurement, *obj.FurtherParts]
@@ -148,18 +153,6 @@ def _measured(request: pipeline.Request, readers: list[Callable[[], Measurement]
         return request
     field = field_of_text(smoothed, [part.fingerprint for part in parts]) if smoothed else None
     return replace(request, measurement=parts[0], further=tuple(parts[1:]), smoothed=field)
-
-
-def _nominal(obj: Any, operation: Any, program: Any) -> Profile | None:
-    """Nominal profile: the linked one, the operation's own, or None to take it from the path."""
-    if obj.Nominal is not None:
-        if not hasattr(obj.Nominal, "Shape"):
-            raise InputError(f"{obj.Nominal.Label} has no shape to take as nominal profile")
-        material = "inside" if getattr(operation, "Side", "Outside") != "Inside" else "outside"
-        return convert.profile_of_shape(obj.Nominal.Shape, material)
-    if base_geometry.is_profile_operation(operation):
-        return base_geometry.profile_of_operation(operation, program.toolpath)
-    return None
 
 
 def correct(obj: Any) -> Correction:

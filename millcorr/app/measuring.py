@@ -22,7 +22,7 @@ from millcorr.measuring_task import save as written
 from millcorr.probing.heights import Cleared
 from millcorr.profile import Profile
 
-from . import base_geometry, compat, convert, motion
+from . import base_geometry, compat, motion
 
 
 def contour_of(operation: Any, nominal: Any = None) -> tuple[Profile, Program, float]:
@@ -51,13 +51,9 @@ def contour_of(operation: Any, nominal: Any = None) -> tuple[Profile, Program, f
     bottom = compat.bottom_operation(operation)
     path = compat.path_of(operation)
     program = motion.program_of_path(path, operation.Label)
-    if nominal is not None:
-        material = "inside" if getattr(bottom, "Side", "Outside") != "Inside" else "outside"
-        profile = convert.profile_of_shape(nominal.Shape, material)
-    elif base_geometry.is_profile_operation(bottom):
-        profile = base_geometry.profile_of_operation(bottom, program.toolpath)
-    else:
-        raise UsageError(f"{bottom.Label} is no Profile operation: give the contour with --nominal #LABEL")
+    profile = base_geometry.nominal_of(bottom, program.toolpath, nominal)
+    if profile is None:
+        raise UsageError(f"{bottom.Label} is no Profile or Pocket operation: give the contour with --nominal #LABEL")
     if base_geometry.leaves_radius_to_control(bottom):
         side = base_geometry.side_of_path(profile, program.toolpath)
         program = motion.program_of_path(path, operation.Label, side)

@@ -12,7 +12,7 @@ import Part
 from millcorr.errors import FormatError, UsageError
 from millcorr.profile import Profile
 
-from . import convert, documents
+from . import compat, convert, documents
 
 
 def profile_of_file(path: str | Path) -> Profile:
@@ -108,7 +108,7 @@ def nominal_object(document: Any, source: Any) -> Any:
     suffix = path.suffix.lower()
     if suffix == ".fcstd":
         with documents.opened(path) as other:
-            shape = documents.find_object(other, label).Shape.copy()
+            shape = compat.shape_in_document(documents.find_object(other, label))
     elif suffix in (".json", ".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".dxf"):
         shape = shape_of_file(path)
     else:
@@ -144,6 +144,4 @@ def profile_of_object(document: str | Path, label: str) -> Profile:
     with documents.opened(document) as here:
         FreeCAD.setActiveDocument(here.Name)
         obj = documents.find_object(here, label)
-        if not hasattr(obj, "Shape"):
-            raise FormatError(f"{label} has no shape", document)
-        return convert.profile_of_shape(obj.Shape)
+        return convert.profile_of_shape(compat.shape_in_document(obj))

@@ -5,26 +5,24 @@ Each finding has a name, a figure, and the option that resolves it. A dangerous 
 who knows better accepts it by name, and the report records it.
 """
 
-from .coverage import examine_coverage
 from .deviations import CutHeights, examine_deviations
 from .file import examine_file, resolution
-from .filter import examine_determined
 from .findings import NAMES, Finding, named, refuse_dangerous
 from .parts import examine_parts, examine_program
 from .points import SAMPLE, examine_points
+from .separated import examine_separated
 
 __all__ = [
     "NAMES",
     "SAMPLE",
     "CutHeights",
     "Finding",
-    "examine_coverage",
-    "examine_determined",
     "examine_deviations",
     "examine_file",
     "examine_parts",
     "examine_points",
     "examine_program",
+    "examine_separated",
     "named",
     "refuse_dangerous",
     "resolution",

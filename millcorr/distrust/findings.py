@@ -32,8 +32,6 @@ NAMES = (
     "normals-reversed",
     "outliers",
     "unmeasured",
-    "overshoot",
-    "swarf",
     "earlier-program",
     "same-part",
     "first-part",

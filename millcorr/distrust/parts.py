@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from millcorr.deviation import Deviation
 from millcorr.measurement import Measurement
-from millcorr.parts import interpolated
 from millcorr.profile import Profile
+from millcorr.separation.parts import interpolated
 
 from .file import resolution
 from .findings import Finding

@@ -159,6 +159,8 @@ class _Follower:
         """Whether and with which number a letter stands on each line, twice (lines,)."""
         if letter not in self.columns:
             these = self.words.of(letter)
+            if not len(these.line):
+                return np.broadcast_to(np.False_, self.lines), np.broadcast_to(np.nan, self.lines)
             twice = np.flatnonzero(these.line[1:] == these.line[:-1])
             if len(twice) and letter in "XYZIJKRF":
                 message = f"two {letter} words on one line: keep the one that is meant"
@@ -195,10 +197,10 @@ class _Follower:
     def group(self, what: str, without: Bools | None = None) -> tuple[Bools, Ints]:
         """Lines that state a modal group, and the state after every line."""
         members = GROUPS[what]
+        if not self.present.intersection(members):
+            return np.broadcast_to(np.False_, self.lines), np.broadcast_to(np.int64(INITIAL[what]), self.lines)
         stated = np.zeros(self.lines, np.bool_)
         state = np.full(self.lines, INITIAL[what], np.int64)
-        if not self.present.intersection(members):
-            return stated, state
         table = np.full(int(self.code.max()) + 1, -9, np.int64)
         for code, value in members.items():
             if code < len(table):
@@ -458,6 +460,7 @@ class _Follower:
         for code, value in ((10, Kind.LINE), (20, Kind.ARC), (30, Kind.ARC), (50, Kind.CUBIC)):
             kind[on_path[rows] & (motion[rows] == code)] = value
         start, end = before[rows], after[rows]
+        del before, after
         centre, sweep = self._arcs(rows, kind, start, end, plane, motion == 20, arc_distance == 90, scale, ever[rows])
         control = self._cubics(rows, kind, start, end, plane, motion, scale)
         feed_word, feed = self._feed(mode_stated, mode, scale)
@@ -500,11 +503,11 @@ class _Follower:
         ever: Bools,
     ) -> tuple[Floats, Floats]:
         """Centre (n, 3) and sweep (n,) of all moves."""
-        centre = np.full((len(rows), 3), np.nan)
         sweep = np.zeros(len(rows))
         arcs = np.flatnonzero(kind == Kind.ARC)
         if not len(arcs):
-            return centre, sweep
+            return np.broadcast_to(np.nan, (len(rows), 3)), sweep
+        centre = np.full((len(rows), 3), np.nan)
         lines = rows[arcs]
         opaque = self._opaque()[lines]
         axes = np.array([Plane(p).axes[:2] for p in (17, 18, 19)])[plane[lines] - 17]
@@ -540,12 +543,12 @@ class _Follower:
         self, rows: Ints, kind: Ints, start: Floats, end: Floats, plane: Ints, motion: Ints, scale: Floats
     ) -> Floats:
         """Inner control points (n, 4) of all moves, in mm."""
-        control = np.full((len(rows), 4), np.nan)
         cubics = np.flatnonzero(kind == Kind.CUBIC)
-        plain = ~self._opaque()[rows[cubics]]
-        cubics = cubics[plain]
+        if len(cubics):
+            cubics = cubics[~self._opaque()[rows[cubics]]]
         if not len(cubics):
-            return control
+            return np.broadcast_to(np.nan, (len(rows), 4))
+        control = np.full((len(rows), 4), np.nan)
         lines = rows[cubics]
         i, j, p, q = (self.column(letter) for letter in "IJPQ")
         self._refuse(lines[plane[lines] != 17], "G5 works in the XY plane only: state G17")

@@ -12,6 +12,7 @@ import numpy as np
 from millcorr.errors import FormatError
 from millcorr.toolpath import Bools, Ints, Toolpath
 
+from .codes import INCH
 from .motion import Modal, Stretch, follow
 from .style import Style, style_of
 from .words import comments, line_starts, take_apart
@@ -66,9 +67,12 @@ class Program:
 
     @property
     def resolution(self) -> float:
-        """How far in mm the program's rounding may put a point off: half a unit in each of two axes."""
-        unit = 25.4 if (self.modal.unit == 20).any() else 1.0
-        return float(np.sqrt(0.5) * unit * 10.0 ** -max(self.style.decimals, 0))
+        """How far in mm the program's rounding may put a point off: half a unit in each of two axes.
+
+        A program whose numbers happen to be rounder has no fewer than three decimals in mm, and four in inches.
+        """
+        inch = bool((self.modal.unit == 20).any())
+        return float(np.sqrt(0.5) * (INCH if inch else 1.0) * 10.0 ** -max(self.style.decimals, 4 if inch else 3))
 
     def line(self, index: int) -> bytes:
         """Line by index from 0, with its line ending."""

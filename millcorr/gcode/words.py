@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 import warnings
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -22,6 +21,10 @@ Bytes = NDArray[np.uint8]
 
 LARGEST = 1e9
 """Numbers beyond this are no coordinates, codes or line numbers."""
+
+MOST_DECIMALS = 127
+"""Digits behind a point are counted up to this: more than a double has."""
+
 COMMENT = re.compile(rb"\([^()\r\n]*\)|;[^\r\n]*")
 _COMMENT_OR_TEXT = re.compile(rb'\([^()\r\n]*\)|;[^\r\n]*|"[^"\r\n]*"')
 _PERCENT = re.compile(rb"(?m)^[ \t]*(?:[nN][ \t]*\d+[ \t]*)?%[^\r\n]*")
@@ -53,16 +56,16 @@ class Words:
         ASCII code of the letter, upper case.
     value : (m,) float64
         The number; NaN where the program computes it.
-    line : (m,) int64
+    line : (m,) int32, or int64 in texts of 2 GB and more
         Line of the word, from 0, not decreasing.
-    decimals : (m,) int64
+    decimals : (m,) int8
         Digits behind the decimal point; -1 for a number without one.
     """
 
     letter: Bytes
     value: Floats
     line: Ints
-    decimals: Ints
+    decimals: NDArray[np.int8]
 
     def of(self, letter: str) -> Words:
         """Only the words with this letter."""
@@ -161,11 +164,9 @@ def take_apart(data: bytes, starts: Ints, name: str) -> tuple[Words, tuple[OddLi
     if len(value) != len(word):
         raise FormatError("the numbers of this program cannot be read; is it an NC program?", name)
     at, width = marks[word], length[word]
-    points = np.flatnonzero(buffer == ord("."))
-    following = np.searchsorted(points, at)
-    points = np.append(points, len(buffer))
-    inside = points[following] <= at + width
-    decimals = np.where(inside, at + width - points[following], -1)
+    points = np.append(np.flatnonzero(buffer == ord(".")), len(buffer)).astype(at.dtype)
+    behind: Ints = at + width - points[np.searchsorted(points[:-1], at)]
+    decimals = np.clip(behind, -1, MOST_DECIMALS).astype(np.int8)
     large = np.flatnonzero(~(abs(value) <= LARGEST))
     if len(large):
         raise FormatError("number too large: correct it", name, int(line[word[large[0]]]) + 1)
@@ -199,11 +200,13 @@ def _plain_text(data: bytes) -> bytes:
 
 def _marks(buffer: Bytes) -> tuple[Ints, Bytes, Ints, Ints]:
     """Letters and newlines: offset, class, line, and number of bytes up to the next one."""
+    # Half as wide where that is enough: these are the largest arrays of a program.
+    size = "i4" if len(buffer) < 2**31 else "i8"
     kinds = _CLASS[buffer]
-    marks = np.flatnonzero(kinds >= _LETTER)
+    marks: Ints = np.flatnonzero(kinds >= _LETTER).astype(size)
     kinds = kinds[marks]
     newline = kinds == _NEWLINE
-    line = np.cumsum(newline)
+    line: Ints = np.cumsum(newline, dtype=size)
     line -= newline
     length = np.empty_like(marks)
     length[:-1] = marks[1:] - marks[:-1] - 1
@@ -222,13 +225,13 @@ def _odd_lines(buffer: Bytes, marks: Ints, kinds: Bytes, line: Ints, length: Int
     stray = sign[classes[np.maximum(sign - 1, 0)] != _LETTER]
     other = np.flatnonzero(classes == _OTHER)
     point = np.flatnonzero(classes == _POINT)
-    owner = np.searchsorted(marks, point)
+    owner = np.searchsorted(marks, point.astype(marks.dtype))
     twice = point[1:][owner[1:] == owner[:-1]]
     bare = sign[classes[np.minimum(sign + 1, len(buffer) - 1)] >= _LETTER]
     lone = point[(classes[point - 1] != _DIGIT) & (classes[np.minimum(point + 1, len(buffer) - 1)] != _DIGIT)]
     for places in (stray, other, twice, bare, lone):
         if len(places):
-            bad.append(line[np.searchsorted(marks, places)])
+            bad.append(line[np.searchsorted(marks, places.astype(marks.dtype))])
     return np.unique(np.concatenate(bad))
 
 
@@ -237,13 +240,13 @@ def _merge(words: Words, odd: list[OddLine]) -> Words:
     if not extra:
         return words
     letters, values, lines = (np.array(column) for column in zip(*extra, strict=True))
-    line = np.concatenate([words.line, lines.astype(np.int64)])
+    line = np.concatenate([words.line, lines.astype(words.line.dtype)])
     order = np.argsort(line, kind="stable")
     return Words(
         np.concatenate([words.letter, letters.astype(np.uint8)])[order],
         np.concatenate([words.value, values.astype(np.float64)])[order],
         line[order],
-        np.concatenate([words.decimals, np.full(len(lines), -1, np.int64)])[order],
+        np.concatenate([words.decimals, np.full(len(lines), -1, np.int8)])[order],
     )
 
 
@@ -366,9 +369,11 @@ def _behind_value(text: str, place: int) -> int:
     return place
 
 
-def comments(data: bytes, starts: Ints) -> Iterator[tuple[int, bytes]]:
+def comments(data: bytes, starts: Ints) -> list[tuple[int, bytes]]:
     """Line index and text, without its marks, of every comment."""
-    for found in COMMENT.finditer(data):
-        text = found.group()
-        line = int(np.searchsorted(starts, found.start(), side="right")) - 1
-        yield line, text[1:-1] if text.startswith(b"(") else text[1:]
+    if b"(" not in data and b";" not in data:
+        return []
+    found = [(mark.start(), mark.group()) for mark in COMMENT.finditer(data)]
+    line = np.searchsorted(starts, np.array([place for place, _ in found], dtype=np.int64), side="right") - 1
+    texts = (text[1:-1] if text.startswith(b"(") else text[1:] for _, text in found)
+    return list(zip(line.tolist(), texts, strict=True))

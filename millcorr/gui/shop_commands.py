@@ -71,7 +71,7 @@ def to_measure() -> Any:
     chosen = selected[0] if selected else selection.correction() or selection.operation()
     if chosen is None or not chosen.Path.Commands:
         return None
-    return chosen if base_geometry.is_profile_operation(compat.bottom_operation(chosen)) else None
+    return chosen if base_geometry.gives_contour(compat.bottom_operation(chosen)) else None
 
 
 def lacks_contour() -> str:

@@ -13,11 +13,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from millcorr.footpoint import FootPointSearch
+from millcorr.deviation import is_corner
+from millcorr.footpoint import FootPointSearch, Place
 from millcorr.profile import Profile
 from millcorr.regeneration.curve_moves import Intervals, fit_moves
 from millcorr.regeneration.leads import carry_along, own_work
 from millcorr.regeneration.moves import FIT_SHARE, Regeneration, put_together, wanted_kind
+from millcorr.regeneration.path_following import length_in_plane
 from millcorr.theoretical_contour import cutting_runs
 from millcorr.toolpath import Toolpath
 
@@ -41,12 +43,12 @@ SMOOTH = 0.2
 """Where the path turns less, in rad, its vertices move along one normal: facets of 0.01 mm chord error on a radius of
 2 mm turn by so much."""
 
-ALIGNED = 0.3
-"""A place of the path makes a surface where its own normal and the way to the contour differ by less, in rad: past a
-convex corner the cutter touches nothing."""
+ALIGNED, ABOUT = 0.3, 1e-3
+"""A place of the path makes a surface where its own normal and the way to the contour differ by less, in rad: at
+facets, and at a corner. Past a convex corner the cutter touches nothing."""
 
 STILL = 1e-6
-"""Moves displaced by no more than this, in mm, stay as they are."""
+"""What would be displaced by no more than this, in mm, stays as it is."""
 
 
 class DisplacedPath:
@@ -65,6 +67,7 @@ class DisplacedPath:
 
     def __init__(self, toolpath: Toolpath, rows: Ints, node_row: Ints, node_u: Floats, shift: Floats) -> None:
         self.toolpath, self.rows = toolpath, rows
+        self.length = np.maximum(length_in_plane(toolpath.take(rows)), 1e-9)
         self._key = 2.0 * node_row + node_u
         self._shift = shift
 
@@ -76,12 +79,13 @@ class DisplacedPath:
         return out
 
     def evaluate(self, piece: Ints, sigma: Floats, offset: float = 0.0) -> tuple[Floats, Floats, Floats]:
-        """Points, normals to the right of travel and speed: what `fit_moves` asks of a curve."""
-        h = 1e-5
-        low, high = np.maximum(sigma - h, 0.0), np.minimum(sigma + h, 1.0)
-        ahead = (self.at(piece, high) - self.at(piece, low)) / (high - low)[:, None]
+        """Points, normals to the right of travel, and speed, at lengths in mm along the moves as they were."""
+        length = self.length[piece]
+        u, h = sigma / length, 1e-5
+        low, high = np.maximum(u - h, 0.0), np.minimum(u + h, 1.0)
+        ahead = (self.at(piece, high) - self.at(piece, low)) / ((high - low) * length)[:, None]
         speed = np.maximum(np.hypot(*ahead.T), 1e-12)
-        return self.at(piece, sigma), np.stack([ahead[:, 1], -ahead[:, 0]], axis=1) / speed[:, None], speed
+        return self.at(piece, u), np.stack([ahead[:, 1], -ahead[:, 0]], axis=1) / speed[:, None], speed
 
 
 def displace(
@@ -127,9 +131,10 @@ def displace(
     known = _nodes(toolpath, rows, nominal, before, after, radius)
     node_row, node_u = known.row, known.u
     shift = _at_the_ends(toolpath, rows, known)
+    shift[np.hypot(*shift.T) <= STILL] = 0.0
     path = DisplacedPath(toolpath, rows, node_row, node_u, shift)
     moved = np.zeros(len(rows), dtype=bool)
-    np.logical_or.at(moved, node_row, np.hypot(*shift.T) > STILL)
+    np.logical_or.at(moved, node_row, shift.any(axis=1))
     first, last = node_u == 0.0, node_u == 1.0
     shift0[rows], shift1[rows] = shift[first], shift[last]
     carry_along(toolpath, following, own_work(toolpath, following, np.zeros(len(toolpath), dtype=bool)), shift0, shift1)
@@ -143,18 +148,23 @@ def displace(
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Nodes:
-    """Where on every move the displacement is known: index of the move, fraction, direction, and amount in mm."""
+    """Where on every move the displacement is known.
+
+    Index of the move, fraction, direction away from the contour, amount in mm, and whether the contour's nearest place
+    is a corner.
+    """
 
     row: Ints
     u: Floats
     way: Floats
     amount: Floats
+    corner: Bools
+
+    def take(self, index: Ints) -> _Nodes:
+        return _Nodes(*(getattr(self, name)[index] for name in _Nodes.__slots__))
 
     def with_more(self, other: _Nodes) -> _Nodes:
-        row, u = np.concatenate([self.row, other.row]), np.concatenate([self.u, other.u])
-        order = np.lexsort((u, row))
-        way, amount = np.concatenate([self.way, other.way]), np.concatenate([self.amount, other.amount])
-        return _Nodes(row[order], u[order], way[order], amount[order])
+        return _Nodes(*(np.concatenate([getattr(self, name), getattr(other, name)]) for name in _Nodes.__slots__))
 
 
 def _nodes(
@@ -167,7 +177,7 @@ def _nodes(
         place = np.ascontiguousarray(toolpath.place(rows[row], u))
         return _Nodes(row, u, *_along_normals(place, feet, before, after, nominal, radius))
 
-    length = np.maximum(np.nan_to_num(toolpath.take(rows).length()), 1e-9)
+    length = np.maximum(length_in_plane(toolpath.take(rows)), 1e-9)
     count = np.maximum(2, np.ceil(length / STEP).astype(np.int64))
     # 0, inset, inner nodes, 1 - inset, 1.
     total = count + 3
@@ -179,7 +189,7 @@ def _nodes(
     u = np.where(number == total[row] - 1, 1.0, np.where(number == total[row] - 2, 1.0 - inset, u))
     found = at(row, u)
     left = np.flatnonzero((found.row[1:] == found.row[:-1]) & (number[:-1] > 0) & (number[1:] < total[row[1:]] - 1))
-    a, b = _picked(found, left), _picked(found, left + 1)
+    a, b = found.take(left), found.take(left + 1)
     for _ in range(HALVINGS):
         middle = at(a.row, (a.u + b.u) / 2)
         between = (a.amount[:, None] * a.way + b.amount[:, None] * b.way) / 2
@@ -187,36 +197,29 @@ def _nodes(
         bent = np.flatnonzero((off > BENT) & ((b.u - a.u) * length[a.row] > 4 * INSET))
         if not len(bent):
             break
-        middle = _picked(middle, bent)
+        middle, a, b = middle.take(bent), a.take(bent), b.take(bent)
         found = found.with_more(middle)
-        a, b = _picked(a, bent), _picked(b, bent)
-        a, b = (
-            _Nodes(*(np.concatenate([getattr(one, f), getattr(two, f)]) for f in _Nodes.__slots__))
-            for one, two in ((a, middle), (middle, b))
-        )
-    return found
-
-
-def _picked(nodes: _Nodes, index: Ints) -> _Nodes:
-    return _Nodes(nodes.row[index], nodes.u[index], nodes.way[index], nodes.amount[index])
+        a, b = a.with_more(middle), middle.with_more(b)
+    return found.take(np.lexsort((found.u, found.row)))
 
 
 def _along_normals(
     place: Floats, search: FootPointSearch, before: WantedSurface, after: WantedSurface, nominal: Profile, radius: float
-) -> tuple[Floats, Floats]:
-    """Unit vectors from the contour to places of the path, and how far the centre there moves along them, mm."""
+) -> tuple[Floats, Floats, Bools]:
+    """Unit vectors from the contour to places of the path, how far the centre there moves along them, and corners."""
     feet = search.find(place)
+    corner = (feet.place == Place.JOINT) & is_corner(nominal, feet)
     if radius == 0:
         stretch, s = nominal.stretch[feet.span], nominal.arc_length(feet.span, feet.t)
         correction = [_interpolated(surface, stretch, s) for surface in (before, after)]
-        return feet.normal, correction[1] - correction[0]
+        return feet.normal, correction[1] - correction[0], corner
     away = place - feet.foot
     size = np.hypot(*away.T)
     way = np.where((size > 1e-9)[:, None], away / np.maximum(size, 1e-12)[:, None], feet.normal)
     guess = radius - size
     was = before.clearance(place, way, radius, guess)
     now = after.clearance(place, way, radius, was)
-    return way, now - was
+    return way, now - was, corner
 
 
 def _interpolated(surface: WantedSurface, stretch: Ints, s: Floats) -> Floats:
@@ -241,8 +244,8 @@ def _at_the_ends(toolpath: Toolpath, rows: Ints, known: _Nodes) -> Floats:
     # The side of the material is one for the whole path.
     side = 1.0 if np.median(across) >= 0 else -1.0
     normal = side * right
-    touching = np.abs(side * across) >= np.cos(ALIGNED)
-    touching &= side * across > 0
+    # Beside a corner itself only an arc about it, whose normal it is that points there, touches.
+    touching = side * across >= np.where(known.corner, np.cos(ABOUT), np.cos(ALIGNED))
     amount = _held(node_row, node_u, amount, touching)
     # A node that touches moves along its way to the contour, another along the move's own normal.
     shift = amount[:, None] * np.where(touching[:, None], way, normal)
@@ -276,7 +279,7 @@ def _at_the_ends(toolpath: Toolpath, rows: Ints, known: _Nodes) -> Floats:
 
 
 def _held(node_row: Ints, node_u: Floats, amount: Floats, touching: Bools) -> Floats:
-    """Amounts where a move touches the contour; elsewhere on it that of the nearest place that does, NaN without one."""
+    """Amounts where a move touches the contour; elsewhere that of the nearest place on it that does, NaN without."""
     key = 4.0 * node_row + node_u
     have = np.flatnonzero(touching)
     if not len(have):
@@ -343,7 +346,7 @@ def _intervals(toolpath: Toolpath, path: DisplacedPath, pick: Ints, output_moves
         owner=np.arange(len(pick)),
         piece=pick,
         sigma0=zero,
-        sigma1=one,
+        sigma1=path.length[pick],
         start=start,
         end=end,
         z0=z0,

@@ -21,6 +21,7 @@ from millcorr.toolpath import Toolpath
 
 from .displacement import displace
 from .surface_proof import prove_surface
+from .text_proof import prove_text
 from .wanted_surface import WantedSurface
 
 Floats = NDArray[np.float64]
@@ -30,7 +31,6 @@ Bools = NDArray[np.bool_]
 
 def emit_in_place(
     program: gcode.Program,
-    toolpath: Toolpath,
     following: Bools,
     nominal: Profile,
     correction: Correction,
@@ -46,8 +46,6 @@ def emit_in_place(
     Parameters
     ----------
     program : Program
-    toolpath : Toolpath
-        Its moves, some of them divided where the contour begins.
     following : (n,) bool
         Moves that make the surface.
     nominal : Profile
@@ -78,7 +76,7 @@ def emit_in_place(
     before = WantedSurface(nominal, Correction.none(nominal) if carried is None else carried)
     after = WantedSurface(nominal, correction)
     regeneration = displace(
-        toolpath,
+        program.toolpath,
         following,
         before,
         after,
@@ -88,15 +86,17 @@ def emit_in_place(
         output_moves=settings.output_moves,
     )
     text = written_text(program, regeneration, settings.tolerance, header)
-    emitted = gcode.parse(text, program.name).toolpath
-    if len(emitted) != len(regeneration.toolpath):
-        raise LimitError(
-            f"the written program reads back with {len(emitted)} moves in place of {len(regeneration.toolpath)}"
-        )
+    reach = regeneration.largest_shift + settings.tolerance
+    emitted = prove_text(program.data, text, regeneration.lines, header=header, reach=reach).moves.toolpath()
+    emitted = emitted.take(~_nowhere(emitted))
+    planned = regeneration.toolpath.take(~_nowhere(regeneration.toolpath))
+    following_now = regeneration.following[~_nowhere(regeneration.toolpath)]
+    if len(emitted) != len(planned):
+        raise LimitError(f"the written program reads back with {len(emitted)} moves in place of {len(planned)}")
     proof, (stays, place) = prove_surface(
-        CommandedSurface(toolpath, _by_tool(program.toolpath, cutters, toolpath)),
+        CommandedSurface(program.toolpath, cutters),
         CommandedSurface(emitted, _by_tool(program.toolpath, cutters, emitted)),
-        (following, regeneration.following),
+        (following, following_now),
         before,
         after,
         radius,
@@ -110,6 +110,13 @@ def emit_in_place(
         )
     compensated, residual = compensated_profile(nominal, correction, after)
     return Emission(compensated, residual, regeneration, proof, text), note
+
+
+def _nowhere(toolpath: Toolpath) -> Bools:
+    """Moves that go nowhere: a reader may count them or not."""
+    still = (toolpath.start == toolpath.end) | np.isnan(toolpath.start + toolpath.end)
+    out: Bools = still.all(axis=1) & (toolpath.sweep == 0)
+    return out
 
 
 def _by_tool(program: Toolpath, cutters: Floats, emitted: Toolpath) -> Floats:

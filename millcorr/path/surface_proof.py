@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from millcorr.commanded import CommandedSurface
 from millcorr.comparison.path_distance import PathDistance, SegmentTree
 from millcorr.errors import LimitError
+from millcorr.regeneration.path_following import length_in_plane
 from millcorr.toolpath import Kind, Toolpath
 from millcorr.verification import Verification
 
@@ -51,7 +52,7 @@ def prove_surface(
     -------
     Verification
     stays : (float, (float, float))
-        The most that the cutter cannot reach of what was wanted, mm, and where.
+        The most that stays of what was wanted because the cutter cannot reach it, mm, and where.
 
     Raises
     ------
@@ -77,7 +78,7 @@ def prove_surface(
         error = np.where(np.abs(off) > np.abs(error), off, error)
     worst = int(np.argmax(np.abs(error)))
     x, y = after.place[worst]
-    length = float(np.nansum(written.toolpath.take(made_by[1]).length()))
+    length = float(length_in_plane(written.toolpath.take(made_by[1])).sum())
     result = Verification(float(abs(error[worst])), (float(x), float(y)), float(max(0.0, -error.min())), length)
     if abs(error[worst]) > tolerance:
         raise LimitError(
@@ -85,17 +86,22 @@ def prove_surface(
             f"the tolerance of {tolerance * 1000:g} um"
             + (" (the cutter gouges there)" if error[worst] < 0 else ": where that does no harm, a larger --tolerance")
         )
-    _refuse_gouging_others(original, written, made_by, after, own, wanted, tolerance)
-    most = int(np.argmax(np.where(reached, rest, 0.0)))
+    if radius > 0:
+        _refuse_gouging_others(original, written, made_by, after, own, wanted, tolerance)
+    # What was out of reach before, as the corners of facets are, is no matter of the correction.
+    more = np.where(reached, rest - (_out_of_reach(before, radius) if radius > 0 else 0.0), 0.0)
+    most = int(np.argmax(more))
     x, y = after.place[most]
-    return result, (float(rest[most]) if reached[most] else 0.0, (float(x), float(y)))
+    return result, (float(more[most]), (float(x), float(y)))
 
 
 def _heights(toolpath: Toolpath, made_by: Bools, count: int) -> list[Floats | None]:
-    """Heights at which the surface is looked at: where only the deepest pass cuts, and where all of them do."""
+    """Heights at which the surface is looked at: where only the deepest pass cuts, and where all that make it do."""
     z = toolpath.end[made_by, 2]
-    lowest = z[np.isfinite(z)].min(initial=np.inf)
-    return [None, np.full(count, lowest)] if np.ptp(z[np.isfinite(z)]) > 0 else [None]
+    known = z[np.isfinite(z)]
+    if not len(known):
+        return [None]
+    return [np.full(count, height) for height in sorted({float(known.min()), float(known.max())})]
 
 
 def _refuse_gouging_others(
@@ -108,12 +114,13 @@ def _refuse_gouging_others(
     tolerance: float,
 ) -> None:
     """LimitError where another move of the written program cuts deeper into the corrected surface than before."""
-    was = original.only(~made_by[0]).offset(after.nominal, after.normal)
-    now = written.only(~made_by[1]).offset(after.nominal, after.normal)
+    z = _heights(written.toolpath, made_by[1], len(own))[-1]
+    was = original.only(~made_by[0]).offset(after.nominal, after.normal, z)
+    now = written.only(~made_by[1]).offset(after.nominal, after.normal, z)
+    rows = np.flatnonzero(np.isfinite(own) & np.isfinite(now) & ~after.at_corner)
+    over = np.zeros(len(own))
     # A lead that cuts into the contour, as one rounder than an inside corner does, goes on doing so.
-    before = np.minimum(np.nan_to_num(was, nan=np.inf) - own, 0.0)
-    over = np.nan_to_num(now, nan=np.inf) - own - wanted - before
-    over[after.at_corner | ~np.isfinite(own)] = 0.0
+    over[rows] = (now - own - wanted)[rows] - np.fmin(was[rows] - own[rows], 0.0)
     worst = int(np.argmin(over))
     if over[worst] >= -tolerance:
         return

@@ -22,9 +22,9 @@ from millcorr.engagement import engagement, stock_of
 from millcorr.engagement.contact_steps import Contacts
 from millcorr.errors import UsageError
 from millcorr.footpoint import FootPointSearch
-from millcorr.parts import averaged
 from millcorr.profile import Profile
 from millcorr.regeneration.emission import Emission
+from millcorr.separation.parts import averaged
 from millcorr.settings import Settings
 from millcorr.setup_file import Setup
 from millcorr.targets import Elastic, Part, Target, target_of
@@ -372,9 +372,8 @@ def _touches(parts: list[Part], value: Floats, depth: float, area: Floats, axes:
         offset + determined,
         transfer.ms_std * removed / growth,
         np.zeros(len(deviation)),
-        (),
         axes.scatter,
-        elastic,
+        elastic=elastic,
     )
 
 

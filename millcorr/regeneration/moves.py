@@ -60,6 +60,8 @@ class Regeneration:
         Largest distance in mm between the new moves and the exact path, before rounding.
     largest_shift : float
         Largest displacement of a vertex of the path, mm.
+    lines : (k,) int64
+        Lines of the program (`source`) whose moves, or their starts, are not where they were.
     """
 
     toolpath: Toolpath
@@ -69,6 +71,7 @@ class Regeneration:
     original_error: float
     fit_error: float
     largest_shift: float
+    lines: Ints
 
 
 def regenerate(
@@ -459,6 +462,7 @@ def put_together(
         original_error,
         fit_error,
         float(np.hypot(*shift.T).max(initial=0.0)),
+        np.unique(toolpath.source[changed]),
     )
 
 

@@ -10,12 +10,17 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from millcorr import contour_check, step
+from millcorr.decimal_text import lines
 from millcorr.pipeline import Result
+from millcorr.separation import Filter
 from millcorr.whole_file import write_together
 
 from .page import page
+
+Floats = NDArray[np.float64]
 
 COLUMNS = ("s", "x", "y", "z", "nx", "ny", "deviation", "filtered", "used")
 """Columns of deviations.csv that other programs rely on; later versions only append."""
@@ -34,8 +39,6 @@ FILES = (
     "nominal.json",
 )
 """What a report consists of."""
-
-_CHUNK = 65536
 
 
 def write(
@@ -119,7 +122,7 @@ def _plain(data: Any) -> Any:
     return data
 
 
-def deviation_lines(result: Result) -> Iterator[str]:
+def deviation_lines(result: Result) -> Iterator[bytes]:
     """Lines of deviations.csv: all measured points in the order of the file, millimetres.
 
     x, y, z are as measured (ball centres where the file gives those). A rejected point has used 0, its
@@ -127,45 +130,50 @@ def deviation_lines(result: Result) -> Iterator[str]:
 
     Yields
     ------
-    str
+    bytes
         The header first; blocks of whole lines after it.
     """
     elastic = result.elastic
-    yield ",".join(COLUMNS + MORE_COLUMNS + (("ms",) if elastic is not None else ())) + "\n"
+    yield ",".join(COLUMNS + MORE_COLUMNS + (("ms",) if elastic is not None else ())).encode() + b"\n"
     measurement, d = result.request.measurement, result.deviation
     if measurement is None:
         return
-    points, levels = measurement.points, measurement.levels()
-    reasons = {r.index: _quoted(r.reason) for r in d.rejected}
-    used = np.full(len(points), -1, dtype=np.int64)
-    used[d.index] = np.arange(len(d))
-    numbers = np.column_stack([d.s, d.normal, d.value, result.filtered, result.predicted, result.commanded])
+    rows = len(measurement)
+
+    def placed(found: NDArray[Any]) -> Floats:
+        out = np.full(rows, np.nan)
+        out[d.index] = found
+        return out
+
+    used = np.zeros(rows, dtype=np.int64)
+    leaves_out = Filter.parse(result.request.settings.filter).leaves_out
+    used[d.index] = ~result.outlier if leaves_out else 1
     contact = d.foot + d.value[:, None] * d.normal
-    more = [contact, contour_check.slope_angle(d.normal)] + ([elastic.transfer.ms] if elastic is not None else [])
-    last = np.column_stack(more)
-    empty = "," * last.shape[1]
-    for start in range(0, len(points), _CHUNK):
-        end = min(start + _CHUNK, len(points))
-        xyz, level, line = points[start:end].tolist(), levels[start:end].tolist(), measurement.lines[start:end].tolist()
-        out = []
-        row_of = used[start:end]
-        found = numbers[row_of].tolist() if len(numbers) else []
-        contour = d.contour[row_of].tolist() if len(d) else []
-        appended = last[row_of].tolist() if len(d) else []
-        for i, row in enumerate(row_of.tolist()):
-            x, y, z = xyz[i]
-            if row < 0:
-                reason = reasons.get(start + i, "")
-                out.append(f",{x:.12g},{y:.12g},{z:.12g},,,,,0,,{level[i]},,,{line[i]},{reason}{empty}\n")
-                continue
-            s, nx, ny, value, filtered, predicted, commanded = found[i]
-            out.append(
-                f"{s:.12g},{x:.12g},{y:.12g},{z:.12g},{nx:.12g},{ny:.12g},{value:.12g},{filtered:.12g},1,"
-                f"{contour[i]},{level[i]},{predicted:.12g},{commanded:.12g},{line[i]},"
-                + "".join(f",{value:.12g}" for value in appended[i])
-                + "\n"
-            )
-        yield "".join(out)
+    yield from lines(
+        (
+            placed(d.s),
+            *measurement.points.T,
+            *map(placed, (*d.normal.T, d.value, result.filtered)),
+            used,
+            placed(d.contour),
+            measurement.levels(),
+            *map(placed, (result.predicted, result.commanded)),
+            measurement.lines,
+            _reasons(result, rows),
+            *map(placed, (*contact.T, contour_check.slope_angle(d.normal))),
+            *([placed(elastic.transfer.ms)] if elastic is not None else []),
+        )
+    )
+
+
+def _reasons(result: Result, rows: int) -> NDArray[np.bytes_]:
+    """Why points were rejected, in quotes, or are outliers; empty for the others, (rows,)."""
+    deviation = result.deviation
+    texts = [_quoted(r.reason).encode() for r in deviation.rejected]
+    out = np.zeros(rows, dtype=f"S{max(map(len, (*texts, b'outlier')))}")
+    out[[r.index for r in deviation.rejected]] = texts
+    out[deviation.index[result.outlier]] = b"outlier"
+    return out
 
 
 def _quoted(text: str) -> str:

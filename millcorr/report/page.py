@@ -104,16 +104,16 @@ def profile_value(deviation: Floats) -> float:
 def expected_std(result: Result) -> float:
     """Standard deviation in mm to expect when the next part is measured the same way; NaN where unknown.
 
-    What the correction leaves of the determined part, the random part anew, and what of this part's random
-    part went through the filter into the correction: ``s_rest^2 + s^2 (1 + g^2 q)``.
+    What the correction leaves of the systematic part, the random part anew, and how badly the systematic part is
+    known: ``s_rest^2 + s^2 + g^2 u^2``.
     """
     if not len(result.deviation) or not math.isfinite(result.random_std):
         return math.nan
-    points = [len(part.determined) for part in result.separations]
-    factor = float(np.average([part.variance_factor for part in result.separations], weights=points))
+    known = result.uncertainty[np.isfinite(result.uncertainty)]
+    unsure = float((known**2).mean()) if len(known) else 0.0
     rest = result.filtered + result.predicted - result.deviation.value
     gain = result.request.settings.gain
-    variance = float(rest.var()) + result.random_std**2 * (1 + gain**2 * factor)
+    variance = float(rest.var()) + result.random_std**2 + gain**2 * unsure
     return math.sqrt(variance)
 
 
@@ -314,41 +314,34 @@ def _plots(result: Result) -> list[str]:
 
 
 def _separation(result: Result) -> str:
-    if not result.separations or result.foreseen is not None:
+    found = result.separated
+    if found is None or result.foreseen is not None:
         return ""
-    random = (
-        f"<p>Random part: standard deviation <b>{um(result.random_std)} {MICRO}</b>, process and measurement "
-        "together. It does not repeat and is not corrected.</p>"
-        if math.isfinite(result.random_std)
-        else "<p>The random part is not known: without a filter all of the deviation is taken as determined, and what "
-        "was random on this part is milled into the next.</p>"
-    )
-    random += "".join(f"<p>{escape(text[:1].upper() + text[1:])}.</p>" for text in result.advice)
-    title = "<h2>What repeats and what does not</h2>"
-    if len(result.separations) == 1:
-        part = result.separations[0]
-        words = part.description[:1].upper() + part.description[1:]
-        return (
-            f"{title}{random}<p>{escape(words)}. Of the random part's variance {part.variance_factor * 100:.1f} % "
-            "goes through the filter into the correction.</p>"
-        )
-    rows = [
-        (str(i), grouped(len(part.determined)), um(part.random_std), f"{part.variance_factor:.3f}", part.description)
-        for i, part in enumerate(result.separations[:_MOST_ROWS], 1)
+    lines = [
+        f"Random part: standard deviation <b>{um(result.random_std)} {MICRO}</b>, process and measurement together. It "
+        "does not repeat and is not corrected."
     ]
-    head = ("smooth stretch and level", "points", f"random {SIGMA} / {MICRO}", "variance factor", "filter")
-    left = len(result.separations) - _MOST_ROWS
-    more = f"<p class=small>{left} more are not listed.</p>" if left > 0 else ""
-    table = html_table(head, rows).replace("<th>filter</th>", "<th class=words>filter</th>")
-    return f"{title}{random}{_last_column_in_words(table)}{more}"
-
-
-def _last_column_in_words(table: str) -> str:
-    rows = table.split("</td></tr>")
-    return "</td></tr>".join(
-        row[: row.rfind("<td>")] + "<td class=words>" + row[row.rfind("<td>") + 4 :] if "<td>" in row else row
-        for row in rows
+    lines += [escape(text[:1].upper() + text[1:]) + "." for text in result.advice]
+    sizes = found.sizes
+    lines.append(
+        f"Form: {um(sizes.form)} {MICRO} ({SIGMA}) over {sizes.form_length:.3g} mm; process {um(sizes.process)} "
+        f"{MICRO} over {sizes.memory:.2g} mm; measurement {um(sizes.white)} {MICRO}. The band along the whole contour "
+        f"(95 %) is {found.band:.2g} standard uncertainties wide to either side. "
+        f"Filter: {escape(str(found.filter))}."
     )
+    out = "<h2>What repeats and what does not</h2>" + "".join(f"<p>{line}</p>" for line in lines)
+    wrong = result.outliers()
+    if not wrong:
+        return out
+    rows = [
+        (str(row["index"] + 1), *(mm(row[k]) for k in "xyz"), um(row["value"], True), um(row["expected"], True))
+        for row in wrong[:_MOST_ROWS]
+    ]
+    head = ("point", "X", "Y", "Z", f"measured / {MICRO}", f"expected / {MICRO}")
+    left = len(wrong) - _MOST_ROWS
+    more = f"<p class=small>{left} more are in report.json.</p>" if left > 0 else ""
+    outside = "left out" if found.filter.leaves_out else "not left out by the filter"
+    return f"{out}<h2>Outliers</h2><p>{len(wrong)} points, {outside}.</p>{html_table(head, rows)}{more}"
 
 
 def _own_path_error(result: Result) -> str:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,7 +16,7 @@ from numpy.typing import NDArray
 
 from millcorr.compensation import GAP_SPACINGS, along
 from millcorr.deviation import Deviation
-from millcorr.profile import CORNER_ANGLE, Profile
+from millcorr.profile import CORNER_ANGLE, Profile, Stretch
 
 from .svg import MARKERS, Axis, Canvas, bars, columns, markers, number, polyline, round_step
 
@@ -141,23 +142,22 @@ def along_contour(
         is a number.
     """
     half = np.full(len(deviation), np.nan) if uncertainty is None else COVERAGE * uncertainty
-    contours = np.unique(deviation.contour)
+    contours = groups(deviation.contour)
     shown = contours
     if len(contours) > MOST_PANELS:
-        worst = [np.abs(deviation.value[deviation.contour == k]).max() for k in contours]
-        shown = np.sort(contours[np.argsort(worst)[-MOST_PANELS:]])
+        worst = [float(np.abs(deviation.value[rows]).max()) for _, rows in contours]
+        shown = [contours[i] for i in sorted(np.argsort(worst)[-MOST_PANELS:].tolist())]
     levels = levels_of(deviation)
     height = 250.0 if len(shown) == 1 else 175.0
     top = 30 if len(levels) == 1 else 48
     canvas = Canvas(WIDTH, top - 6 + len(shown) * (height + 44), "Deviation along the contour")
-    dense = max(int((deviation.contour == k).sum()) for k in shown) > MOST_MARKERS
+    dense = max(len(rows) for _, rows in shown) > MOST_MARKERS
     banded = bool(np.isfinite(half).any())
     _along_legend(canvas, levels, dense, banded)
-    for i, k in enumerate(shown):
-        rows = np.flatnonzero(deviation.contour == k)
-        title = f"contour {int(k) + 1}" if len(profile.contours) > 1 else ""
-        panel = _Panel(canvas, top + i * (height + 44), height, title, f"along{int(k)}")
-        panel.draw(profile, int(k), deviation, rows, filtered, half, predicted, levels)
+    for i, (k, rows) in enumerate(shown):
+        title = f"contour {k + 1}" if len(profile.contours) > 1 else ""
+        panel = _Panel(canvas, top + i * (height + 44), height, title, f"along{k}")
+        panel.draw(profile, k, deviation, rows, filtered, half, predicted, levels)
     words = [
         f"Deviation in {MICRO} over the arc length of the nominal, from its start; above zero material is left, "
         "below too much is gone."
@@ -174,7 +174,7 @@ def along_contour(
             f"Of {len(contours)} measured contours the {len(shown)} with the largest deviations are drawn; "
             "deviations.csv has all."
         )
-    if any(len(corners(profile, int(k))) for k in shown):
+    if any(len(corners(profile, k)) for k, _ in shown):
         words.append("Dotted uprights mark corners: no filter reaches across them.")
     return Plot(str(canvas), " ".join(words))
 
@@ -189,7 +189,14 @@ def corners(profile: Profile, contour: int) -> Floats:
 
 def levels_of(deviation: Deviation) -> list[tuple[int, float]]:
     """Number and mean height of every level."""
-    return [(int(k), float(deviation.z[deviation.level == k].mean())) for k in np.unique(deviation.level)]
+    return [(level, float(deviation.z[rows].mean())) for level, rows in groups(deviation.level)]
+
+
+def groups(key: Ints) -> list[tuple[int, Ints]]:
+    """Values of a key in order, and the rows of each in theirs, (k,)."""
+    order = np.argsort(key, kind="stable")
+    parts = np.split(order, np.flatnonzero(np.diff(key[order])) + 1)
+    return [(int(key[rows[0]]), rows) for rows in parts if len(rows)]
 
 
 def _along_legend(canvas: Canvas, levels: list[tuple[int, float]], dense: bool, banded: bool) -> None:
@@ -253,27 +260,27 @@ class _Panel:
             canvas.line(x.at(s), self.top, x.at(s), bottom, "corner")
         dense = len(rows) > MOST_MARKERS
         self._bands(x, y, profile, deviation, rows, filtered, half, total)
-        for i, (level, _) in enumerate(levels):
-            at = rows[deviation.level[rows] == level]
-            if not len(at):
-                continue
-            px = x(deviation.s[at])
-            for value, css in ((deviation.value, "raw"), (predicted, "predicted")):
-                py = y(value[at] * UM)
-                if dense:
-                    middle, [(low, _, high)] = columns(px, [py])
+        index = {level: i for i, (level, _) in enumerate(levels)}
+        # Columns of pixels look alike at all levels.
+        for level, here in [(levels[0][0], np.arange(len(rows)))] if dense else groups(deviation.level[rows]):
+            i, at = index[level], rows[here]
+            px, py = x(deviation.s[at]), [y(value[at] * UM) for value in (deviation.value, predicted)]
+            if dense:
+                middle, ranges = columns(px, py)
+                for (low, _, high), css in zip(ranges, ("raw", "predicted"), strict=True):
                     canvas.path(bars(middle, low, high), f"{css}-columns")
-                else:
-                    canvas.path(markers(px, py, i), css)
+            else:
+                for value, css in zip(py, ("raw", "predicted"), strict=True):
+                    canvas.path(markers(px, value, i), css)
         stretches = profile.stretches()
-        for i, (level, _) in enumerate(levels):
-            for k in np.unique(deviation.stretch[rows]):
-                at = rows[(deviation.level[rows] == level) & (deviation.stretch[rows] == k)]
-                local = along(stretches[int(k)], deviation.s[at], profile)
-                line = course(local, filtered[at], stretches[int(k)].length, stretches[int(k)].closed)
-                begin = stretches[int(k)].begin
-                data = "".join(self._wrapped(x, y, begin + s, value, total) for s, value in line)
-                canvas.path(data, f"filtered dash{i % 4}", self.name)
+        pixel = total / (x.end - x.start)
+        for key, here in groups(deviation.level[rows] * len(stretches) + deviation.stretch[rows]):
+            level, k = divmod(key, len(stretches))
+            at, stretch = rows[here], stretches[k]
+            local = along(stretch, deviation.s[at], profile)
+            line = by_pixel(local, [filtered[at]], stretch, pixel)
+            data = "".join(self._wrapped(x, y, stretch.begin + s, value, total) for s, value in line)
+            canvas.path(data, f"filtered dash{index[level] % 4}", self.name)
 
     def _bands(
         self,
@@ -290,17 +297,13 @@ class _Panel:
         stretches = profile.stretches()
         rows = rows[np.isfinite(half[rows])]
         levels = int(deviation.level.max()) + 1
-        key = deviation.stretch[rows] * levels + deviation.level[rows]
-        for one in np.unique(key):
-            at, stretch = rows[key == one], stretches[int(one) // levels]
+        pixel = total / (x.end - x.start)
+        for one, here in groups(deviation.stretch[rows] * levels + deviation.level[rows]):
+            at, stretch = rows[here], stretches[one // levels]
             local = along(stretch, deviation.s[at], profile)
-            lower = course(local, filtered[at] - half[at], stretch.length, stretch.closed)
-            upper = course(local, filtered[at] + half[at], stretch.length, stretch.closed)
             data = ""
-            for (s, low), (_, high) in zip(lower, upper, strict=True):
+            for s, low, high in by_pixel(local, [filtered[at] - half[at], filtered[at] + half[at]], stretch, pixel):
                 px, py, qy = x(stretch.begin + s), y(low * UM), y(high * UM)
-                if len(s) > 2 * MOST_MARKERS:
-                    px, [(_, py, _), (_, qy, _)] = columns(px, [py, qy])
                 for shift in (0.0, x.start - x.end, x.end - x.start):
                     if (px + shift).max() > x.start and (px + shift).min() < x.end:
                         data += polyline(np.append(px, px[::-1]) + shift, np.append(py, qy[::-1]), True)
@@ -310,8 +313,6 @@ class _Panel:
     def _wrapped(x: Axis, y: Axis, s: Floats, value: Floats, total: float) -> str:
         """The line, and once more a turn earlier where it runs past the contour's seam."""
         px, py = x(s), y(value * UM)
-        if len(s) > 2 * MOST_MARKERS:
-            px, [(_, py, _)] = columns(px, [py])
         out = polyline(px, py)
         turn = x.end - x.start
         for shift, needed in ((-turn, s.max() > total), (turn, s.min() < 0)):
@@ -320,8 +321,28 @@ class _Panel:
         return out
 
 
-def course(s: Floats, value: Floats, length: float, closed: bool) -> list[tuple[Floats, Floats]]:
-    """Values sorted by arc length, cut where a gap is long; a closed course goes on past its seam by a point."""
+def by_pixel(s: Floats, values: Sequence[Floats], stretch: Stretch, pixel: float) -> list[tuple[Floats, ...]]:
+    """Courses of values along a stretch, each as places and values; of many points the means of every pixel (mm)."""
+    gap, many = None, len(s)
+    if many > 2 * MOST_MARKERS:
+        column = np.floor(s / pixel).astype(np.int64)
+        column -= column.min()
+        count = np.bincount(column)
+        shown = count > 0
+        s, *values = (np.bincount(column, value)[shown] / count[shown] for value in (s, *values))
+        gap = max(GAP_SPACINGS * stretch.length / many, 2.0 * pixel)
+    index = np.arange(len(s), dtype=np.float64)
+    found = course(s, index, stretch.length, stretch.closed, gap)
+    return [(place, *(value[order.astype(np.int64)] for value in values)) for place, order in found]
+
+
+def course(
+    s: Floats, value: Floats, length: float, closed: bool, gap: float | None = None
+) -> list[tuple[Floats, Floats]]:
+    """Values sorted by arc length, cut where a gap is long; a closed course goes on past its seam by a point.
+
+    A gap is long beyond `gap` in mm, by default beyond `GAP_SPACINGS` typical spacings.
+    """
     if not len(s):
         return []
     order = np.argsort(s, kind="stable")
@@ -330,9 +351,10 @@ def course(s: Floats, value: Floats, length: float, closed: bool) -> list[tuple[
         s = np.concatenate([[s[-1] - length], s, [s[0] + length]])
         value = np.concatenate([[value[-1]], value, [value[0]]])
     step = np.diff(s)
-    apart = step[step > 0]
-    typical = float(np.median(apart)) if len(apart) else math.inf
-    cuts = np.flatnonzero(step > GAP_SPACINGS * typical) + 1
+    if gap is None:
+        apart = step[step > 0]
+        gap = GAP_SPACINGS * float(np.median(apart)) if len(apart) else math.inf
+    cuts = np.flatnonzero(step > gap) + 1
     return list(zip(np.split(s, cuts), np.split(value, cuts), strict=True))
 
 

@@ -15,7 +15,7 @@ from millcorr.targets import Elastic
 
 from .foreseen import nothing_measured
 from .html import figure, html_facts, mm, um
-from .plots import COVERAGE, MICRO, MOST_MARKERS, UM, WIDTH, Plot, corners, course, frame
+from .plots import COVERAGE, MICRO, MOST_MARKERS, UM, WIDTH, Plot, corners, course, frame, groups
 from .svg import Axis, Canvas, columns, polyline
 
 Floats = NDArray[np.float64]
@@ -112,8 +112,8 @@ def ms_along_contour(result: Result, elastic: Elastic) -> Plot:
         rows = np.flatnonzero(d.contour == contour)
         key = d.stretch[rows] * levels + d.level[rows]
         band, line = "", ""
-        for one in np.unique(key):
-            at, stretch = rows[key == one], stretches[int(one) // levels]
+        for one, here in groups(key):
+            at, stretch = rows[here], stretches[one // levels]
             local = along(stretch, d.s[at], profile)
             index = np.arange(len(at), dtype=np.float64)
             for s, order in course(local, index, stretch.length, stretch.closed):

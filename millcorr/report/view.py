@@ -15,7 +15,7 @@ from millcorr.deviation import Deviation
 from millcorr.pipeline import Result
 from millcorr.profile import Profile
 
-from .plots import MICRO, MOST_MARKERS, MOST_PANELS, UM, WIDTH, Plot, corners, course, levels_of
+from .plots import MICRO, MOST_MARKERS, MOST_PANELS, UM, WIDTH, Plot, corners, course, groups, levels_of
 from .svg import MARKERS, Axis, Canvas, markers, number, polyline, round_down, round_step
 
 Floats = NDArray[np.float64]
@@ -97,6 +97,10 @@ def on_contour(
     outline = _Outline.of(profile)
     spare = 0.5 * (WIDTH - 68 - (right - left) * scale)
     thinned = False
+    heights = np.array([z for _, z in levels])
+    nearest = np.zeros(0, dtype=np.int64)
+    if rejected is not None:
+        nearest = np.searchsorted((heights[1:] + heights[:-1]) / 2, rejected[:, 2])
     for i, (level, z) in enumerate(shown):
         y0 = 36 + i * height
         x = Axis(left, right, 56 + spare, 56 + spare + (right - left) * scale)
@@ -105,7 +109,7 @@ def on_contour(
         at = np.flatnonzero(deviation.level == level)
         thinned |= _draw_whiskers(canvas, profile, deviation, at, filtered, times, within, x, y)
         if rejected is not None and len(rejected):
-            here = np.argmin(np.abs(rejected[:, 2:] - [[height for _, height in levels]]), axis=1) == i
+            here = nearest == i
             px, py = x(rejected[here, 0]), y(rejected[here, 1])
             inside = (px > x.start) & (px < x.end) & (py < y.start) & (py > y.end)
             canvas.path(markers(px[inside][:300], py[inside][:300], 5), "rejected")
@@ -250,19 +254,20 @@ def _draw_whiskers(
 ) -> bool:
     """Whiskers of one level; True where points were left out."""
     stretches = profile.stretches()
-    for k in np.unique(deviation.stretch[rows]):
-        at = rows[deviation.stretch[rows] == k]
-        at = at[_largest_of_each(along(stretches[int(k)], deviation.s[at], profile), filtered[at], MOST_MARKERS)]
-        local = along(stretches[int(k)], deviation.s[at], profile)
+    for k, here in groups(deviation.stretch[rows]):
+        at = rows[here]
+        at = at[_largest_of_each(along(stretches[k], deviation.s[at], profile), filtered[at], MOST_MARKERS)]
+        local = along(stretches[k], deviation.s[at], profile)
         tip = deviation.foot[at] + times * filtered[at, None] * deviation.normal[at]
         index = np.arange(len(at), dtype=np.float64)
-        for _, chosen in course(local, index, stretches[int(k)].length, stretches[int(k)].closed):
-            i = chosen.astype(np.int64)
+        for _, order in course(local, index, stretches[k].length, stretches[k].closed):
+            i = order.astype(np.int64)
             canvas.path(polyline(x(tip[i, 0]), y(tip[i, 1])), "course")
-    whole = float(profile.total[np.unique(deviation.contour[rows])].sum()) if len(rows) else 0.0
+    by_contour = groups(deviation.contour[rows])
+    whole = float(sum(profile.total[c] for c, _ in by_contour))
     kept = []
-    for c in np.unique(deviation.contour[rows]):
-        at = rows[deviation.contour[rows] == c]
+    for c, here in by_contour:
+        at = rows[here]
         most = max(12, int(MOST_WHISKERS * profile.total[c] / whole))
         kept.append(at[_largest_of_each(deviation.s[at], deviation.value[at], most)])
     if not kept:
@@ -290,9 +295,13 @@ def _largest_of_each(s: Floats, value: Floats, most: int) -> Ints:
         return np.argsort(s, kind="stable")
     span = float(np.ptp(s)) or 1.0
     part = np.minimum(((s - s.min()) / span * most).astype(np.int64), most - 1)
-    order = np.lexsort((np.arange(len(s)), -np.abs(value), part))
-    first = np.flatnonzero(np.diff(part[order], prepend=-1))
-    return np.asarray(order[first], dtype=np.int64)
+    size = np.abs(value)
+    largest = np.full(most, -1.0)
+    np.fmax.at(largest, part, size)
+    at = np.flatnonzero(size == largest[part])
+    # Of equal ones the first.
+    _, first = np.unique(part[at], return_index=True)
+    return at[first]
 
 
 def _draw_start(canvas: Canvas, profile: Profile, x: Axis, y: Axis) -> None:

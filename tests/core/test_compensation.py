@@ -11,7 +11,6 @@ from scipy.interpolate import CubicSpline
 
 from millcorr.compensation import CONSTANT, Correction, Course, along, correction_from, dead_band
 from millcorr.errors import LimitError
-from millcorr.gaps import Gap
 from millcorr.nurbs import NurbsCurve
 from millcorr.profile import Contour, Profile
 from tests.core.contours import Element, profile_of, rectangle, started_at
@@ -264,40 +263,6 @@ def test_gap_is_bridged_straight_and_reported():
     out = correction.at(np.zeros(400, dtype=np.int64), at, line())
     # Rounding of the two knees: slope times spacing over 6 at most.
     assert np.abs(out - straight).max() < 0.02 / 41 / 6
-
-
-def test_a_wide_gap_is_run_out_into_and_what_is_there_stays():
-    s = np.arange(20.0, 160.0, 1.0)
-    value = np.full(len(s), 0.03)
-    profile = circle()
-    gap = Gap(0, 159.0, 100 * np.pi - 139.0, 8.0)
-    there = Correction.even(profile, -0.01)
-    for rest, level in ((None, 0.0), (there, -0.01)):
-        correction, warnings = correction_from(
-            profile, np.zeros(len(s), dtype=int), s, value, limit=1.0, gaps=(gap,), rest=rest
-        )
-        assert warnings == ()
-        (course,) = correction.courses
-        # A spline of eight spans follows the step to 0.1 % of its height.
-        near = 0.001 * (0.03 - level)
-        np.testing.assert_allclose(course(s)[0], 0.03, atol=near)
-        np.testing.assert_allclose(course(np.linspace(168.0, 100 * np.pi + 11.0, 200))[0], level, atol=near)
-        np.testing.assert_allclose(course(np.array([163.0, 100 * np.pi + 16.0]))[0], (0.03 + level) / 2, atol=near)
-
-
-def test_sides_within_a_wide_gap_stay_as_they_are_and_those_in_a_narrow_one_follow():
-    profile = rectangle(100.0, 50.0).profile
-    stretches = profile.stretches()
-    length = float(profile.total[0])
-    s = np.arange(stretches[0].begin + 0.5, stretches[0].begin + stretches[0].length, 1.0)
-    gap = Gap(0, float(s[-1]), length - float(s[-1] - s[0]), 5.0)
-    number = np.zeros(len(s), dtype=int)
-    value = np.full(len(s), 0.02)
-    left, warnings = correction_from(profile, number, s, value, limit=1.0, gaps=(gap,))
-    assert [round(c.extreme[1], 6) for c in left.courses[1:]] == [0.0] * (len(stretches) - 1)
-    assert len(warnings) == 1 and "left as they are" in warnings[0]
-    follow, _ = correction_from(profile, number, s, value, limit=1.0)
-    assert [round(c.extreme[1], 6) for c in follow.courses] == [0.02] * len(stretches)
 
 
 def test_gap_across_the_seam():

@@ -88,13 +88,13 @@ def test_path_lies_a_radius_off_the_contour(checked):
 def test_files_and_table_hold_the_same(checked):
     result, foot, _, _, error = checked
     points = contour_check.touched_points(result)
-    rows = [line.strip().split(",") for line in contour_check.point_lines(points)]
+    rows = [line.split(",") for line in b"".join(contour_check.point_lines(points)).decode().splitlines()]
     assert tuple(rows[0]) == contour_check.POINT_COLUMNS
     values = np.array(rows[1:], dtype=float)
     np.testing.assert_allclose(values[:, 9], error, atol=2e-8)
     np.testing.assert_allclose(values[:, 6:8], foot, atol=2e-8)
     stations = contour_check.path_stations(result)
-    path = [line.strip().split(",") for line in contour_check.path_lines(stations)]
+    path = [line.split(",") for line in b"".join(contour_check.path_lines(stations)).decode().splitlines()]
     assert tuple(path[0]) == contour_check.PATH_COLUMNS and len(path) == len(stations) + 1
     text = contour_check.table(points).splitlines()
     assert len(text) == 45 and text[1].split()[0] == "2"

@@ -8,10 +8,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from millcorr import distrust, gcode, pipeline
+from millcorr import gcode, pipeline
 from millcorr.deviation import deviations
 from millcorr.errors import DistrustError, RefusedError
-from millcorr.filtering import Filter
 from millcorr.measurement import Measurement
 from millcorr.probe import axis_residue, contact_known
 from tests.core.loop_programs import measured
@@ -27,33 +26,6 @@ def noisy(seed: int) -> Measurement:
     rng = np.random.default_rng(seed)
     found = measured(NOMINAL, lambda k, s: wave(k, s) + 0.001 * rng.standard_normal(len(s)))
     return replace(found, source=f"part-{seed}.csv")
-
-
-def test_a_lump_that_a_filter_swings_about_is_dangerous() -> None:
-    d = deviations(changed(PLAIN), NOMINAL)
-    order = np.argsort(d.s)
-    determined = d.value.copy()
-    assert distrust.examine_determined(d, d.value, determined, None, NOMINAL) == ()
-    determined[order[10:13]] -= 0.15
-    (finding,) = distrust.examine_determined(d, d.value, determined, np.ones(len(d)), NOMINAL)
-    assert finding.name == "overshoot" and finding.dangerous
-
-
-def test_an_outlier_that_a_filter_leaves_alone_is_no_overshoot() -> None:
-    d = deviations(changed(PLAIN), NOMINAL)
-    machine, trust = d.value.copy(), np.ones(len(d))
-    machine[20], trust[20] = 0.3, 0.0
-    assert distrust.examine_determined(d, machine, d.value, trust, NOMINAL) == ()
-
-
-def test_points_on_a_small_part_of_the_contour_are_dangerous() -> None:
-    d = deviations(changed(PLAIN[:12]), NOMINAL)
-    (finding,) = distrust.examine_coverage(d, NOMINAL, Filter.parse("auto"))
-    assert finding.name == "unmeasured" and finding.dangerous
-    half = deviations(changed(PLAIN[: len(PLAIN) // 2]), NOMINAL)
-    (finding,) = distrust.examine_coverage(half, NOMINAL, Filter.parse("auto"))
-    assert finding.name == "unmeasured" and not finding.dangerous
-    assert distrust.examine_coverage(deviations(changed(PLAIN), NOMINAL), NOMINAL, Filter.parse("auto")) == ()
 
 
 def half_measured(part: Measurement) -> Measurement:

@@ -21,7 +21,7 @@ from millcorr.nurbs import NurbsCurve
 from millcorr.probe import axis_residue, contact_known
 from millcorr.profile import Contour, Profile
 from millcorr.simulated_machine import ErrorField, SimulatedMachine, SimulatedPart, reference_contour
-from millcorr.targets import Part, Target, correction_through, target_of
+from millcorr.targets import Part, correction_through, target_of
 from tests.core.sweeps import seeds
 from tests.core.test_pipeline import PROGRAM, nominal_of
 
@@ -111,17 +111,6 @@ def names(found: tuple[Finding, ...]) -> set[str]:
 @pytest.mark.parametrize("seed", seeds(25, quick=3))
 def test_a_sound_part_raises_nothing(profile: str, how: dict[str, object], seed: int) -> None:
     assert examined(sound(PROFILES[profile], seed, **how), PROFILES[profile]) == ()
-
-
-@pytest.mark.parametrize("profile", PROFILES)
-@pytest.mark.parametrize("filter", ["none", "auto", "mean:5", "gauss:10", "robust:10"])
-@pytest.mark.parametrize("seed", seeds(25, quick=2))
-def test_no_filter_goes_beyond_the_points_of_a_sound_part(profile: str, filter: str, seed: int) -> None:
-    d = deviations(sound(PROFILES[profile], seed), PROFILES[profile])
-    as_cut = Part(d, np.zeros(len(d)), d.value)
-    work = target_of([as_cut], PROFILES[profile], pipeline.Settings(filter=filter), False, [])
-    d = work.deviation
-    assert distrust.examine_determined(d, d.value, work.filtered, work.trust, PROFILES[profile]) == ()
 
 
 ROUND = nominal_of("rounds")[1]
@@ -410,39 +399,6 @@ def test_points_shifted_along_the_axes_are_found(seed: int) -> None:
     points[:, :2] -= 3.0 * axis * np.sign(d.normal)
     found = examined(replace(m, points=points, lines=m.lines[d.index]), SPLINE)
     assert names(found) == {"axis-compensated"}, [f.text for f in found]
-
-
-@pytest.mark.parametrize("profile", ["spline", "triangle"])
-@pytest.mark.parametrize("filter", ["none", "auto", "mean:5", "robust:15"])
-@pytest.mark.parametrize("seed", seeds(30, quick=3))
-def test_swarf_under_the_probe_is_ignored_or_refused(profile: str, filter: str, seed: int) -> None:
-    """50 to 200 um high on 0.3 to 4 mm, away from corners: no correction takes more than 20 um of it away."""
-    nominal = PROFILES[profile]
-    rng = np.random.default_rng([seed, 3])
-    clean = deviations(sound(nominal, seed), nominal)
-    # Between points farther apart than swarf is long nothing tells how long it is.
-    stretch = nominal.stretches()[int(clean.stretch[len(clean) // 2])]
-    own = np.flatnonzero(clean.stretch == clean.stretch[len(clean) // 2])
-    s = clean.s[own] - stretch.begin
-    if len(own) < 20 or np.diff(np.sort(s)).max() > 4.0:
-        return
-    height, wide = rng.uniform(0.05, 0.2), rng.uniform(0.3, 4.0)
-    away = np.abs(s - rng.choice(s[(s > 10.0) & (s < stretch.length - 10.0)])) / (0.5 * wide)
-    value = clean.value.copy()
-    value[own] += np.where(away < 1.0, height * np.sqrt(np.maximum(1.0 - 0.7 * away**2, 0.0)), 0.0)
-
-    def filtered(value: np.ndarray) -> Target:
-        d = replace(clean, value=value)
-        return target_of([Part(d, 0.0 * value, value)], nominal, pipeline.Settings(filter=filter), False, [])
-
-    work = filtered(value)
-    found = distrust.examine_determined(work.deviation, value, work.filtered, work.trust, nominal)
-    if names(found) & {"swarf", "overshoot"}:
-        assert all(f.dangerous for f in found)
-    else:
-        assert np.abs(work.filtered - filtered(clean.value).filtered).max() < 0.02
-    if filter == "none":
-        assert names(found) == {"swarf"}
 
 
 def as_a_control_reports(m: Measurement, profile: Profile, radius: float) -> Measurement:

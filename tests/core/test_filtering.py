@@ -1,24 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import math
-import re
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy.signal import lfilter
 
 from millcorr.errors import InputError, UsageError
-from millcorr.filtering import Filter, separate
-from millcorr.filtering.gaussian_regression import ALPHA, local_line, local_line_on_grid
-from millcorr.filtering.spatial_correlation import moran_test, neighbour_links
-from tests.core.sweeps import examples, slow
+from millcorr.separation import Filter, filtered
+from millcorr.separation.gaussian_regression import ALPHA, local_line, local_line_on_grid
+from tests.core.sweeps import examples
 
-KINDS = ["none", "mean:5", "mean:1,2,3,2,1", "gauss:9", "robust:9", "auto"]
+KINDS = ["none", "mean:5", "mean:1,2,3,2,1", "gauss:9", "robust:9"]
 
 
 def run(s, d, text, *, length, closed):
-    return separate(s, d, length=length, closed=closed, filter=Filter.parse(text))
+    return filtered(s, d, length=length, closed=closed, filter=Filter.parse(text))
 
 
 def operator(s, text, *, length, closed):
@@ -177,7 +174,7 @@ def test_gaussian_transmission(ratio):
         assert transmission == pytest.approx(0.5, rel=1e-15)
 
 
-@pytest.mark.parametrize("text", ["gauss:8", "gauss:500", "robust:8", "auto"])
+@pytest.mark.parametrize("text", ["gauss:8", "gauss:500", "robust:8"])
 def test_straight_line_is_left_alone_at_open_ends(text):
     rng = np.random.default_rng(3)
     s = rng.uniform(0, 100, 80)
@@ -252,7 +249,7 @@ def test_variance_factor_and_freedom_from_the_operator(text, closed):
 
 def test_gap_is_named():
     s = np.append(np.arange(40.0), np.arange(70.0, 100.0))
-    for text in ("gauss:10", "robust:10", "auto"):
+    for text in ("gauss:10", "robust:10"):
         result = run(s, 3 * np.sin(s / 4), text, length=100.0, closed=False)
         assert any("gap" in warning and "31 mm" in warning for warning in result.warnings), text
 
@@ -298,7 +295,7 @@ def test_many_points_with_outliers_on_the_grid():
 # --- outliers
 
 
-@pytest.mark.parametrize(("text", "limit"), [("robust:30", 0.33), ("auto", 0.33)])
+@pytest.mark.parametrize(("text", "limit"), [("robust:30", 0.33)])
 def test_outliers_are_ignored(text, limit):
     s = np.arange(200.0)
     truth = 3 * np.cos(2 * np.pi * s / 200)
@@ -319,257 +316,21 @@ def test_outliers_are_ignored(text, limit):
     assert np.mean(deviations) == pytest.approx(1.0, rel=0.05)
 
 
-def test_short_real_error_is_no_outlier():
-    # A dwell mark ten points wide and ten deviations high must be corrected, not thrown away.
-    s = np.arange(200.0)
-    truth = 10 * np.exp(-(((s - 80) / 4) ** 2))
-    result = run(s, truth + np.random.default_rng(1).normal(size=200), "auto", length=200.0, closed=True)
-    assert np.all(result.weights[76:85] > 0.9)
-    assert abs(result.determined[80] - 10) < 2.5
 
 
-# --- Moran's I
-
-
-def test_morans_i_against_the_double_sum():
-    rng = np.random.default_rng(2)
-    x = np.cumsum(rng.normal(size=30))
-    e = x - x.mean()
-    weights = np.zeros((30, 30))
-    for i in range(30):
-        for j in range(30):
-            weights[i, j] = i != j and min(abs(i - j), 30 - abs(i - j)) <= 2
-    links = neighbour_links(30, np.ones(30, dtype=bool), 2)
-    np.testing.assert_array_equal(links.toarray(), weights)
-    direct = 30 / weights.sum() * sum(
-        weights[i, j] * e[i] * e[j] for i in range(30) for j in range(30)
-    ) / np.sum(e**2)  # fmt: skip
-    from scipy.sparse import csr_array
-
-    moran = moran_test(e, links, csr_array(np.ones((30, 1))))
-    assert moran.index == pytest.approx(direct, rel=1e-12)
-    assert moran.expectation == pytest.approx(-1 / 29, rel=1e-12)
-
-
-def test_links_do_not_cross_gaps():
-    joined = np.array([True, True, False, True])
-    links = neighbour_links(5, joined, 2).toarray()
-    expected = np.zeros((5, 5))
-    for i, j in [(0, 1), (1, 2), (0, 2), (3, 4)]:
-        expected[i, j] = expected[j, i] = 1
-    np.testing.assert_array_equal(links, expected)
-
-
-def test_moments_of_morans_i_against_monte_carlo():
-    from scipy.sparse import csr_array
-
-    rng = np.random.default_rng(4)
-    n, k, draws = 40, 7, 40000
-    design = np.column_stack([np.linspace(-1, 1, n) ** p for p in range(k)])
-    projection = np.eye(n) - design @ np.linalg.pinv(design)
-    links = neighbour_links(n, np.ones(n - 1, dtype=bool), 2)
-    e = rng.normal(size=(draws, n)) @ projection
-    index = n / links.sum() * np.einsum("ij,ij->i", e @ links.toarray(), e) / np.einsum("ij,ij->i", e, e)
-    moran = moran_test(e[0], links, csr_array(design))
-    assert moran.index == pytest.approx(index[0], rel=1e-10)
-    # Four standard errors of a mean and of a variance (normal law: sqrt(2 / draws)).
-    assert moran.expectation == pytest.approx(index.mean(), abs=4 * math.sqrt(moran.variance / draws))
-    assert moran.variance == pytest.approx(index.var(), rel=4 * math.sqrt(2 / draws))
-    # What the plain -1/(n - 1) would miss.
-    assert moran.expectation < -3 / (n - 1)
-
-
-# --- regression with Moran's stop
-
-CASES = {
-    "nothing": (lambda x: 0 * x, 0.15),
-    "few": (lambda x: 3 * np.cos(2 * np.pi * x) + 2 * np.sin(4 * np.pi * x) + np.cos(6 * np.pi * x), 0.33),
-    "fifth": (lambda x: 3 * np.cos(2 * np.pi * x) + 0.8 * np.cos(10 * np.pi * x), 0.36),
-    "eighth": (lambda x: 3 * np.cos(2 * np.pi * x) + 0.8 * np.cos(16 * np.pi * x), 0.42),
-}
-
-
-@pytest.mark.parametrize("rows", [4, slow(20)])
-@pytest.mark.parametrize("case", CASES)
-@pytest.mark.parametrize("closed", [True, False])
-@pytest.mark.parametrize("sigma", [1.0, 0.002])
-def test_regression_finds_the_determined_part(case, closed, sigma, rows):
-    truth, limit = CASES[case]
-    s = np.arange(200) * 1.12 if closed else np.linspace(0, 224, 200)
-    errors, deviations = [], []
-    for seed in range(rows):
-        noise = np.random.default_rng(seed).normal(size=200)
-        result = run(s, sigma * (truth(s / 224) + noise), "auto", length=224.0, closed=closed)
-        errors.append(np.mean((result.determined / sigma - truth(s / 224)) ** 2))
-        deviations.append(result.random_std / sigma)
-        # Five standard errors of a deviation from 200 points.
-        assert deviations[-1] == pytest.approx(1.0, abs=5 / math.sqrt(2 * 170))
-    assert np.mean(np.sqrt(errors)) < limit
-    # What one correction leaves on the next part, in units of what does not repeat: at most 1.1.
-    assert np.mean(np.sqrt(1 + np.array(errors))) <= 1.1
-    # Four standard errors of the mean of so many deviations.
-    assert np.mean(deviations) == pytest.approx(1.0, rel=4 / math.sqrt(2 * 170 * rows))
-
-
-def test_variance_factor_of_the_regression_is_its_share_of_parameters():
-    s = np.arange(200.0)
-    d = np.random.default_rng(0).normal(size=200) + 5 * np.cos(2 * np.pi * s / 100)
-    result = run(s, d, "auto", length=200.0, closed=True)
-    parameters = result.variance_factor * 200
-    if np.all(result.weights == 1.0):
-        assert parameters == pytest.approx(round(parameters), abs=1e-4)
-    assert f"{round(parameters)} parameters" in result.description
-
-
-@pytest.mark.parametrize("closed", [True, False])
-def test_regression_bridges_a_gap_tamely(closed):
-    s = np.arange(200.0)
-    s = s[(s < 60) | (s > 100)]
-    truth = 3 * np.cos(2 * np.pi * s / 200) + 2 * np.sin(4 * np.pi * s / 200)
-    errors = []
-    for seed in range(10):
-        d = truth + np.random.default_rng(seed).normal(size=s.size)
-        result = run(s, d, "auto", length=200.0, closed=closed)
-        assert np.max(np.abs(result.determined - truth)) < 2.0
-        errors.append(np.sqrt(np.mean((result.determined - truth) ** 2)))
-    assert np.mean(errors) < 0.4
-
-
-@pytest.mark.parametrize("closed", [True, False])
-def test_regression_of_clustered_points(closed):
-    s = np.concatenate([np.linspace(0, 1, 300), np.linspace(1, 99, 100)])
-    truth = 3 * np.cos(2 * np.pi * s / 100) + 2 * np.sin(4 * np.pi * s / 100)
-    d = truth + np.random.default_rng(0).normal(size=s.size)
-    result = run(s, d, "auto", length=100.0, closed=closed)
-    assert np.sqrt(np.mean((result.determined - truth)[300:] ** 2)) < 0.8
-    assert result.random_std == pytest.approx(1.0, rel=0.12)
-
-
-def test_correlation_that_the_points_cannot_follow_is_said():
-    # Eight points allow no knots at all, and one wave round them is no noise.
-    s = np.arange(8.0)
-    result = run(s, np.cos(2 * np.pi * s / 8), "auto", length=8.0, closed=True)
-    assert any("still correlated" in warning for warning in result.warnings)
 
 
 def test_two_levels_measured_at_the_same_places():
     s = np.repeat(np.arange(100.0), 2)
     truth = 4 * np.cos(2 * np.pi * s / 100)
     d = truth + np.random.default_rng(3).normal(size=200)
-    for text in ("auto", "gauss:30"):
+    for text in ("robust:30", "gauss:30"):
         result = run(s, d, text, length=100.0, closed=True)
         assert np.sqrt(np.mean((result.determined - truth) ** 2)) < 0.5
         assert result.random_std == pytest.approx(1.0, rel=0.15)
         np.testing.assert_allclose(result.determined[::2], result.determined[1::2], atol=1e-14)
 
 
-def test_many_points_are_gathered_without_harm():
-    n = 20000
-    s = np.random.default_rng(0).uniform(0, 1000, n)
-    truth = 3 * np.cos(2 * np.pi * s / 1000) + np.sin(2 * np.pi * 40 * s / 1000)
-    for closed in (True, False):
-        d = truth + np.random.default_rng(1).normal(size=n)
-        result = run(s, d, "auto", length=1000.0, closed=closed)
-        parameters = result.variance_factor * n
-        error = np.sqrt(np.mean((result.determined - truth) ** 2))
-        assert error < 1.5 * math.sqrt(parameters / n)
-        assert error < 0.15
-        assert result.random_std == pytest.approx(1.0, rel=5 / math.sqrt(2 * n))
-
-
-# --- noise that is correlated along the contour
-
-LENGTH = 224.0
-
-
-def three_harmonics(s):
-    x = 2 * np.pi * s / LENGTH
-    return 3 * np.cos(x) + 2 * np.sin(2 * x) + np.cos(3 * x)
-
-
-def process_noise(n, memory, seed):
-    """Unit noise whose correlation falls as exp(-distance / memory in mm)."""
-    a = math.exp(-LENGTH / n / memory)
-    e = np.random.default_rng(seed).normal(size=n)
-    e[0] /= math.sqrt(1 - a * a)
-    return lfilter([math.sqrt(1 - a * a)], [1, -a], e)
-
-
-def number_of_fits(result):
-    return int(re.search(r"(\d+) fits", result.description).group(1))
-
-
-@pytest.mark.parametrize("rows", [2, slow(10)])
-@pytest.mark.parametrize("closed", [True, False])
-@pytest.mark.parametrize(("n", "memory"), [(200, 2.0), (5000, 0.1), (5000, 1.0), (20000, 0.1), (20000, 1.0)])
-def test_correlated_noise_is_not_followed(n, memory, closed, rows):
-    s = np.arange(n) * (LENGTH / n) if closed else np.linspace(0, LENGTH, n)
-    # Such noise has length / (2 memory) independent values. Three harmonics take a spline of 8 parameters, each
-    # of which catches the variance of one value; a bend whose lack costs less than that cannot be proven, and
-    # chance adds a few parameters: three times 8. Raw data, or a spline that follows the noise, err by 1.
-    expected = math.sqrt(3 * 8 * 2 * memory / LENGTH)
-    errors, deviations, warned = [], [], 0
-    for seed in range(rows):
-        result = run(s, three_harmonics(s) + process_noise(n, memory, seed), "auto", length=LENGTH, closed=closed)
-        errors.append(np.mean((result.determined - three_harmonics(s)) ** 2))
-        deviations.append(result.random_std)
-        warned += any("stay correlated over" in warning for warning in result.warnings)
-        assert number_of_fits(result) <= 300
-    assert math.sqrt(np.mean(errors)) < expected
-    # Every memory twice over is one value: that many values tell the deviation to 1 / sqrt(2 values).
-    assert np.mean(deviations) == pytest.approx(1.0, abs=5 * math.sqrt(memory / LENGTH / rows) + 0.05)
-    assert warned >= (1.0 if n > 200 else 0.8) * rows
-
-
-@pytest.mark.parametrize("rows", [3, slow(10)])
-def test_variance_factor_for_correlated_noise(rows):
-    # The variance that 2 memory / length of it a parameter leave in the determined part.
-    n, memory = 20000, 0.5
-    s = np.arange(n) * (LENGTH / n)
-    ratios = []
-    for seed in range(rows):
-        result = run(s, process_noise(n, memory, seed), "auto", length=LENGTH, closed=True)
-        parameters = re.search(r"of (\d+) parameters", result.description)
-        ratios.append(result.variance_factor / (2 * memory / LENGTH) / (int(parameters[1]) if parameters else 1))
-    assert np.mean(ratios) == pytest.approx(1.0, rel=0.25)
-
-
-@pytest.mark.parametrize("rows", [1, slow(5)])
-@pytest.mark.parametrize("closed", [True, False])
-def test_short_waves_and_marks_stand_out_of_correlated_noise(closed, rows):
-    n, memory = 20000, 0.1
-    s = np.arange(n) * (LENGTH / n) if closed else np.linspace(0, LENGTH, n)
-    shapes = (np.cos(2 * np.pi * 40 * s / LENGTH), 8 * np.exp(-(((s - 80) / 2) ** 2)))
-    for shape in shapes:
-        truth = three_harmonics(s) + shape
-        errors = []
-        for seed in range(rows):
-            result = run(s, truth + process_noise(n, memory, seed), "auto", length=LENGTH, closed=closed)
-            errors.append(np.sqrt(np.mean((result.determined - truth) ** 2)))
-            assert np.max(np.abs(result.determined - truth)) < 5.0
-        # Knots every 1 mm follow either to a thousandth: 224 parameters, in steps of a quarter up to 280.
-        assert np.median(errors) < math.sqrt(300 * 2 * memory / LENGTH)
-
-
-@pytest.mark.parametrize("n", [200, 5000, 20000])
-def test_noise_as_wide_as_the_form_is_followed_and_said(n):
-    # Correlated over 5 mm it has no flat spectrum below the three harmonics: nothing tells it from them.
-    s = np.arange(n) * (LENGTH / n)
-    for seed in range(5):
-        result = run(s, three_harmonics(s) + process_noise(n, 5.0, seed), "auto", length=LENGTH, closed=True)
-        assert any("second part" in warning for warning in result.warnings)
-        assert number_of_fits(result) <= 300
-
-
-def test_dense_white_noise_is_not_called_correlated():
-    n = 20000
-    s = np.arange(n) * (LENGTH / n)
-    for seed in range(10):
-        noise = np.random.default_rng(seed).normal(size=n)
-        result = run(s, three_harmonics(s) + noise, "auto", length=LENGTH, closed=True)
-        assert not result.warnings
-        assert np.sqrt(np.mean((result.determined - three_harmonics(s)) ** 2)) < math.sqrt(30 / n)
-        assert result.random_std == pytest.approx(1.0, rel=5 / math.sqrt(2 * n))
 
 
 # --- symmetries
@@ -599,24 +360,6 @@ def test_order_of_the_points_does_not_matter(text, closed, row):
     assert one.variance_factor == pytest.approx(two.variance_factor, rel=1e-6)
 
 
-@pytest.mark.parametrize("row", [[22, 4, 5, 14, 2, 0, 1, 3, 21], [8, 2, 4, 5, 6, 0, 1, 3, 7]])
-def test_few_points_on_a_short_part_of_a_contour(row):
-    # The peak of the first harmonic, where the knots begin, may fall into the long empty part.
-    s = np.array(row) / 10
-    for seed in range(40):
-        d = np.random.default_rng(seed).normal(size=s.size)
-        result = run(s, d, "auto", length=100.0, closed=True)
-        np.testing.assert_allclose(
-            run(s[::-1], d[::-1], "auto", length=100.0, closed=True).determined[::-1], result.determined, atol=1e-8
-        )
-
-
-def test_search_goes_on_where_outliers_leave_few_places():
-    s = np.array([22, 4, 5, 14, 2, 0, 1, 3, 21]) / 10
-    d = [-0.09375, 0.0, 0.0, -0.0625, 0.0625, 0.0, 0.0, 0.0, -0.09375]
-    assert np.isfinite(run(s, d, "auto", length=100.0, closed=True).determined).all()
-
-
 @pytest.mark.parametrize("text", LINEAR)
 @settings(max_examples=examples(25), deadline=None)
 @given(row=rows)
@@ -629,7 +372,7 @@ def test_start_and_direction_of_a_contour_do_not_matter(text, row):
     np.testing.assert_allclose(one.determined, back.determined, atol=1e-8)
 
 
-@pytest.mark.parametrize("text", ["auto", "robust:40"])
+@pytest.mark.parametrize("text", ["robust:40"])
 @pytest.mark.parametrize("seed", range(8))
 def test_start_and_direction_do_not_matter_to_the_choice(text, seed):
     rng = np.random.default_rng(seed)

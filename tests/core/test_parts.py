@@ -10,7 +10,7 @@ from millcorr import gcode, pipeline
 from millcorr.deviation import deviations
 from millcorr.errors import InputError, RefusedError, UsageError
 from millcorr.measurement import Measurement
-from millcorr.parts import averaged
+from millcorr.separation.parts import averaged
 from millcorr.simulated_machine import SimulatedMachine, reference_contour
 from tests.core.loop_programs import measured
 from tests.core.sweeps import slow

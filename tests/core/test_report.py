@@ -16,7 +16,7 @@ from millcorr.errors import UsageError
 from millcorr.largest import largest_correction
 from millcorr.measurement import Measurement
 from millcorr.nurbs import NurbsCurve
-from millcorr.profile import Contour, Profile
+from millcorr.profile import Contour, Profile, Stretch
 from millcorr.report import page as pages
 from millcorr.report import plots, svg
 from millcorr.report import view as views
@@ -584,3 +584,28 @@ def test_contact_points_stand_off_the_contour_at_the_stated_magnification():
     radius = np.hypot(*(lines[:, :2] - lines[:, :2].mean(axis=0)).T)
     length = np.hypot(lines[:, 2] - lines[:, 0], lines[:, 3] - lines[:, 1])
     np.testing.assert_allclose(length, radius * times * 0.01 / 20.0, rtol=0.01)
+
+
+def test_dense_courses_are_means_of_pixels_and_break_at_gaps():
+    random = np.random.default_rng(1)
+    s = np.concatenate([random.uniform(0, 40, 60_000), random.uniform(45, 100, 60_000)])
+    random.shuffle(s)
+    first, second = plots.by_pixel(s, [np.sin(s), -s], Stretch(0, 0.0, 100.0, False), 0.1)
+    assert len(first[0]) == 400 and len(second[0]) == 550
+    for place, sine, negative in (first, second):
+        np.testing.assert_allclose(negative, -place, atol=1e-9)
+        np.testing.assert_allclose(sine, np.sin(place), atol=0.1**2 / 8)
+        np.testing.assert_allclose(np.diff(place), 0.1, atol=0.05)
+    sparse = s[:50]
+    ((place, value),) = plots.by_pixel(sparse, [sparse**2], Stretch(0, 0.0, 100.0, False), 0.1)
+    np.testing.assert_array_equal(place, np.sort(sparse))
+    np.testing.assert_array_equal(value, np.sort(sparse) ** 2)
+
+
+def test_of_every_place_the_largest_deviation_is_drawn():
+    random = np.random.default_rng(2)
+    s, value = np.round(random.uniform(0, 10, 5000), 2), np.round(random.normal(0, 1, 5000), 1)
+    chosen = views._largest_of_each(s, value, 300)
+    part = np.minimum(((s - s.min()) / np.ptp(s) * 300).astype(int), 299)
+    expected = [max(np.flatnonzero(part == k), key=lambda i: (abs(value[i]), -i)) for k in np.unique(part)]
+    np.testing.assert_array_equal(chosen, expected)

@@ -42,8 +42,9 @@ def test_new_files_and_directories_are_as_readable_as_any(tmp_path):
     plain.mkdir()
     (plain / "file").touch()
     assert mode(write_whole(tmp_path / "new.txt", "")) == mode(plain / "file")
-    (file,) = write_together(tmp_path / "deep" / "new", {"file": ["a\n", "b\n"]})
-    assert file.read_bytes() == b"a\nb\n" and (mode(file.parent), mode(file)) == (mode(plain), mode(plain / "file"))
+    (file,) = write_together(tmp_path / "deep" / "new", {"file": ["µ\n", b"b\n"]})
+    assert file.read_bytes() == "µ\nb\n".encode()
+    assert (mode(file.parent), mode(file)) == (mode(plain), mode(plain / "file"))
 
 
 def test_no_place_to_write_to_is_said_in_one_line(tmp_path):

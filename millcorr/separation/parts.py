@@ -13,10 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .compensation import along
-from .deviation import Deviation
-from .errors import InputError
-from .profile import Profile
+from millcorr.compensation import along
+from millcorr.deviation import Deviation
+from millcorr.errors import InputError
+from millcorr.profile import Profile
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]

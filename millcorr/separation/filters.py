@@ -13,7 +13,6 @@ from numpy.typing import ArrayLike, NDArray
 from millcorr.errors import InputError, UsageError
 
 from .gaussian_regression import LocalLine, local_line, local_line_on_grid
-from .spline_regression import MOST_NODES, PLACES_PER_KNOT, spline_regression
 
 Floats = NDArray[np.float64]
 
@@ -98,6 +97,11 @@ class Filter:
             raise UsageError(f"the weights of filter '{text}' add up to 0; {_LEGAL}")
         return Filter(kind, mask=numbers)
 
+    @property
+    def leaves_out(self) -> bool:
+        """Whether points that are more probably wrong than right have no say."""
+        return self.kind in ("auto", "robust")
+
     def __str__(self) -> str:
         if self.kind == "mean":
             if len(set(self.mask)) == 1:
@@ -107,7 +111,7 @@ class Filter:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Separation:
+class Filtered:
     """Deviations split into a determined and a random part.
 
     Attributes
@@ -198,8 +202,8 @@ class Parts:
     weights: Floats | None = None
 
 
-def separate(s: ArrayLike, d: ArrayLike, *, length: float, closed: bool, filter: Filter) -> Separation:
-    """Split the deviations along one smooth stretch into their determined and their random part.
+def filtered(s: ArrayLike, d: ArrayLike, *, length: float, closed: bool, filter: Filter) -> Filtered:
+    """Pass the deviations along one smooth stretch through a filter that a drawing or a paper prescribes.
 
     Parameters
     ----------
@@ -216,7 +220,7 @@ def separate(s: ArrayLike, d: ArrayLike, *, length: float, closed: bool, filter:
 
     Returns
     -------
-    Separation
+    Filtered
         Independent of the order of the points, of where a closed contour starts and of its direction.
 
     Raises
@@ -228,8 +232,7 @@ def separate(s: ArrayLike, d: ArrayLike, *, length: float, closed: bool, filter:
     Notes
     -----
     The moving average is eqs. (4) and (5) of Werner 2018; the Gaussian filters follow ISO 16610-21, -28 and
-    -31; 'auto' is the regression that stops when Moran's I of the residuals is no longer significant
-    (Poniatowska & Werner). Points at one place count as one point of their mean.
+    -31; 'auto' is no such filter, see `model.separate`. Points at one place count as one point of their mean.
     """
     places = np.asarray(s, dtype=np.float64)
     deviations = np.asarray(d, dtype=np.float64)
@@ -246,8 +249,6 @@ def separate(s: ArrayLike, d: ArrayLike, *, length: float, closed: bool, filter:
         parts = _gaussian(row, filter.cutoff)
     elif filter.kind == "robust":
         parts = _robust_gaussian(row, filter.cutoff)
-    elif filter.kind == "auto":
-        parts = _regression(row, 1e-12 * float(np.max(np.abs(deviations))))
     else:
         raise UsageError(f"unknown filter '{filter}'; {_LEGAL}")
     determined = np.empty_like(deviations)
@@ -268,7 +269,7 @@ def separate(s: ArrayLike, d: ArrayLike, *, length: float, closed: bool, filter:
         return out
 
     factor = float(np.mean(parts.variance))
-    return Separation(determined, parts.random_std, factor, parts.description, warnings, weights, variance, smooth)
+    return Filtered(determined, parts.random_std, factor, parts.description, warnings, weights, variance, smooth)
 
 
 def _unchanged(values: Floats) -> Floats:
@@ -532,56 +533,3 @@ def _biweight_std(residual: Floats) -> float:
 
 def _ends(row: Row) -> str:
     return "closed profile" if row.closed else "linear regression at the open ends per ISO 16610-28"
-
-
-def _regression(row: Row, noise_floor: float) -> Parts:
-    """B-spline regression that stops when the residuals are no longer correlated."""
-    fit = spline_regression(
-        row.d,
-        row.place,
-        row.place_s,
-        period=row.length if row.closed else None,
-        noise_floor=noise_floor,
-    )
-    warnings = list(_gap_warnings(row, 2.0 * fit.knot_spacing))
-    outliers = int(np.count_nonzero(fit.weights < 0.5))
-    if outliers:
-        warnings.append(f"{outliers} point(s) far off their neighbours were taken as outliers and ignored")
-    finest = 2.0 * fit.knot_spacing
-    if not fit.settled:
-        warnings.append(
-            f"the residuals are still correlated with knots every {fit.knot_spacing:.3g} mm"
-            f" (z = {fit.moran.z:.1f}): the random part may hold something determined, and what is random but"
-            f" correlated over more than {finest:.3g} mm is taken as determined; compare with a second part"
-        )
-    if not math.isnan(fit.correlation_length):
-        warnings.append(
-            f"the residuals stay correlated over {fit.correlation_length:.3g} mm: they are spread over all places"
-            f" and over the wavelengths below {finest:.3g} mm as noise is, and are taken as random; only a second"
-            " part can tell"
-        )
-    if fit.settled and 2 * fit.parameters > min(row.place_s.size, MOST_NODES) // PLACES_PER_KNOT > 4:
-        warnings.append(
-            f"knots every {fit.knot_spacing:.3g} mm are nearly as close as the points allow: what is random but"
-            " correlated over several points cannot be told from what is determined; compare with a second part"
-        )
-    if fit.parameters == 1:
-        shape = "a constant"
-    elif fit.parameters < 4 and not row.closed:
-        shape = "a straight line" if fit.parameters == 2 else "a parabola"
-    else:
-        kind = "periodic cubic" if row.closed else "cubic"
-        shape = (
-            f"a {kind} B-spline of {fit.parameters} parameters, 50 % transmission at a wavelength of"
-            f" {2.0 * fit.knot_spacing:.3g} mm"
-        )
-    return Parts(
-        fit.values,
-        fit.random_std,
-        fit.variance,
-        fit.smooth,
-        f"regression on {shape}; Moran's I of the residuals {fit.moran.index:+.3f}, z = {fit.moran.z:+.2f}"
-        f" (correlated above 1.64); {fit.fits} fits{_shortest(row)}",
-        tuple(warnings),
-        fit.weights,
-    )

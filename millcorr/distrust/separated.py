@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the model of the deviations shows: how much of a contour nobody measured, how many points are wrong, heights."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr.deviation import Deviation
+from millcorr.profile import Profile
+from millcorr.separation import Separated
+
+from .findings import Finding
+
+Floats = NDArray[np.float64]
+
+NOTICEABLE = 0.1
+"""From this share of outliers on a word is said: two in a hundred are in every file of a measuring machine."""
+
+MANY = 1.0 / 3.0
+"""From this share on it cannot be told which points are the wrong ones."""
+
+BETWEEN = 0.25
+"""On a closed contour a gap of up to this share is bridged: four points, one each quarter, tell the size of a bore."""
+
+CORRELATED = 0.95
+"""Lengths of the form at which its correlation has fallen to one half (Matern 5/2)."""
+
+LEANING = 0.002
+"""Differences between heights below this, in mm, are not worth a word."""
+
+
+def examine_separated(
+    deviation: Deviation, separated: Separated, profile: Profile, unmeasured_share: float
+) -> tuple[Finding, ...]:
+    """Whether the points speak for their contours, whether most of them can be believed, and whether heights agree.
+
+    Parameters
+    ----------
+    deviation : Deviation
+        Used points of the first part.
+    separated : Separated
+        What repeats of all parts.
+    profile : Profile
+    unmeasured_share : float
+        Largest share of a contour that may be unmeasured.
+
+    Returns
+    -------
+    tuple of Finding
+    """
+    return (
+        *_unmeasured(separated, profile, unmeasured_share),
+        *_outliers(deviation, separated),
+        *_heights(deviation, separated),
+    )
+
+
+def _unmeasured(separated: Separated, profile: Profile, most: float) -> tuple[Finding, ...]:
+    worst: tuple[float, int, float, float] | None = None
+    seen = separated.observed
+    trusted = ~separated.outlier
+    stretches = profile.stretches()
+    reach = CORRELATED * separated.sizes.form_length
+    for contour in np.unique(separated.stretches.contour[seen.stretch]):
+        length, closed = float(profile.total[contour]), profile.contours[contour].closed
+        rows = trusted & (separated.stretches.contour[seen.stretch] == contour)
+        if not rows.any():
+            continue
+        begin = np.array([t.begin for t in stretches])
+        s = np.sort(np.mod(begin[seen.stretch[rows]] + seen.s[rows], length) if closed else
+                    begin[seen.stretch[rows]] + seen.s[rows])  # fmt: skip
+        if closed:
+            gap, start = np.diff(s, append=s[0] + length), s
+            open_ = np.where(gap > BETWEEN * length, np.maximum(gap - 2 * reach, 0.0), 0.0)
+        else:
+            gap, start = np.diff(s, prepend=0.0, append=length), np.append(0.0, s)
+            speaking = np.where((np.arange(len(gap)) == 0) | (np.arange(len(gap)) == len(gap) - 1), reach, 2 * reach)
+            open_ = np.where(gap > BETWEEN * length, np.maximum(gap - speaking, 0.0), 0.0)
+        share, i = float(open_.sum()) / length, int(np.argmax(gap))
+        worst = max(worst or (0.0, 0, 0.0, 0.0), (share, int(contour), float(start[i]), float(gap[i])))
+    if worst is None or worst[0] <= most:
+        return ()
+    share, contour, begin_s, wide = worst
+    ends = np.array([begin_s, begin_s + wide])
+    if profile.contours[contour].closed:
+        ends %= float(profile.total[contour])
+    (x0, y0), (x1, y1) = profile.at(np.full(2, contour), ends)[0]
+    text = (
+        f"{100 * share:.0f} % of the contour has no measured point near, most of it between X{x0:.3f} Y{y0:.3f} and "
+        f"X{x1:.3f} Y{y1:.3f}: measure there, or say with --unmeasured SHARE how much may be left to the mean"
+    )
+    return (Finding("unmeasured", text, True),)
+
+
+def _outliers(deviation: Deviation, separated: Separated) -> tuple[Finding, ...]:
+    wrong = separated.outlier
+    share = float(wrong.mean()) if len(wrong) else 0.0
+    if share <= NOTICEABLE:
+        return ()
+    first = np.flatnonzero(wrong[: len(deviation)])
+    place = ""
+    if len(first):
+        x, y = deviation.foot[first[0]]
+        place = f", the first at X{x:.3f} Y{y:.3f}"
+    text = f"{int(wrong.sum())} of {len(wrong)} points are outliers{place}: clean the part and the probe, measure again"
+    return (Finding("outliers", text, share > MANY),)
+
+
+def _heights(deviation: Deviation, separated: Separated) -> tuple[Finding, ...]:
+    """A wall that leans is not corrected by its mean without a word."""
+    levels = [one for one in separated.levels if one.significant]
+    if len(levels) < 2:
+        return ()
+    low, high = (f(levels, key=lambda one: one.mean) for f in (min, max))
+    apart = high.mean - low.mean
+    if apart < LEANING:
+        return ()
+
+    def z(level: int) -> float:
+        rows = deviation.level == level
+        return float(deviation.z[rows].mean()) if rows.any() else float("nan")
+
+    text = (
+        f"the wall leans: at Z{z(high.level):g} it has {apart * 1000:.1f} um more than at Z{z(low.level):g}; one path "
+        "corrects the mean of the heights"
+    )
+    return (Finding("many-levels", text, False),)

@@ -1,0 +1,407 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Gaussian process along smooth stretches with a banded precision: form, noise with a memory, white noise.
+
+The form is a Matern 5/2 process, kept as value and two derivatives at the nodes of a regular grid (state space:
+Hartikainen & Sarkka 2010; Sarkka & Solin 2019, ch. 12) and read between them by the quintic through two nodes, which
+is what the process itself says there as the grid becomes narrow. The noise with a memory is an Ornstein-Uhlenbeck
+process at the points, one for every part and level. Constants (means, offsets) are columns beside the band. A closed
+stretch is a ring, folded flat: places equally far from the seam to both sides are neighbours in the band.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+ROOT = math.sqrt(5.0)
+
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
+_NODES, _WEIGHTS = (_NODES + 1.0) / 2.0, _WEIGHTS / 2.0
+_LOWER = np.tril_indices(3)
+_PAIRS = np.tril_indices(6)
+
+# Value, slope and bend at both ends of the unit interval to the powers of the quintic between them.
+_QUINTIC = np.linalg.inv(
+    np.array(
+        [
+            [1, 0, 0, 0, 0, 0],
+            [0, 1, 0, 0, 0, 0],
+            [0, 0, 2, 0, 0, 0],
+            [1, 1, 1, 1, 1, 1],
+            [0, 1, 2, 3, 4, 5],
+            [0, 0, 2, 6, 12, 20],
+        ],
+        dtype=np.float64,
+    )
+).T
+_CHUNK = 256
+
+
+@dataclass(frozen=True, slots=True)
+class Sizes:
+    """Standard deviations in mm and lengths in mm.
+
+    Parameters
+    ----------
+    form, form_length : float
+        Standard deviation and length of the Matern 5/2 process (Rasmussen & Williams 2006, eq. 4.17).
+    process, memory : float
+        Standard deviation of the noise with a memory, and the distance over which its correlation falls to 1/e.
+    white : float
+        Standard deviation of the white noise of a point of weight 1.
+    part, level : float
+        Standard deviation of the offsets of whole parts and of whole levels.
+    """
+
+    form: float
+    form_length: float
+    process: float
+    memory: float
+    white: float
+    part: float
+    level: float
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Cells:
+    """Points gathered to the places where the process is looked at.
+
+    Parameters
+    ----------
+    stretch, block : (n,) int64
+        Smooth stretch; part and level together.
+    s : (n,) float64
+        mm from the stretch's start, increasing within each stretch and block.
+    columns : (n, k) float64
+        1 where a constant (mean of a contour, offset of a part, of a level) belongs to the place.
+    kind : (k,) int64
+        What each column is: 0 the mean of a contour, 1 a part's offset, 2 a level's.
+    """
+
+    stretch: Ints
+    block: Ints
+    s: Floats
+    columns: Floats
+    kind: Ints
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Solved:
+    """The posterior for given sizes, kept as a factor.
+
+    Parameters
+    ----------
+    minus_log : float
+        -2 log of the restricted likelihood, but for a constant.
+    factor : (w + 1, N) float64
+        Cholesky factor of the posterior precision of the unit processes, lower band.
+    state : (N,) float64
+        Posterior mean of the unit processes.
+    constants : (k,) float64
+        Posterior mean of the constants, mm.
+    spread : (k, k) float64
+        Their covariance, mm2.
+    answer : (N, k) float64
+        Change of the state for a constant of 1 mm, negative.
+    """
+
+    minus_log: float
+    factor: Floats
+    state: Floats
+    constants: Floats
+    spread: Floats
+    answer: Floats
+    sizes: Sizes
+
+
+class Layout:
+    """Grid of the form and places of the points in one band, for lengths of the form near `step` times eight.
+
+    Parameters
+    ----------
+    cells : Cells
+    lengths : (K,) float64
+        mm, of all stretches.
+    closed : (K,) bool
+    step : float
+        Largest distance of two nodes, mm.
+    """
+
+    def __init__(self, cells: Cells, lengths: Floats, closed: NDArray[np.bool_], step: float) -> None:
+        self.cells, self.lengths, self.closed = cells, lengths, closed
+        number = np.maximum(np.ceil(lengths / step - 1e-9).astype(np.int64), np.where(closed, 4, 1))
+        self.number, self.step = number, lengths / number
+        nodes = number + ~closed
+        self.first = np.concatenate([[0], np.cumsum(nodes)])
+        of = np.repeat(np.arange(len(lengths)), nodes)
+        at = (np.arange(len(of)) - self.first[of]) * self.step[of]
+        self._order(of, at)
+        self._links()
+        self._memory()
+        row, weight = self.read(cells.stretch, cells.s)
+        self.weight = weight
+        self.rows = np.column_stack([row, self.own])
+
+    def _order(self, of: Ints, at: Floats) -> None:
+        """Rows of the band, by stretch and place; the two halves of a ring side by side."""
+        c = self.cells
+        stretch, s = np.concatenate([of, c.stretch]), np.concatenate([at, c.s])
+        length = self.lengths[stretch]
+        s = np.where(self.closed[stretch], np.minimum(s, length - s), s)
+        order = np.lexsort((s, stretch))
+        count = np.concatenate([np.full(len(of), 3), np.ones(len(c.s), dtype=np.int64)])
+        start = np.empty(len(order), dtype=np.int64)
+        start[order] = np.cumsum(count[order]) - count[order]
+        self.size = int(count.sum())
+        self.node, self.own = start[: len(of)], start[len(of) :]
+
+    def _links(self) -> None:
+        """Neighbouring nodes of the form, and where their numbers stand."""
+        last = np.where(self.closed, self.first[1:] - 1, self.first[1:] - 2)
+        k = np.repeat(np.arange(len(self.lengths)), self.number)
+        a = np.arange(len(k)) - (np.cumsum(self.number) - self.number)[k] + self.first[k]
+        b = np.where((a == last[k]) & self.closed[k], self.first[k], a + 1)
+        self.link_stretch = k
+        self.link = (self.node[a], self.node[b])
+        self.begin = self.node[self.first[:-1][~self.closed]]
+
+    def _memory(self) -> None:
+        """Neighbouring points of one part and level."""
+        c = self.cells
+        key = c.stretch * (int(c.block.max(initial=0)) + 1) + c.block
+        order = np.lexsort((c.s, key))
+        key, s = key[order], c.s[order]
+        same = key[1:] == key[:-1]
+        starts = np.flatnonzero(np.concatenate([[True], ~same])) if len(key) else np.zeros(0, dtype=np.int64)
+        ends = np.append(starts[1:], len(key)) - 1
+        self.chain_gap = [s[1:][same] - s[:-1][same]]
+        chain = [(order[:-1][same], order[1:][same])]
+        ring = self.closed[c.stretch[order[starts]]]
+        self.ring_length = self.lengths[c.stretch[order[starts]]][ring]
+        self.chain_gap.append(s[starts[ring]] + self.ring_length - s[ends[ring]])
+        chain.append((order[ends[ring]], order[starts[ring]]))
+        self.gap = np.concatenate(self.chain_gap)
+        self.pair = tuple(self.own[np.concatenate([p[i] for p in chain])] for i in (0, 1))
+        self.head = self.own[order[starts[~ring]]]
+
+    def read(self, stretch: Ints, s: Floats) -> tuple[Ints, Floats]:
+        """Rows of the six states that a place is read from, (n, 6), and their weights, (n, 6)."""
+        s = np.where(self.closed[stretch], np.mod(s, self.lengths[stretch]), np.clip(s, 0.0, self.lengths[stretch]))
+        x = s / self.step[stretch]
+        i = np.minimum(x.astype(np.int64), self.number[stretch] - 1)
+        u = x - i
+        j = np.where(self.closed[stretch] & (i == self.number[stretch] - 1), 0, i + 1)
+        a, b = self.node[self.first[stretch] + i], self.node[self.first[stretch] + j]
+        rows = np.concatenate([a[:, None] + np.arange(3), b[:, None] + np.arange(3)], axis=1)
+        weight: Floats = (u[:, None] ** np.arange(6)) @ _QUINTIC.T
+        return rows, weight
+
+    def bind(self, value: Floats, weight: Floats) -> Bound:
+        """Data at the cells: means, mm, and weights (1/weight times the white variance is a mean's own)."""
+        return Bound(self, value, weight)
+
+
+class Bound:
+    """A layout with data: the likelihood and the posterior for any sizes.
+
+    Made by `Layout.bind`.
+    """
+
+    def __init__(self, layout: Layout, value: Floats, weight: Floats) -> None:
+        self.layout, self.value, self.weight = layout, value, weight
+        a, rows = layout.weight, layout.rows
+        i, j = rows[:, :6][:, _PAIRS[0]], rows[:, :6][:, _PAIRS[1]]
+        pairs = [
+            (i, j, (weight[:, None] * a[:, _PAIRS[0]] * a[:, _PAIRS[1]])),
+            (rows[:, :6], np.broadcast_to(rows[:, 6:], a.shape), weight[:, None] * a),
+            (rows[:, 6], rows[:, 6], weight),
+        ]
+        la, lb = layout.link
+        three = np.arange(3)
+        lower = [(la[:, None] + _LOWER[0], la[:, None] + _LOWER[1]), (lb[:, None] + _LOWER[0], lb[:, None] + _LOWER[1])]
+        cross = (
+            np.repeat(lb[:, None] + three, 3, axis=1),
+            np.tile(la[:, None] + three, (1, 3)),
+        )
+        start = (layout.begin[:, None] + _LOWER[0], layout.begin[:, None] + _LOWER[1])
+        p, q = layout.pair
+        everything = [*((x[0], x[1]) for x in pairs), *lower, cross, start, (p, q)]
+        self.band = max((int(np.abs(x - y).max(initial=0)) for x, y in everything), default=0)
+        size = layout.size
+        self.shape = (self.band + 1, size)
+
+        def place(x: Ints, y: Ints) -> Ints:
+            out: Ints = (np.abs(x - y) * size + np.minimum(x, y)).ravel()
+            return out
+
+        total = self.shape[0] * size
+        self.data = [
+            np.bincount(place(x, y), np.ascontiguousarray(w).ravel(), total).reshape(self.shape) for x, y, w in pairs
+        ]
+        # Both sides of a ring of a single point are the same number of the matrix, and count twice on its diagonal.
+        self.twice = np.where(p == q, 2.0, 1.0)
+        self.form_place = np.concatenate([place(*lower[0]), place(*lower[1]), place(*cross), place(*start)])
+        self.memory_place = np.concatenate([place(p, p), place(q, q), place(p, q), place(layout.head, layout.head)])
+        right = np.column_stack([value, layout.cells.columns])
+        self.right = right
+        weighted = weight[:, None] * right
+        self.form_right = np.column_stack(
+            [np.bincount(rows[:, :6].ravel(), (a * weighted[:, [c]]).ravel(), size) for c in range(right.shape[1])]
+        )
+        self.memory_right = np.zeros_like(self.form_right)
+        self.memory_right[rows[:, 6]] = weighted
+        self.normal = right.T @ weighted
+        self.log_weight = float(np.log(weight).sum())
+
+    def prior(self, form_length: float, memory: float) -> tuple[Floats, float]:
+        """Precision of the unit processes, lower band, and the logarithm of its determinant."""
+        layout = self.layout
+        z = ROOT * layout.step / form_length
+        t = _NODES
+        decay = np.exp(-z[:, None] * t)
+        zt = z[:, None] * t
+        column = decay * np.stack(
+            [np.broadcast_to(t * t / 2, zt.shape), t - zt * t / 2, 1 - 2 * zt + zt * zt / 2]
+        )  # (3, K, 8)
+        noise = np.einsum("akt,bkt,t->kab", column, column, _WEIGHTS) * (16.0 / 3.0 * z**5)[:, None, None]
+        shift = np.zeros((len(z), 3, 3))
+        shift[:, 0, 1] = shift[:, 1, 2] = 1.0
+        shift[:, 2] = np.stack([-(z**3), -3 * z**2, -3 * z], axis=1)
+        nil = shift + z[:, None, None] * np.eye(3)
+        turn = np.exp(-z)[:, None, None] * (np.eye(3) + nil + 0.5 * nil @ nil)
+        back = np.linalg.inv(noise)
+        back = 0.5 * (back + back.transpose(0, 2, 1))
+        first = turn.transpose(0, 2, 1) @ back @ turn
+        across = back @ turn
+        begin = np.zeros((len(z), 3, 3))
+        begin[:, 0, 0], begin[:, 1, 1], begin[:, 2, 2] = 1.0, z**2 / 3, z**4
+        begin[:, 0, 2] = begin[:, 2, 0] = -(z**2) / 3
+        at_begin = np.linalg.inv(begin)
+        k, open_ = layout.link_stretch, ~layout.closed
+        values = np.concatenate(
+            [
+                first[:, _LOWER[0], _LOWER[1]][k].ravel(),
+                back[:, _LOWER[0], _LOWER[1]][k].ravel(),
+                -across.reshape(-1, 9)[k].ravel(),
+                at_begin[:, _LOWER[0], _LOWER[1]][open_].ravel(),
+            ]
+        )
+        total = self.shape[0] * self.shape[1]
+        band: Floats = np.bincount(self.form_place, values, total).astype(np.float64)
+        log_noise, log_begin = np.linalg.slogdet(noise)[1], np.linalg.slogdet(begin)[1]
+        log_det = -float(layout.number @ log_noise) - float(log_begin[open_].sum())
+        if layout.closed.any():
+            zl = (z * layout.number)[layout.closed]
+            nil_l = nil[layout.closed] * layout.number[layout.closed, None, None]
+            whole = np.exp(-zl)[:, None, None] * (np.eye(3) + nil_l + 0.5 * nil_l @ nil_l)
+            log_det += 2.0 * float(np.linalg.slogdet(np.eye(3) - whole)[1].sum())
+        rho = np.exp(-layout.gap / memory)
+        left = -np.expm1(-2.0 * layout.gap / memory)
+        values = np.concatenate(
+            [rho * rho / left, 1.0 / left, -rho / left * self.twice, np.ones(len(layout.head))]
+        )
+        band += np.bincount(self.memory_place, values, total)
+        log_det -= float(np.log(left).sum())
+        log_det += 2.0 * float(np.log(-np.expm1(-layout.ring_length / memory)).sum())
+        return band.reshape(self.shape), log_det
+
+    def solve(self, sizes: Sizes) -> Solved | None:
+        """Posterior for given sizes; None where the numbers do not allow it."""
+        from scipy.linalg import LinAlgError, cho_factor, cho_solve, cho_solve_banded, cholesky_banded
+
+        v = sizes.white**2
+        band, log_prior = self.prior(sizes.form_length, sizes.memory)
+        f, c = sizes.form, sizes.process
+        band += (f * f / v) * self.data[0]
+        band += (f * c / v) * self.data[1]
+        band += (c * c / v) * self.data[2]
+        try:
+            factor = cholesky_banded(band, overwrite_ab=True, lower=True, check_finite=False)
+        except LinAlgError:
+            return None
+        right = (f / v) * self.form_right + (c / v) * self.memory_right
+        found = cho_solve_banded((factor, True), right, check_finite=False)
+        inner = self.normal / v - right.T @ found
+        kind = self.layout.cells.kind
+        own = np.array([0.0, 1.0 / sizes.part**2, 1.0 / sizes.level**2])[kind]
+        normal = inner[1:, 1:] + np.diag(own)
+        try:
+            chol = cho_factor(normal, lower=True)
+        except LinAlgError:
+            return None
+        constants = cho_solve(chol, inner[1:, 0])
+        state = found[:, 0] - found[:, 1:] @ constants
+        rows, a = self.layout.rows, self.layout.weight
+        left = self.value - self.layout.cells.columns @ constants
+        left = left - f * (a * state[rows[:, :6]]).sum(axis=1) - c * state[rows[:, 6]]
+        square = float((self.weight * self.value) @ left) / v
+        minus = (
+            len(self.value) * math.log(v)
+            - self.log_weight
+            + 2.0 * float(np.log(factor[0]).sum())
+            - log_prior
+            + 2.0 * float(np.log(np.diag(chol[0])).sum())
+            - float(np.log(own[own > 0]).sum())
+            + square
+        )
+        spread = cho_solve(chol, np.eye(len(kind)))
+        return Solved(minus, factor, state, constants, spread, found[:, 1:], sizes)
+
+    def residual(self, solved: Solved) -> tuple[Floats, Floats]:
+        """Of every cell its form with all constants, and its noise with a memory, mm; (n,) each."""
+        rows, a = self.layout.rows, self.layout.weight
+        form = solved.sizes.form * (a * solved.state[rows[:, :6]]).sum(axis=1)
+        return form + self.layout.cells.columns @ solved.constants, solved.sizes.process * solved.state[rows[:, 6]]
+
+    def cell_variance(self, solved: Solved, cells: Ints) -> Floats:
+        """Posterior variance at some cells of form, remembered noise and constants together, mm2; (m,)."""
+        from scipy.linalg import cho_solve_banded
+
+        rows = self.layout.rows[cells]
+        a = np.column_stack([solved.sizes.form * self.layout.weight[cells], np.full(len(cells), solved.sizes.process)])
+        constant = self.layout.cells.columns[cells] - (a[:, :, None] * solved.answer[rows]).sum(axis=1)
+        variance: Floats = ((constant @ solved.spread) * constant).sum(axis=1)
+        for low in range(0, len(cells), _CHUNK):
+            here = np.arange(low, min(low + _CHUNK, len(cells)))
+            column = (here - low)[:, None]
+            right = np.zeros((self.layout.size, len(here)), order="F")
+            np.add.at(right, (rows[here], column), a[here])
+            found = cho_solve_banded((solved.factor, True), right, overwrite_b=True, check_finite=False)
+            variance[here] += (a[here] * found[rows[here], column]).sum(axis=1)
+        return variance
+
+    def mean(self, solved: Solved, stretch: Ints, s: Floats, column: Ints) -> Floats:
+        """Form and the constant of a column at places, mm; column -1 for none. (m,)."""
+        rows, a = self.layout.read(stretch, s)
+        form: Floats = solved.sizes.form * (a * solved.state[rows]).sum(axis=1)
+        out: Floats = form + np.append(solved.constants, 0.0)[column]
+        return out
+
+    def variance(self, solved: Solved, stretch: Ints, s: Floats, column: Ints) -> tuple[Floats, Floats]:
+        """Variance of `mean` at places, and its covariance from each place to the next, mm2; (m,) each."""
+        from scipy.linalg import cho_solve_banded
+
+        rows, a = self.layout.read(stretch, s)
+        f = solved.sizes.form
+        unit = np.zeros((len(s), len(solved.constants) + 1))
+        unit[np.arange(len(s)), column] = 1.0
+        # What a constant that is wrong by 1 mm does to the sum.
+        constant = unit[:, :-1] - f * (a[:, :, None] * solved.answer[rows]).sum(axis=1)
+        spread = constant @ solved.spread
+        variance = (spread * constant).sum(axis=1)
+        along = np.append((spread[:-1] * constant[1:]).sum(axis=1), 0.0)
+        for low in range(0, len(s), _CHUNK):
+            here = np.arange(low, min(low + _CHUNK, len(s)))
+            right = np.zeros((self.layout.size, len(here)), order="F")
+            np.add.at(right, (rows[here], (here - low)[:, None]), f * a[here])
+            found = cho_solve_banded((solved.factor, True), right, overwrite_b=True, check_finite=False)
+            variance[here] += f * (a[here] * found[rows[here], (here - low)[:, None]]).sum(axis=1)
+            after = np.minimum(here + 1, len(s) - 1)
+            along[here] += f * (a[after] * found[rows[after], (here - low)[:, None]]).sum(axis=1)
+        return variance, along
