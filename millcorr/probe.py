@@ -37,8 +37,8 @@ GRAZING = 0.1
 SMALLEST_BALL = 0.4
 """A signature of a smaller ball, in mm, is not told from deviations that machining leaves."""
 
-RADIUS_WRONG = 0.1
-"""A radius of a shift that is wrong by less than this, in mm, moves no point by 30 um."""
+FOLLOWS_SLOPE = 0.02
+"""Deviations that follow the slope with less scatter than this, in mm, are left by corners that give way, too (13 um)."""
 
 _LEFT = 0.7
 _NO_SHIFT = 0.2
@@ -231,7 +231,7 @@ def axis_residue(shifted: Measurement, known: Measurement, nominal: Profile) -> 
     design = np.column_stack([np.ones(len(use)), slope])
     (_, excess), *_ = np.linalg.lstsq(design, value, rcond=None)
     before, after = _scatter(value), _scatter(value - slope * excess)
-    if abs(excess) < RADIUS_WRONG or not after < _LEFT * before:
+    if abs(excess) * slope.std() < FOLLOWS_SLOPE or not after < _LEFT * before:
         return None
     radius = max(shifted.axis_radii)
     seen = (

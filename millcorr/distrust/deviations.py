@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import median_filter
 
 from millcorr.deviation import Deviation
 from millcorr.footpoint import FootPointSearch
@@ -226,6 +225,8 @@ def _form(value: Floats) -> tuple[Floats, float]:
 
     The running median of a hundredth of the points, of 3 at least: shorter lumps are outliers, longer ones form.
     """
+    from scipy.ndimage import median_filter
+
     size = max(3, len(value) // 100 | 1)
     middle: Floats = median_filter(value, size=min(size, len(value)), mode="nearest")
     return middle, float(np.ptp(middle))

@@ -132,7 +132,7 @@ def examine_program(deviation: Deviation, offset: Floats, gain: float = 1.0) -> 
     if len(deviation) < 8 or gain <= 0:
         return ()
     order = np.lexsort((deviation.s, deviation.stretch, deviation.level))
-    value, offset = deviation.value[order], offset[order]
+    value, offset = np.clip(deviation.value, *np.percentile(deviation.value, [2, 98]))[order], offset[order]
     shape, seen = offset - offset.mean(), value - value.mean()
     noise, of_offset = point_to_point(value) ** 2, point_to_point(offset) ** 2
     variance = float(shape @ shape) / len(shape)
