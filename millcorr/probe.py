@@ -38,7 +38,7 @@ SMALLEST_BALL = 0.4
 """A signature of a smaller ball, in mm, is not told from deviations that machining leaves."""
 
 FOLLOWS_SLOPE = 0.02
-"""Deviations that follow the slope with less scatter than this, in mm, are left by corners that give way, too (13 um)."""
+"""Deviations that follow the slope with less scatter than this, in mm, corners that give way leave, too (13 um)."""
 
 _LEFT = 0.7
 _NO_SHIFT = 0.2

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from millcorr import gcode, pipeline
+from millcorr import distrust, gcode, pipeline
 from millcorr.deviation import deviations
 from millcorr.errors import DistrustError, RefusedError
 from millcorr.measurement import Measurement
