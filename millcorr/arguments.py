@@ -111,7 +111,11 @@ def _add_inputs(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("--measured", metavar="FILE", type=Path, action="append", default=[], help=several)
     _add_measurement(verb)
     verb.add_argument("--nominal", metavar="FILE", help="profile: document#label, step, iges, brep, dxf, json, nc")
-    verb.add_argument("--tool-diameter", metavar="MM", type=float, help="cutter diameter")
+    verb.add_argument("--tool-diameter", metavar="MM", type=float, help="cutter diameter of the measured surface")
+    others = "number and diameter of another tool of the program, where its comments do not say it; give several"
+    verb.add_argument("--tool", metavar="T=MM", action="append", default=[], dest="tools", help=others)
+    along = "move what roughs along the contour with it, so that its allowance stays"
+    verb.add_argument("--keep-allowance", action="store_true", help=along)
     _add_path(verb)
     fits = "best fit before comparing: none, shift, rigid, or some of x, y, turn joined by +; then :zone or :all"
     verb.add_argument("--align", default="none", metavar="FIT", help=fits)
@@ -131,9 +135,7 @@ def _add_inputs(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("--limit", type=float, default=0.5, metavar="MM", help="largest correction")
     verb.add_argument("--dead-band", type=float, default=0.0, metavar="MM", help="leave smaller deviations")
     share = "largest share of a contour without points near that is corrected all the same (default 0.6)"
-    verb.add_argument(
-        "--unmeasured", type=float, default=0.6, metavar="SHARE", dest="unmeasured_share", help=share
-    )
+    verb.add_argument("--unmeasured", type=float, default=0.6, metavar="SHARE", dest="unmeasured_share", help=share)
 
 
 def _add_transfer(verb: argparse.ArgumentParser) -> None:

@@ -407,7 +407,9 @@ def beside_the_path(toolpath: Toolpath, following: Bools) -> Bools:
     return out
 
 
-def on_the_path(toolpath: Toolpath, usable: Bools, cut: list[CutContour], resolution: float) -> Bools:
+def on_the_path(
+    toolpath: Toolpath, usable: Bools, cut: list[CutContour], resolution: float, *, reach: float = 0.0
+) -> Bools:
     """Moves that run on the path of contours: the passes that cut them, at every depth, and spring passes.
 
     Parameters
@@ -418,19 +420,22 @@ def on_the_path(toolpath: Toolpath, usable: Bools, cut: list[CutContour], resolu
     cut : list of CutContour
     resolution : float
         What the program's coordinates are rounded to, mm.
+    reach : float
+        Passes that run along the path so far away, in mm, are among them, too, whatever their tool: what roughs before
+        what finishes.
 
     Returns
     -------
     (n,) bool
         A move that runs onto the path and along it in one is among them.
     """
-    band = max(ALONG * resolution, SAME_POINT)
+    band = max(ALONG * resolution, SAME_POINT, reach)
     vertices = np.vstack([np.vstack([one.path.start[:, :2], one.path.end[:, :2]]) for one in cut])
     same = np.zeros(len(toolpath), dtype=bool)
     for tool, compensation in np.unique(
         np.concatenate([np.stack([one.path.tool, one.path.compensation], axis=1) for one in cut]), axis=0
     ):
-        same |= (toolpath.tool == tool) & (toolpath.compensation == compensation)
+        same |= ((toolpath.tool == tool) & (toolpath.compensation == compensation)) | (reach > 0)
     runs = cutting_runs(toolpath)
     rows = np.concatenate(runs) if runs else np.zeros(0, dtype=np.int64)
     rows = rows[(same & usable & rows_near(toolpath, vertices, band))[rows]]

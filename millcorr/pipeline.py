@@ -26,6 +26,7 @@ from .commanded import (
     nominal_of,
     on_the_path,
 )
+from .comparison.cutters import cutter_radii, stated_diameters
 from .compensation import Correction, dead_band
 from .deviation import Deviation, deviations, statistics
 from .errors import DistrustError, FormatError, InputError, LimitError, UsageError
@@ -330,6 +331,10 @@ def correct(request: Request, *, check: bool = False) -> Result:
         raise UsageError("--method predicted takes no --measured: with touches use --method combined")
 
     usable, path_radius = _usable(program, request.radius, settings)
+    cutters = _cutters(program, request, path_radius, measurement, warnings)
+    plain = usable
+    own = np.where(toolpath.compensation != Compensation.OFF, path_radius, request.radius)
+    usable = usable & (np.abs(cutters - own) < EXACT)
     kept = np.ones(len(toolpath), dtype=bool)
     if settings.leave_stock:
         if measurement is not None:
@@ -340,7 +345,6 @@ def correct(request: Request, *, check: bool = False) -> Result:
     nominal = request.nominal
     # What the program itself cuts is corrected in place; on a given profile, and a first cut, the path is laid anew.
     in_place = nominal is None and not settings.leave_stock
-    cutters = _cutters(toolpath, request.radius, path_radius)
     row_of, whole = np.flatnonzero(kept), (toolpath, usable)
     expected: CompensatedContour | None = None
     if nominal is None:
@@ -351,6 +355,8 @@ def correct(request: Request, *, check: bool = False) -> Result:
         )
         if in_place:
             following = on_the_path(toolpath, usable, cut, program.resolution)
+            if settings.keep_allowance:
+                following |= on_the_path(toolpath, plain, cut, program.resolution, reach=settings.limit)
     if not in_place:
         reach = settings.limit if carried else 0.0
         given = request.nominal is not None
@@ -668,14 +674,22 @@ def _own_contour(
     return nominal, cut
 
 
-def _cutters(toolpath: Toolpath, radius: float, path_radius: float) -> Floats:
-    """Radius of the cutter of every move, mm; 0 where the control takes it into account.
-
-    In such a program it is not known (NaN) of moves without compensation, which begin where the control has put the
-    cutter and not where the program says.
-    """
-    compensated = toolpath.compensation != Compensation.OFF
-    return np.where(compensated, path_radius, np.nan if path_radius == 0 else radius)
+def _cutters(
+    program: gcode.Program, request: Request, path_radius: float, measurement: Measurement | None, warnings: list[str]
+) -> Floats:
+    """Radius of the cutter of every move of the program, mm; NaN where it is not known."""
+    if len(np.unique(program.toolpath.tool)) < 2:
+        return cutter_radii(program.toolpath, request.radius, path_radius, {}, measurement)[0]
+    scale = 25.4 if (program.modal.unit == 20).any() else 1.0
+    stated = stated_diameters(program.comments(), scale) | dict(request.settings.tool_diameters)
+    radii, unknown = cutter_radii(program.toolpath, request.radius, path_radius, stated, measurement)
+    if unknown:
+        listed = ", ".join(f"T{tool}" for tool in unknown)
+        warnings.append(
+            f"the diameter of {listed} is not known: what it cuts stays as it is and is not looked at; "
+            f"--tool {unknown[0]}=MM states it"
+        )
+    return radii
 
 
 def _usable(program: gcode.Program, radius: float, settings: Settings) -> tuple[NDArray[np.bool_], float]:

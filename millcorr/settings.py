@@ -46,6 +46,10 @@ class Settings:
         Stock that the program of the measured parts left over the nominal, one for all or one each; empty for 0.
     leave_stock : float
         Stock that the written program leaves over the nominal: a first cut, before anything is measured.
+    tools : tuple of str
+        Diameters of other tools of the program, each ``T=MM``.
+    keep_allowance : bool
+        Passes that run along the contour up to `limit` away, as roughing passes do, are moved with it.
     unmeasured_share : float
         Largest share of a contour that may lie farther from any point than the form hangs together; more is refused.
     iterate : float, optional
@@ -72,6 +76,8 @@ class Settings:
     leave_stock: float = 0.0
     iterate: float | None = None
     unmeasured_share: float = 0.6
+    tools: tuple[str, ...] = ()
+    keep_allowance: bool = False
 
     def __post_init__(self) -> None:
         choices = {
@@ -103,6 +109,8 @@ class Settings:
             raise UsageError(f"--dead-band {self.dead_band:g}: must not be negative")
         for name in ("depth", "allowance"):
             object.__setattr__(self, name, _lengths(getattr(self, name)))
+        object.__setattr__(self, "tools", tuple(self.tools))
+        _ = self.tool_diameters
         self._check_depths()
         self._check_iteration()
 
@@ -150,6 +158,27 @@ class Settings:
             raise UsageError(f"--iterate {self.iterate:g}: must be a length above 0")
         if self.gain != 1.0 or self.dead_band:
             raise UsageError("--iterate takes the whole error out: it goes with neither --gain nor --dead-band")
+
+    @property
+    def tool_diameters(self) -> tuple[tuple[int, float], ...]:
+        """Numbers and diameters of the tools that are stated apart, mm.
+
+        Raises
+        ------
+        UsageError
+            If one is no number and diameter.
+        """
+        out = []
+        for text in self.tools:
+            number, _, diameter = text.upper().removeprefix("T").partition("=")
+            try:
+                tool, value = int(number), float(diameter)
+            except ValueError:
+                tool, value = -1, 0.0
+            if tool < 0 or not 0 < value < math.inf:
+                raise UsageError(f"--tool {text}: write the number and the diameter of a tool in mm, as --tool 3=16")
+            out.append((tool, value))
+        return tuple(out)
 
     @property
     def depths(self) -> tuple[float, ...]:
