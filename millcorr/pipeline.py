@@ -42,7 +42,7 @@ from .reconstruction import CompensatedContour
 from .regeneration import Regeneration
 from .regeneration.emission import Emission, emit
 from .regeneration.vanishing_arcs import without_vanishing_arcs
-from .separation import Filter, Separated
+from .separation import Separated
 from .settings import Settings as Settings
 from .setup_file import Setup
 from .targets import Elastic, Part, Target, correction_through, target_of
@@ -397,7 +397,6 @@ def correct(request: Request, *, check: bool = False) -> Result:
     else:
         parts: list[Part] = []
         sources: list[str] = []
-        filter_ = Filter.parse(settings.filter)
         heights = distrust.CutHeights.of(toolpath, following, nominal)
         if setup is not None and not settings.depths and setup.stock.allowance_mm is not None:
             # What an elastic machine may leave of this depth is no mistake.

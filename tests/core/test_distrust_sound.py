@@ -524,8 +524,6 @@ def test_three_of_four_parts_of_an_earlier_program_are_seen_whatever_the_noise()
 
 def test_every_name_is_tested() -> None:
     elsewhere = {
-        "overshoot",
-        "swarf",
         "unmeasured",
         "outliers",
         "many-levels",
