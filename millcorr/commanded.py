@@ -281,7 +281,7 @@ def nominal_of(
 
 
 def _refuse_steps(made: list[CutContour], measurement: Measurement) -> None:
-    """InputError where points were measured on several steps of a wall: each step is a contour of its own."""
+    """InputError where points were measured on several steps of a wall: each is a contour of its own."""
     for k, one in enumerate(made):
         profile = Profile.from_contours([one.contour])
         places, normal = profile.at(0, np.linspace(0.0, float(profile.total[0]), 33))
@@ -289,10 +289,11 @@ def _refuse_steps(made: list[CutContour], measurement: Measurement) -> None:
             feet = FootPointSearch(Profile.from_contours([other.contour])).find(places)
             beside = (np.abs(feet.distance) < REACH) & ((feet.normal * normal).sum(axis=1) > 0.9)
             if beside.mean() > 0.5:
+                apart = float(np.median(np.abs(feet.distance[beside])))
                 raise InputError(
-                    f"{measurement.source}: the points lie on steps of a wall that the program cuts at Z{_deepest(other):g} "
-                    f"and Z{_deepest(one):g}, {np.median(np.abs(feet.distance[beside])):.3f} mm apart: correct one step at "
-                    "a time, with the points of its own heights"
+                    f"{measurement.source}: the points lie on steps of a wall that the program cuts at "
+                    f"Z{_deepest(other):g} and Z{_deepest(one):g}, {apart:.3f} mm apart: correct one step at a time, "
+                    "with the points of its own heights"
                 )
 
 

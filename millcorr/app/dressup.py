@@ -163,6 +163,20 @@ PROPERTIES = (
         0.6,
     ),
     Property(
+        "StringList",
+        "Tools",
+        "Correction",
+        _text("App::Property", "Diameters of other tools of the path, each as 3=16"),
+        [],
+    ),
+    Property(
+        "Bool",
+        "KeepAllowance",
+        "Correction",
+        _text("App::Property", "Passes that rough along the contour are moved with it"),
+        False,
+    ),
+    Property(
         "Length",
         "Tolerance",
         "Correction",

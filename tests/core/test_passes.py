@@ -13,7 +13,7 @@ import pytest
 import shapely
 
 from millcorr import gcode, pipeline
-from millcorr.errors import LimitError
+from millcorr.errors import InputError, LimitError
 from millcorr.measurement import Measurement
 
 R = 4.0
@@ -21,7 +21,7 @@ W, H = 80.0, 50.0
 
 
 def ring(distance: float) -> list[tuple[float, float]]:
-    """Outside of a rectangle of W x H about the origin, from the middle of the lower side, clockwise seen from above."""
+    """Outside of a rectangle of W x H about the origin, from the middle of the lower side, clockwise."""
     x, y = W / 2 + distance, H / 2 + distance
     return [(0.0, -y), (-x, -y), (-x, y), (x, y), (x, -y), (0.0, -y)]
 
@@ -146,9 +146,16 @@ def test_of_a_draft_in_steps_the_measured_one_moves() -> None:
     np.testing.assert_allclose(wall(parts[2], -5.0), 0.10 - 0.015, atol=0.001)
 
 
+def test_steps_of_a_draft_measured_together_are_refused() -> None:
+    steps = [once(R + 0.05 * k, -2.0 - 2.0 * k) for k in range(3)]
+    with pytest.raises(InputError, match=r"Z-\d and Z-\d, 0\.050 mm apart: correct one step at a time"):
+        correct(program(*steps), measured(points(0.01, -1.0), points(0.02, -3.0, 0.05)))
+
+
 def test_two_laps_with_compensation_are_one_contour() -> None:
     lap = "".join(f"G1 X{x:.3f} Y{y:.3f} F400.\n" for x, y in ring(0.0)[1:])
-    text = f"G21 G90\nG0 X0. Y-60.\nG0 Z5.\nG1 Z-3. F100.\nG41 D1 G1 X0. Y-25. F400.\n{lap}{lap}G40 G1 X0. Y-60.\nG0 Z20.\nM30\n"
+    head = "G21 G90\nG0 X0. Y-60.\nG0 Z5.\nG1 Z-3. F100.\nG41 D1 G1 X0. Y-25. F400.\n"
+    text = f"{head}{lap}{lap}G40 G1 X0. Y-60.\nG0 Z20.\n"
     _, new = correct(text, measured(points(0.02)))
     assert len(re.findall(r"X-39\.98 Y-24\.98\b", new)) == 2
 
@@ -162,7 +169,8 @@ def test_facets_of_any_length(facet: float) -> None:
     normal /= np.hypot(*normal.T)[:, None]
     path = np.round(np.column_stack([a * np.cos(t), b * np.sin(t)]) + R * normal, 3)[::-1]
     lines = "".join(f"G1 X{x:.3f} Y{y:.3f}\n" for x, y in path[1:])
-    text = f"G21 G90\nG0 X60. Y0.\nG1 Z-3. F100.\nG1 X{path[0, 0]:.3f} Y{path[0, 1]:.3f} F400.\n{lines}G1 X60. Y0.\nG0 Z20.\nM30\n"
+    start = f"X{path[0, 0]:.3f} Y{path[0, 1]:.3f}"
+    text = f"G21 G90\nG0 X60. Y0.\nG1 Z-3. F100.\nG1 {start} F400.\n{lines}G1 X60. Y0.\nG0 Z20.\nM30\n"
     s = np.arange(0, len(t), max(1, len(t) // 150))
     on = np.column_stack([a * np.cos(t), b * np.sin(t)])[s] + 0.015 * normal[s]
     _, new = correct(text, measured(np.column_stack([on, np.full(len(on), -2.0)])))
