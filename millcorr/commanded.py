@@ -50,6 +50,10 @@ facets of one contour differ by so much."""
 COVERS = 0.5
 """A pass that runs on less of a path than this share does not cut it again: it leads onto it."""
 
+ROUGHED = 0.005
+"""What leaves less stock than this, in mm, to the pass behind it on a given profile is no roughing pass: FreeCAD lays
+the arcs of one contour otherwise at another depth."""
+
 FEW = 0.02
 """A contour that made a smaller share of the points is not the one that was measured: that many may be outliers."""
 
@@ -488,6 +492,42 @@ def _sections(toolpath: Toolpath) -> Ints:
     travel = np.nan_to_num(toolpath.end[:, :2] - toolpath.start[:, :2], nan=1.0)
     jump: Ints = ((toolpath.kind == int(Kind.RAPID)) & (np.abs(travel).max(axis=1) > 0)).astype(np.int64)
     return np.cumsum(jump)
+
+
+def roughing(surface: CommandedSurface, following: Bools, nominal: Profile, resolution: float) -> Bools:
+    """Moves along a profile that leave stock which others take away at the same height.
+
+    Parameters
+    ----------
+    surface : CommandedSurface
+    following : (n,) bool
+        Moves that run along the profile.
+    nominal : Profile
+    resolution : float
+        What the program's coordinates are rounded to, mm.
+
+    Returns
+    -------
+    (n,) bool
+        Those of which no other than a small part is on the surface that all passes leave.
+    """
+    toolpath = surface.toolpath
+    rows = np.flatnonzero(following & (surface.radius > 0))
+    out = np.zeros(len(toolpath), dtype=bool)
+    if not len(rows):
+        return out
+    u = (np.arange(9) + 0.5) / 9
+    which, share = np.repeat(np.arange(len(rows)), 9), np.tile(u, len(rows))
+    search = FootPointSearch(nominal, margin=float(np.nanmax(surface.radius)) + 2.0)
+    feet = search.find(toolpath.place(rows[which], share))
+    own = feet.distance - surface.radius[rows[which]]
+    z = np.fmax(toolpath.start[rows, 2], toolpath.end[rows, 2])[which]
+    made = surface.offset(feet.foot, feet.normal, np.nan_to_num(z, nan=np.inf))
+    smooth = feet.place == Place.SMOOTH
+    over = smooth & (own - made > max(ALONG * resolution, ROUGHED))
+    counted = np.bincount(which, smooth, minlength=len(rows))
+    out[rows] = np.bincount(which, over, minlength=len(rows)) > 0.5 * np.maximum(counted, 1)
+    return out
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -25,6 +25,7 @@ from .commanded import (
     cut_onto_the_contour,
     nominal_of,
     on_the_path,
+    roughing,
 )
 from .comparison.cutters import cutter_radii, stated_diameters
 from .compensation import Correction, dead_band
@@ -361,6 +362,10 @@ def correct(request: Request, *, check: bool = False) -> Result:
         reach = settings.limit if carried else 0.0
         given = request.nominal is not None
         nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, given)
+        rough = roughing(CommandedSurface(toolpath, cutters[kept]), commanded.following, nominal, program.resolution)
+        if rough.any() and not settings.keep_allowance:
+            usable = usable & ~rough
+            nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, given)
         divided, row = cut_onto_the_contour(toolpath, commanded.following)
         if len(divided) > len(toolpath):
             _, found = _turned_to_the_path(nominal, divided, path_radius, usable[row], reach, False)
