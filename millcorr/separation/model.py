@@ -54,13 +54,13 @@ OUTLIER_SPREAD = 10.0
 IGNORED = 1e-6
 """Weight of what is certainly wrong: its own value no longer counts, its distance from the others is known."""
 
-# Median and spread, in logarithms, of what machines do: form 10 um on 20 mm, noise 1 um each; a factor of e^2 either
-# way costs as much as one standard deviation, so that twenty points overrule it.
+# Median and spread, in logarithms, of what machines do: form of 10 um on 30 mm, noise of 1 um each with a memory of
+# 1.5 mm; weak enough for some tens of points to overrule them.
 _PRIOR = {
     "form": (math.log(0.010), 1.5),
-    "form_length": (math.log(20.0), 1.0),
+    "form_length": (math.log(30.0), 1.0),
     "process": (math.log(0.001), 1.0),
-    "memory": (math.log(1.0), 0.7),
+    "memory": (math.log(1.5), 0.7),
     "white": (math.log(0.001), 1.5),
     "part": (math.log(0.002), 1.5),
     "level": (math.log(0.002), 1.5),
