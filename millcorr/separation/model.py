@@ -55,12 +55,12 @@ IGNORED = 1e-6
 """Weight of what is certainly wrong: its own value no longer counts, its distance from the others is known."""
 
 # Median and spread, in logarithms, of what machines do: form of 10 um on 30 mm, noise of 1 um each with a memory of
-# 1.5 mm; weak enough for some tens of points to overrule them.
+# 1 mm; weak enough for some tens of points to overrule them.
 _PRIOR = {
     "form": (math.log(0.010), 1.5),
     "form_length": (math.log(30.0), 1.0),
     "process": (math.log(0.001), 1.0),
-    "memory": (math.log(1.5), 0.7),
+    "memory": (math.log(1.0), 0.7),
     "white": (math.log(0.001), 1.5),
     "part": (math.log(0.002), 1.5),
     "level": (math.log(0.002), 1.5),
@@ -246,7 +246,7 @@ class Likelihood:
         limits = self.limits()
         x = np.clip(x, [a for a, _ in limits], [b for _, b in limits])
         found = minimize(
-            self.gradient, x, jac=True, method="L-BFGS-B", bounds=limits, options={"maxiter": rounds, "ftol": 1e-5}
+            self.gradient, x, jac=True, method="L-BFGS-B", bounds=limits, options={"maxiter": rounds, "ftol": 1e-6}
         )
         return float(found.fun), np.asarray(found.x)
 
