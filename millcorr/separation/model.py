@@ -76,6 +76,7 @@ _ROUNDS = 8
 _FEW = 8
 _SETTLED = 0.2
 _UNLIKELY = 0.01
+_KNOWN_BADLY = 200
 _ROUNDS_OF_START, _ROUNDS_OF_SEARCH, _HOPEFUL = 5, 12, 25.0
 _MOST_PLACES = 1000
 
@@ -593,7 +594,7 @@ def separate(observed: Observed, stretches: Stretches, filter: Filter | None = N
     column, _ = _columns(stretches, gathered.contours, of)
     variance, along = bound.variance(solved, of, at, column)
     band = _whole_band(variance, along, of)
-    variance = variance + _of_sizes(gathered, fit, of, at, column)
+    variance = variance + _of_sizes(gathered, fit, variance, of, at, column)
     variance = variance + _of_kind(gathered, fit, sizes, bound.mean(solved, of, at, column), of, at, column)
     out = Separated(
         observed, stretches, filter, np.zeros(0), np.zeros(0), fit.weight, sizes, band,
@@ -606,7 +607,7 @@ def separate(observed: Observed, stretches: Stretches, filter: Filter | None = N
     return _prescribed(out, mean)
 
 
-def _of_sizes(gathered: Gathered, fit: Fit, of: Ints, at: Floats, column: Ints) -> Floats:
+def _of_sizes(gathered: Gathered, fit: Fit, variance: Floats, of: Ints, at: Floats, column: Ints) -> Floats:
     """Variance of the systematic part at places because the sizes are not known exactly; to first order.
 
     Their covariance is the inverse of the curvature of the likelihood (Laplace; Rasmussen & Williams 2006, 5.2).
@@ -625,18 +626,23 @@ def _of_sizes(gathered: Gathered, fit: Fit, of: Ints, at: Floats, column: Ints) 
         for j in range(i):
             curve[i, j] = curve[j, i] = likelihood(x + unit[i] + unit[j], bound) - plus[i] - plus[j] + here
     value, vector = np.linalg.eigh(curve / (2.0 * step**2))
-    out = np.zeros(len(of))
+    out, more = np.zeros(len(of)), np.zeros(len(of))
+    few = len(gathered.value) <= _KNOWN_BADLY
     lower, upper = np.array(likelihood.limits()).T
     # The priors know a logarithm to 1.5: no direction is known worse.
     for spread, direction in zip(1.0 / np.sqrt(np.maximum(value, 1.0 / 1.5**2)), vector.T, strict=True):
         means = []
         for sign in (1.0, -1.0):
             solved = bound.solve(likelihood.sizes(np.clip(x + sign * spread * direction, lower, upper)))
-            if solved is not None:
-                means.append(bound.mean(solved, of, at, column))
+            if solved is None:
+                continue
+            means.append(bound.mean(solved, of, at, column))
+            if few:
+                # Of few points the variance itself is known badly: its mean over the sizes, to second order.
+                more += 0.5 * (bound.variance(solved, of, at, column)[0] - variance)
         if len(means) == 2:
             out += 0.25 * (means[0] - means[1]) ** 2
-    return out
+    return out + np.maximum(more, 0.0)
 
 
 def _of_kind(
