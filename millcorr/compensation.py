@@ -53,11 +53,11 @@ class Course:
         return Course(np.array([0.0, length]), np.array([[value], [0.0], [0.0], [0.0]]), length if closed else 0.0)
 
     @staticmethod
-    def through(s: Floats, value: Floats, length: float, closed: bool, level: bool = True) -> Course:
+    def through(s: Floats, value: Floats, length: float, closed: bool) -> Course:
         """Cubic spline through values at increasing arc lengths within one stretch (at least one).
 
         On an open stretch it runs out level at the first and the last value, so that holding them beyond makes
-        no kink; not with `level` False, for values that reach from end to end.
+        no kink.
         """
         if len(s) == 1 or np.ptp(value) == 0.0:
             return Course.constant(float(value[0]), length, closed)
@@ -66,7 +66,7 @@ class Course:
         if closed:
             spline = CubicSpline(np.append(s, s[0] + length), np.append(value, value[0]), bc_type="periodic")
         else:
-            spline = CubicSpline(s, value, bc_type="clamped" if level else "not-a-knot")
+            spline = CubicSpline(s, value, bc_type="clamped")
         return Course(np.array(spline.x), np.array(spline.c[::-1]), length if closed else 0.0)
 
     @property

@@ -25,6 +25,9 @@ SUPPORTS = 24.0
 
 MOST_SUPPORTS = 20_000
 
+CARRIED = 1.0
+"""What a program carries is read every so many mm: a form is never shorter than two."""
+
 SAME = 1e-7
 """Displacements in mm that are the same."""
 
@@ -257,9 +260,7 @@ def _at_one_depth(
     """Parts of one depth: their mean, separated; the transfer function where the settings want one."""
     first = parts[0]
     deviation, machine = first.deviation, first.machine
-    # Of a program that carries a correction the model sees what is left: far from any point the correction stays.
-    shown = [(p.deviation, p.machine + p.offset if corrected_before else p.machine) for p in parts]
-    separated = _separated(shown, nominal, settings)
+    separated = _separated([(p.deviation, p.machine) for p in parts], nominal, settings)
     part_std = math.nan
     if len(parts) > 1:
         several = averaged([(p.deviation, p.machine) for p in parts], nominal)
@@ -270,8 +271,6 @@ def _at_one_depth(
         )
     n = len(deviation)
     determined, uncertainty = separated.systematic[:n], separated.uncertainty[:n]
-    if corrected_before:
-        determined = determined - first.offset
     weight = separated.weight[:n]
     random_std = part_std if math.isfinite(part_std) else separated.random_std
     if settings.method != "transfer":
@@ -435,6 +434,8 @@ def correction_through(
             f"({int((np.abs(work.wanted) > settings.limit).sum())} points), more than --limit {settings.limit:g} mm; "
             "nothing was corrected: look at the place in the report of `check`, and say a larger --limit if it is right"
         )
+    sound = np.ones(len(d), dtype=bool) if work.outlier is None else ~work.outlier
+    left_over = float(d.value[sound].mean()) if sound.any() else 0.0
     measured = {stretches[k].contour for k in np.unique(d.stretch)}
     courses = []
     left = 0
@@ -445,21 +446,28 @@ def correction_through(
             courses.append(there or Course.constant(0.0, stretch.length, stretch.closed))
             continue
         rows = d.stretch == k
-        base = there if work.added else None
-        places = _supports(separated, stretch, s[rows], base, settings)
+        base = _carried(there, stretch) if work.added and there is not None else None
+        places = _supports(separated, stretch, s[rows], settings)
 
         def mirrored(at: Floats, k: int = k, base: Course | None = base) -> Floats:
             own = np.zeros(len(at)) if base is None else base(at)[0]
-            left = separated.at(np.full(len(at), k), at)[0]
-            return own - settings.gain * dead_band(left, settings.dead_band)
+            mean, std = separated.at(np.full(len(at), k), at)
+            out = own - settings.gain * dead_band(own + mean, settings.dead_band)
+            if base is None:
+                return out
+            # Far from any point what the program carries stays, but for the mean of what is left.
+            stays = own - settings.gain * left_over
+            return out + (stays - out) * _unknown(std, separated.sizes.form)
 
         value = mirrored(places)
         if rows.any():
             # What a transfer function, or a series, wants otherwise at the points.
             more = work.wanted[rows] - mirrored(s[rows])
-            if np.abs(more).max() > SAME:
+            # Where a program carries a correction, that is known to the tolerance of its moves.
+            known = 2.0 * settings.tolerance if work.added and work.elastic is None else SAME
+            if np.abs(more).max() > known:
                 value = value + interpolated(s[rows], more, stretch.length, stretch.closed, places)
-        course = Course.through(places, value, stretch.length, stretch.closed, level=False)
+        course = Course.through(places, value, stretch.length, stretch.closed)
         refuse_swing(nominal, stretch, course, settings.limit)
         courses.append(course)
     if left:
@@ -467,9 +475,21 @@ def correction_through(
     return Correction(stretches, tuple(courses))
 
 
-def _supports(
-    separated: Separated, stretch: Stretch, s: Floats, base: Course | None, settings: Settings
-) -> Floats:
+def _unknown(std: Floats, form: float) -> Floats:
+    """How little is known of the form at places: 0 where less than half of its variance is open, 1 where all is."""
+    x = np.clip(2.0 * (std / form) ** 2 - 1.0, 0.0, 1.0)
+    out: Floats = x * x * (3.0 - 2.0 * x)
+    return out
+
+
+def _carried(course: Course, stretch: Stretch) -> Course:
+    """What a program carries without the facets and digits of its moves, which are no correction."""
+    count = max(math.ceil(stretch.length / CARRIED), 4)
+    s = np.linspace(0.0, stretch.length, count, endpoint=not stretch.closed)
+    return Course.through(s, course(s)[0], stretch.length, stretch.closed)
+
+
+def _supports(separated: Separated, stretch: Stretch, s: Floats, settings: Settings) -> Floats:
     """Places that a cubic spline through follows the correction to 0.05 um, mm from the stretch's start."""
     step = separated.sizes.form_length / SUPPORTS
     if settings.dead_band > 0:
@@ -479,9 +499,4 @@ def _supports(
         step = min(step, max(float(np.median(np.diff(np.sort(s)))), 0.05) / 3.0)
     count = min(max(math.ceil(stretch.length / step), 8), MOST_SUPPORTS)
     even = np.linspace(0.0, stretch.length, count, endpoint=not stretch.closed)
-    if base is None:
-        return even
-    inside = base.breaks[(base.breaks > 0.0) & (base.breaks < stretch.length)]
-    both: Floats = np.unique(np.concatenate([even, inside]))
-    out: Floats = both[np.concatenate([[True], np.diff(both) > 1e-3])]
-    return out
+    return even

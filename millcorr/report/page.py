@@ -301,8 +301,9 @@ def _plots(result: Result) -> list[str]:
         parts.append("<h2>Deviation along the contour</h2>" + figure(plot))
     within, why = near_zero(result)
     rejected = None
-    if result.request.measurement is not None and d.rejected:
-        rejected = result.request.measurement.points[[r.index for r in d.rejected]]
+    left_out = [r.index for r in d.rejected] + [row["index"] for row in result.outliers()]
+    if result.request.measurement is not None and left_out:
+        rejected = result.request.measurement.points[left_out]
     plot = on_contour(result.nominal, d, result.filtered, within=within, rejected=rejected)
     title = "Deviations on the contour" if len(d) else "Contour"
     more = f" Near zero: up to {um(within)} {MICRO}, {why}." if len(d) else ""

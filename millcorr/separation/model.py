@@ -54,11 +54,11 @@ OUTLIER_SPREAD = 10.0
 IGNORED = 1e-6
 """Weight of what is certainly wrong: its own value no longer counts, its distance from the others is known."""
 
-# Median and spread, in logarithms, of what machines do: form 10 um on 20 mm, noise 1 um each; a factor of e^2 either
-# way costs as much as one standard deviation, so that twenty points overrule it.
+# Median and spread, in logarithms, of what machines do: form of 10 um on 30 mm, noise of 1 um each with a memory of
+# 1 mm; weak enough for some tens of points to overrule them.
 _PRIOR = {
     "form": (math.log(0.010), 1.5),
-    "form_length": (math.log(20.0), 1.0),
+    "form_length": (math.log(30.0), 1.0),
     "process": (math.log(0.001), 1.0),
     "memory": (math.log(1.0), 0.7),
     "white": (math.log(0.001), 1.5),
@@ -76,6 +76,7 @@ _ROUNDS = 8
 _FEW = 8
 _SETTLED = 0.2
 _UNLIKELY = 0.01
+_KNOWN_BADLY = 60
 _ROUNDS_OF_START, _ROUNDS_OF_SEARCH, _HOPEFUL = 5, 12, 25.0
 _MOST_PLACES = 1000
 
@@ -246,7 +247,7 @@ class Likelihood:
         limits = self.limits()
         x = np.clip(x, [a for a, _ in limits], [b for _, b in limits])
         found = minimize(
-            self.gradient, x, jac=True, method="L-BFGS-B", bounds=limits, options={"maxiter": rounds, "ftol": 1e-5}
+            self.gradient, x, jac=True, method="L-BFGS-B", bounds=limits, options={"maxiter": rounds, "ftol": 1e-6}
         )
         return float(found.fun), np.asarray(found.x)
 
@@ -593,7 +594,7 @@ def separate(observed: Observed, stretches: Stretches, filter: Filter | None = N
     column, _ = _columns(stretches, gathered.contours, of)
     variance, along = bound.variance(solved, of, at, column)
     band = _whole_band(variance, along, of)
-    variance = variance + _of_sizes(gathered, fit, of, at, column)
+    variance = variance + _of_sizes(gathered, fit, variance, of, at, column)
     variance = variance + _of_kind(gathered, fit, sizes, bound.mean(solved, of, at, column), of, at, column)
     out = Separated(
         observed, stretches, filter, np.zeros(0), np.zeros(0), fit.weight, sizes, band,
@@ -606,7 +607,7 @@ def separate(observed: Observed, stretches: Stretches, filter: Filter | None = N
     return _prescribed(out, mean)
 
 
-def _of_sizes(gathered: Gathered, fit: Fit, of: Ints, at: Floats, column: Ints) -> Floats:
+def _of_sizes(gathered: Gathered, fit: Fit, variance: Floats, of: Ints, at: Floats, column: Ints) -> Floats:
     """Variance of the systematic part at places because the sizes are not known exactly; to first order.
 
     Their covariance is the inverse of the curvature of the likelihood (Laplace; Rasmussen & Williams 2006, 5.2).
@@ -625,18 +626,23 @@ def _of_sizes(gathered: Gathered, fit: Fit, of: Ints, at: Floats, column: Ints) 
         for j in range(i):
             curve[i, j] = curve[j, i] = likelihood(x + unit[i] + unit[j], bound) - plus[i] - plus[j] + here
     value, vector = np.linalg.eigh(curve / (2.0 * step**2))
-    out = np.zeros(len(of))
+    out, more = np.zeros(len(of)), np.zeros(len(of))
+    few = len(gathered.value) <= _KNOWN_BADLY
     lower, upper = np.array(likelihood.limits()).T
     # The priors know a logarithm to 1.5: no direction is known worse.
     for spread, direction in zip(1.0 / np.sqrt(np.maximum(value, 1.0 / 1.5**2)), vector.T, strict=True):
         means = []
         for sign in (1.0, -1.0):
             solved = bound.solve(likelihood.sizes(np.clip(x + sign * spread * direction, lower, upper)))
-            if solved is not None:
-                means.append(bound.mean(solved, of, at, column))
+            if solved is None:
+                continue
+            means.append(bound.mean(solved, of, at, column))
+            if few:
+                # Of few points the variance itself is known badly: its mean over the sizes, to second order.
+                more += 0.5 * (bound.variance(solved, of, at, column)[0] - variance)
         if len(means) == 2:
             out += 0.25 * (means[0] - means[1]) ** 2
-    return out
+    return out + np.maximum(more, 0.0)
 
 
 def _of_kind(

@@ -252,7 +252,8 @@ def test_the_band_covers_what_it_says(count: int, memory: float, trials: int) ->
         whole.append(bool(np.all(np.abs(mean - form(at)) < found.band * std)))
     # The places of one part hang together: of 8 parts the share scatters by some 3 %.
     assert np.mean(inside) > (0.88 if trials < 20 else 0.92)
-    assert np.mean(whole) > 0.8
+    # Of 8 parts one is outside half of the time, two are now and then.
+    assert np.mean(whole) > (0.6 if trials < 20 else 0.85)
 
 
 # --- parts and heights
