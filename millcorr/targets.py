@@ -461,8 +461,10 @@ def correction_through(
 
         value = mirrored(places)
         if rows.any():
-            # What a transfer function, or a series, wants otherwise at the points.
-            more = work.wanted[rows] - mirrored(s[rows])
+            # What a series wants otherwise at the points; a transfer function is no matter of what is mirrored.
+            if work.elastic is not None:
+                value = np.zeros(len(places))
+            more = work.wanted[rows] - (mirrored(s[rows]) if work.elastic is None else 0.0)
             # Where a program carries a correction, that is known to the tolerance of its moves.
             known = 2.0 * settings.tolerance if work.added and work.elastic is None else SAME
             if np.abs(more).max() > known:

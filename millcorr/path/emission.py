@@ -16,6 +16,7 @@ from millcorr.nurbs import NurbsCurve
 from millcorr.profile import Contour, Profile
 from millcorr.reconstruction import CompensatedContour
 from millcorr.regeneration.emission import Emission, written_text
+from millcorr.regeneration.free_ends import keep_coordinate
 from millcorr.settings import Settings
 from millcorr.toolpath import Toolpath
 
@@ -85,8 +86,12 @@ def emit_in_place(
         tolerance=settings.tolerance,
         output_moves=settings.output_moves,
     )
-    text = written_text(program, regeneration, settings.tolerance, header)
     reach = regeneration.largest_shift + settings.tolerance
+    if settings.depth_along != "normal" and not any(c.closed for c in nominal.contours):
+        # Ends slide along themselves by no more than twice as far again.
+        reach += 2 * regeneration.largest_shift
+        regeneration = keep_coordinate(program.toolpath, regeneration, axis="yx".index(settings.depth_along))
+    text = written_text(program, regeneration, settings.tolerance, header)
     emitted = prove_text(program.data, text, regeneration.lines, header=header, reach=reach).moves.toolpath()
     emitted = emitted.take(~_nowhere(emitted))
     planned = regeneration.toolpath.take(~_nowhere(regeneration.toolpath))

@@ -72,9 +72,11 @@ def prove_surface(
         here = known & (was - before.moved < REACHED)
         reached |= here
         own = np.where(here, np.fmin(own, was), own)
-        # What was off before stays: rounding and chords of the program itself.
-        off = np.where(here, now - was - wanted, np.where(known, np.minimum(now - after.moved, 0.0), 0.0))
-        off = np.where(off > 0, np.maximum(off - rest, 0.0), off)
+        # What was off before stays: rounding and chords of the program itself. What it left, as it does beside an inside
+        # corner, may go; into the wanted surface nothing may cut.
+        change, over = now - was - wanted, now - after.moved
+        off = np.where(change > 0, np.where(here, np.maximum(change - rest, 0.0), 0.0), np.maximum(change, over))
+        off = np.where(known, np.where(change > 0, off, np.minimum(off, 0.0)), 0.0)
         error = np.where(np.abs(off) > np.abs(error), off, error)
     worst = int(np.argmax(np.abs(error)))
     x, y = after.place[worst]
