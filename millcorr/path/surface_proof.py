@@ -72,7 +72,7 @@ def prove_surface(
         here = known & (was - before.moved < REACHED)
         reached |= here
         own = np.where(here, np.fmin(own, was), own)
-        # What was off before stays: rounding and chords of the program itself. What it left, as it does beside an inside
+        # What was off before stays: rounding and chords of the program itself. What it left, as beside an inside
         # corner, may go; into the wanted surface nothing may cut.
         change, over = now - was - wanted, now - after.moved
         off = np.where(change > 0, np.where(here, np.maximum(change - rest, 0.0), 0.0), np.maximum(change, over))

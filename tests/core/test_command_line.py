@@ -14,7 +14,9 @@ import pytest
 
 from millcorr import gcode, pipeline
 from millcorr.__main__ import main
+from millcorr.comparison.path_distance import PathDistance
 from millcorr.readers import text
+from millcorr.toolpath import Kind
 from tests.core import loop_programs as programs
 
 REPOSITORY = Path(__file__).resolve().parents[2]
@@ -493,8 +495,11 @@ def test_the_compensated_profile_is_no_nominal(shop):
     assert shop.correct("--nominal rep/profile.json", output="other.nc") == INPUT
     assert "give the nominal.json beside it" in shop.err
     assert shop.correct("--nominal rep/nominal.json", output="other.nc") == DONE
-    own, again = (moves_of(shop.directory / name) for name in ("out.nc", "other.nc"))
-    assert own == pytest.approx(again, abs=1.1e-3)
+    own, again = (gcode.read(shop.directory / name).toolpath for name in ("out.nc", "other.nc"))
+    path = PathDistance(again, np.flatnonzero(again.kind != Kind.RAPID))
+    # Both are within 1 um of the same surface, and divided where each needs it.
+    cut = own.take(own.kind != Kind.RAPID)
+    assert path(cut.position(np.linspace(0.0, 1.0, 9))[:, :, :2].reshape(-1, 2)).max() < 2.1e-3
 
 
 @pytest.mark.parametrize("option", ["--mapping map.toml", "--probe probe.toml"])

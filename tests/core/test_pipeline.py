@@ -97,7 +97,8 @@ def test_arcs_stay_arcs_about_the_same_centres() -> None:
     radius = np.hypot(*(before.start - before.centre)[arcs, :2].T)
     moved = np.hypot(*(after.start - after.centre)[arcs, :2].T)
     # Both arcs are convex: 10 + 5 shrinks with the part; the one about a sharp corner keeps the cutter's radius.
-    assert moved - radius == pytest.approx([-0.02, 0.0], abs=1e-9)
+    # The surface is drawn by chords that are off it by 0.1 um.
+    assert moved - radius == pytest.approx([-0.02, 0.0], abs=1e-4)
 
 
 def test_path_error_against_an_independent_offset() -> None:
