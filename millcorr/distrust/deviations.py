@@ -311,6 +311,10 @@ def _sides(deviation: Deviation, profile: Profile) -> list[Ints]:
 def _moved_or_scaled(deviation: Deviation, profile: Profile, depth: float) -> tuple[Finding | None, Finding | None]:
     """A shift and turn, or a change of size, that by itself explains most of the deviations.
 
+    A size leaves no constant beside it. With a free one the two cancel on a small or round part, and together with a
+    shift they fit any four sides of a rectangle. So beside a size there is no more of a constant than what needs no
+    explanation, and the size must move the rim by more than such a constant can cancel.
+
     No word where a stated depth leaves that much: walls of different stiffness look like either.
     """
     low, high = np.percentile(deviation.value, [2, 98])
@@ -334,31 +338,36 @@ def _moved_or_scaled(deviation: Deviation, profile: Profile, depth: float) -> tu
         )
         misaligned = Finding("misalignment", text, moved > MISALIGNED)
     growth = (arm * n).sum(axis=1)
-    fitted, scaled, _ = _explained(clipped, np.column_stack([n, turn, growth]))
+    fitted, scaled, _ = _explained(clipped, np.column_stack([n, turn, growth]), LARGE_MEAN)
     moved = float(np.abs(fitted[3] * growth).max())
-    # Beside a shift and turn, of what those leave.
-    if scaled >= EXPLAINED and 1.0 - scaled <= (1.0 - EXPLAINED) * (1.0 - explained) and moved >= NOTICEABLE:
+    # The simpler goes first: of what a mean, a shift and a turn leave.
+    if scaled >= EXPLAINED and 1.0 - scaled <= (1.0 - EXPLAINED) * (1.0 - explained) and moved > MISALIGNED:
         factor = 1.0 + float(fitted[3]) / size
         text = (
             f"{100 * scaled:.0f} % of the deviations are what a size of {factor:.6f} times the profile's would "
             f"give ({moved * 1000:.0f} um at the rim; steel makes 11.5 um per metre and degree): check temperature, "
             "unit and scale of the measurement; no scale is ever applied"
         )
-        grown = Finding("scale", text, moved > MISALIGNED)
+        grown = Finding("scale", text, True)
     return misaligned, grown
 
 
-def _explained(value: Floats, design: Floats) -> tuple[Floats, float, float]:
-    """Fit of columns beside a constant: coefficients, share of the variance that they explain, largest effect.
+def _explained(value: Floats, design: Floats, most: float = np.inf) -> tuple[Floats, float, float]:
+    """Fit of columns beside a constant of at most so many mm: coefficients, share explained, largest effect.
 
-    Columns that the points hardly determine (one straight edge, a round part) say nothing and are left out.
+    The share is of the variance; a mean that is left counts as not explained. Columns that the points hardly determine
+    (one straight edge, a round part) say nothing and are left out.
     """
     out = np.zeros(design.shape[1])
     strong = np.sqrt(((design - design.mean(axis=0)) ** 2).mean(axis=0)) > 0.1
     columns = np.column_stack([np.ones(len(value)), design[:, strong]])
     variance = float(value.var())
-    if columns.shape[1] < 2 or np.linalg.cond(columns) > 20 or variance == 0.0:
+    if not strong.any() or np.linalg.cond(columns) > 20 or variance == 0.0:
         return out, 0.0, 0.0
-    out[strong] = np.linalg.lstsq(columns, value, rcond=None)[0][1:]
+    constant = float(np.linalg.lstsq(columns, value, rcond=None)[0][0])
+    # Of a quadratic in one number the best within bounds is the best of all, cut at the bound.
+    constant = min(max(constant, -most), most)
+    out[strong] = np.linalg.lstsq(columns[:, 1:], value - constant, rcond=None)[0]
     effect = design @ out
-    return out, 1.0 - float((value - effect).var()) / variance, float(np.abs(effect).max())
+    left = float(((value - constant - effect) ** 2).mean())
+    return out, 1.0 - left / variance, float(np.abs(effect).max())

@@ -288,13 +288,15 @@ def near_zero(result: Result) -> tuple[float, str]:
     settings = result.request.settings
     if settings.dead_band > 0:
         return settings.dead_band, "the dead band"
-    if math.isfinite(result.random_std) and result.random_std > 0:
+    if math.isfinite(result.random_std) and result.random_std > 0 and not nothing_measured(result):
         return 2 * result.random_std, f"twice the random part's {SIGMA}"
     return settings.tolerance, "the path's tolerance"
 
 
 def _plots(result: Result) -> list[str]:
     d = result.deviation
+    # What a model leaves without a form is no scatter of parts.
+    scatter = math.nan if nothing_measured(result) else result.random_std
     parts = []
     if len(d):
         plot = along_contour(result.nominal, d, result.filtered, result.predicted, result.uncertainty)
@@ -310,7 +312,7 @@ def _plots(result: Result) -> list[str]:
     parts.append(f"<h2>{title}</h2>" + figure(Plot(plot.svg, plot.caption + more)))
     if len(d):
         parts.append("<h2>Path and contour</h2>" + figure(path_and_contour(result)))
-        parts.append("<h2>Distribution</h2>" + figure(histogram(d.value, result.predicted, result.random_std)))
+        parts.append("<h2>Distribution</h2>" + figure(histogram(d.value, result.predicted, scatter)))
     return parts
 
 

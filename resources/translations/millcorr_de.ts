@@ -88,6 +88,18 @@
         <translation>Totband</translation>
     </message>
     <message>
+        <source>Unmeasured share</source>
+        <translation>Ungemessener Anteil</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Keep allowance</source>
+        <translation>Aufmaß beibehalten</translation>
+    </message>
+    <message>
         <source>Tolerance</source>
         <translation>Toleranz</translation>
     </message>
@@ -246,6 +258,18 @@
     <message>
         <source>Deviations up to this are left alone</source>
         <translation>Abweichungen bis hierher bleiben unberührt</translation>
+    </message>
+    <message>
+        <source>Largest share of a contour without points near that is corrected all the same</source>
+        <translation>Größter Anteil einer Kontur ohne Punkte in der Nähe, der trotzdem korrigiert wird</translation>
+    </message>
+    <message>
+        <source>Diameters of other tools of the path, each as 3=16</source>
+        <translation>Durchmesser anderer Werkzeuge der Bahn, jeweils als 3=16</translation>
+    </message>
+    <message>
+        <source>Passes that rough along the contour are moved with it</source>
+        <translation>Schnitte, die entlang der Kontur schruppen, werden mit ihr verschoben</translation>
     </message>
     <message>
         <source>Largest distance of the path from the exact one</source>

@@ -173,7 +173,7 @@ def elastic(name: str) -> Measurement:
     def softer_walls(k: int, s: np.ndarray) -> np.ndarray:
         c, n = NOMINAL.at(k, s)
         if name == "scale":
-            return 0.07 + 0.08 * ((c - [(left + right) / 2, (bottom + top) / 2]) * n).sum(axis=1) / size
+            return 0.02 + 0.13 * ((c - [(left + right) / 2, (bottom + top) / 2]) * n).sum(axis=1) / size
         return 0.15 * n[:, 0]
 
     whole = measured(NOMINAL, softer_walls)
