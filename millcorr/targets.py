@@ -23,6 +23,9 @@ from .transfer_function import TransferFunction, along_axis, examine, from_line,
 SUPPORTS = 24.0
 """Supports of a correction in a length of the form: its nodes are a sixth apart, with a quintic between them."""
 
+LEVEL = 1.0
+"""Length in mm of the last piece of an open course, on which it runs out level."""
+
 MOST_SUPPORTS = 20_000
 
 CARRIED = 1.0
@@ -501,4 +504,8 @@ def _supports(separated: Separated, stretch: Stretch, s: Floats, settings: Setti
         step = min(step, max(float(np.median(np.diff(np.sort(s)))), 0.05) / 3.0)
     count = min(max(math.ceil(stretch.length / step), 8), MOST_SUPPORTS)
     even = np.linspace(0.0, stretch.length, count, endpoint=not stretch.closed)
+    if not stretch.closed and stretch.length > 6 * LEVEL:
+        # A course ends level: on a shorter way it would bend more than a cutter follows.
+        even = even[(even >= LEVEL) & (even <= stretch.length - LEVEL)]
+        even = np.concatenate([[0.0], even, [stretch.length]])
     return even
