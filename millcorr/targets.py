@@ -462,10 +462,12 @@ def correction_through(
         value = mirrored(places)
         if rows.any():
             # What a transfer function, or a series, wants otherwise at the points.
-            more = work.wanted[rows] - mirrored(s[rows])
-            # Where a program carries a correction, that is known to the tolerance of its moves.
-            known = 2.0 * settings.tolerance if work.added and work.elastic is None else SAME
-            if np.abs(more).max() > known:
+            plain = mirrored(s[rows])
+            if work.added and work.elastic is None:
+                # From the same offsets as what is wanted: facets and digits of the moves are no wish of a series.
+                plain = work.commanded[rows] - settings.gain * dead_band(work.filtered[rows], settings.dead_band)
+            more = work.wanted[rows] - plain
+            if np.abs(more).max() > SAME:
                 value = value + interpolated(s[rows], more, stretch.length, stretch.closed, places)
         course = Course.through(places, value, stretch.length, stretch.closed)
         refuse_swing(nominal, stretch, course, settings.limit)
