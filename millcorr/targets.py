@@ -466,11 +466,14 @@ def correction_through(
         if rows.any():
             # What a series wants otherwise at the points; a transfer function is no matter of what is mirrored.
             if work.elastic is not None:
-                value = np.zeros(len(places))
-            more = work.wanted[rows] - (mirrored(s[rows]) if work.elastic is None else 0.0)
-            # Where a program carries a correction, that is known to the tolerance of its moves.
-            known = 2.0 * settings.tolerance if work.added and work.elastic is None else SAME
-            if np.abs(more).max() > known:
+                value, plain = np.zeros(len(places)), np.zeros(int(rows.sum()))
+            elif work.added:
+                # From the same offsets as what is wanted: facets and digits of the moves are no wish of a series.
+                plain = work.commanded[rows] - settings.gain * dead_band(work.filtered[rows], settings.dead_band)
+            else:
+                plain = mirrored(s[rows])
+            more = work.wanted[rows] - plain
+            if np.abs(more).max() > SAME:
                 value = value + interpolated(s[rows], more, stretch.length, stretch.closed, places)
         course = Course.through(places, value, stretch.length, stretch.closed)
         refuse_swing(nominal, stretch, course, settings.limit)
