@@ -84,6 +84,8 @@ class Request:
         place of what was measured: smoothed over the parts of a series.
     setup : Setup, optional
         Tool, material, machine and stock, for the methods that simulate.
+    nominal_is_first_program : bool
+        True where the nominal is what the first, uncorrected program cuts: the path keeps that program's form.
     shift : Correction, optional
         Displacement of the nominal that is known beforehand, in place of one from a measurement.
     """
@@ -98,6 +100,7 @@ class Request:
     setup: Setup | None = None
     shift: Correction | None = None
     in_series: bool = False
+    nominal_is_first_program: bool = False
 
     @property
     def measurements(self) -> tuple[Measurement, ...]:
@@ -345,7 +348,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
             usable = usable[kept]
     nominal = request.nominal
     # What the program itself cuts is corrected in place; on a given profile, and a first cut, the path is laid anew.
-    in_place = nominal is None and not settings.leave_stock
+    in_place = (nominal is None or request.nominal_is_first_program) and not settings.leave_stock
     row_of, whole = np.flatnonzero(kept), (toolpath, usable)
     expected: CompensatedContour | None = None
     if nominal is None:
@@ -354,11 +357,10 @@ def correct(request: Request, *, check: bool = False) -> Result:
         nominal, cut = _own_contour(
             program, toolpath, settings, measurement, request.radius, path_radius, usable, warnings
         )
-        if in_place:
-            following = on_the_path(toolpath, usable, cut, program.resolution)
-            if settings.keep_allowance:
-                following |= on_the_path(toolpath, plain, cut, program.resolution, reach=settings.limit)
-    if not in_place:
+        following = on_the_path(toolpath, usable, cut, program.resolution)
+        if settings.keep_allowance:
+            following |= on_the_path(toolpath, plain, cut, program.resolution, reach=settings.limit)
+    if request.nominal is not None or settings.leave_stock:
         reach = settings.limit if carried else 0.0
         given = request.nominal is not None
         nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, given)
@@ -367,7 +369,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
             usable = usable & ~rough
             nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, given)
         divided, row = cut_onto_the_contour(toolpath, commanded.following)
-        if len(divided) > len(toolpath):
+        if len(divided) > len(toolpath) and not in_place:
             _, found = _turned_to_the_path(nominal, divided, path_radius, usable[row], reach, False)
             # What only touches the contour is no part of it, and stays one move.
             if len(np.unique(row[found.following])) > commanded.following.sum():
@@ -433,7 +435,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
             cut_by_another = allowance or again is not None
             offset = np.zeros(len(deviation)) if cut_by_another else offset_of(deviation, part.has_z)
             machine = deviation.value - offset
-            if in_place and not cut_by_another:
+            if request.nominal is None and in_place and not cut_by_another:
                 # The nominal is what the passes leave; the profile only says where and which way.
                 deviation, offset = replace(deviation, value=machine), np.zeros(len(machine))
             findings = distrust.examine_deviations(
@@ -485,7 +487,15 @@ def correct(request: Request, *, check: bool = False) -> Result:
     def lay(correction: Correction) -> Emission:
         if in_place:
             emission, note = emit_in_place(
-                program, following, nominal, correction, path_radius, cutters, settings, header=header
+                program,
+                following,
+                nominal,
+                correction,
+                path_radius,
+                cutters,
+                settings,
+                header=header,
+                carried=None if expected is None else expected.correction,
             )
             warnings.extend([note] if note is not None and note not in warnings else [])
             return emission

@@ -339,7 +339,8 @@ def _moved_or_scaled(deviation: Deviation, profile: Profile, depth: float) -> tu
         misaligned = Finding("misalignment", text, moved > MISALIGNED)
     growth = (arm * n).sum(axis=1)
     fitted, scaled, _ = _explained(clipped, np.column_stack([n, turn, growth]), LARGE_MEAN)
-    moved = float(np.abs(fitted[3] * growth).max())
+    # What a mean takes back of a size is no error of the part.
+    moved = min(float(np.abs(fitted[3] * growth).max()), float(np.abs(clipped).max()))
     # The simpler goes first: of what a mean, a shift and a turn leave.
     if scaled >= EXPLAINED and 1.0 - scaled <= (1.0 - EXPLAINED) * (1.0 - explained) and moved > MISALIGNED:
         factor = 1.0 + float(fitted[3]) / size

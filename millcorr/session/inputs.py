@@ -70,7 +70,16 @@ def program_request(
     measurement = parts[0] if parts else None
     source, radius = nc.read(program), tool_diameter / 2
     profile = None if nominal is None else read_nominal(nominal, radius, settings, measurement)
-    return pipeline.Request(source, radius, measurement, profile, settings, parts[1:], setup=known)
+    first = nominal is not None and _is_program(nominal)
+    return pipeline.Request(
+        source, radius, measurement, profile, settings, parts[1:], setup=known, nominal_is_first_program=first
+    )
+
+
+def _is_program(nominal: str) -> bool:
+    """Whether a nominal is the first program, and neither a drawing nor a profile."""
+    suffix = Path(nominal.partition("#")[0]).suffix.lower()
+    return suffix != ".json" and suffix not in CAD_SUFFIXES
 
 
 def operation_contour(document: Path, operation: str | None) -> tuple[Profile, nc.Program, float]:

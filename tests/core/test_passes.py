@@ -182,3 +182,31 @@ def test_facets_of_any_length(facet: float) -> None:
     # Facets of 1 mm stand off the curve by 8 um on the radius of the ends; rounding by 0.7 um.
     allowed = 0.0025 + facet**2 / (8 * b * b / a) * (1 + R / (b * b / a))
     assert off.max() < allowed and inside.max() < allowed
+
+
+def test_a_program_in_facets_is_corrected_again() -> None:
+    """Facets of 0.3 mm at three decimals; what is left after the first correction goes with the second."""
+    t = np.linspace(0, 2 * np.pi, 700)
+    on = np.column_stack([30.0 * np.cos(t), 18.0 * np.sin(t)])
+    normal = np.column_stack([18.0 * np.cos(t), 30.0 * np.sin(t)])
+    normal /= np.hypot(*normal.T)[:, None]
+    path = np.round(on + R * normal, 3)[::-1]
+    lines = "".join(f"G1 X{x:.3f} Y{y:.3f}\n" for x, y in path[1:])
+    start = f"X{path[0, 0]:.3f} Y{path[0, 1]:.3f}"
+    text = f"G21 G90\nG0 X60. Y0.\nG1 Z-3. F100.\nG1 {start} F400.\n{lines}G1 X60. Y0.\nG0 Z20.\nM30\n"
+    first = gcode.parse(text, "first.nc")
+    nominal = pipeline.nominal_from_program(first, R, pipeline.Settings(), measured(np.column_stack([on, 0 * t - 2.0])))
+
+    def part(deviation: np.ndarray, digest: str) -> Measurement:
+        xyz = np.column_stack([on + deviation[:, None] * normal, np.full(len(on), -2.0)])[::3]
+        return Measurement(xyz, None, 0.0, np.arange(1, len(xyz) + 1), digest + ".csv", digest * 32)
+
+    one, two = 0.02 + 0.01 * np.cos(2 * t), 0.004 * np.sin(t)
+    request = pipeline.Request(first, R, part(one, "ab"))
+    second = gcode.parse(pipeline.correct(request).text, "second.nc")
+    request = pipeline.Request(second, R, part(two, "cd"), nominal, nominal_is_first_program=True)
+    removed = left(pipeline.correct(request).text.decode(), -2.0)
+    middle = slice(5, -5, 7)
+    off = shapely.distance(shapely.points((on - (one + two)[:, None] * normal)[middle]), removed.boundary)
+    # Each program is within 1 um of what is wanted, and the facets stand off by 1 um.
+    assert off.max() < 0.004
