@@ -252,7 +252,7 @@ def nominal_of(
     -------
     Profile
     others : int
-        How many contours it cuts beside them.
+        How many other walls it cuts.
     cut : list of CutContour
         What cuts each contour of the profile.
 
@@ -261,10 +261,10 @@ def nominal_of(
     InputError
         If no contour of the program is near the measured points.
     """
-    found, trouble, others = _contours_near(toolpath, usable, path_radius, material_right, measurement, resolution)
+    found, trouble, far = _contours_near(toolpath, usable, path_radius, material_right, measurement, resolution)
     if not found and measurement is not None:
         # Points far from everything: whatever the program cuts tells what may be wrong with them.
-        found, trouble, others = _contours_near(toolpath, usable, path_radius, material_right, None, resolution)
+        found, trouble, far = _contours_near(toolpath, usable, path_radius, material_right, None, resolution)
     if not found:
         raise InputError(f"{name}: {trouble[0] if trouble else 'the program cuts no contour in the XY plane'}")
     if measurement is None:
@@ -281,7 +281,34 @@ def nominal_of(
             "cuts: check --tool-diameter, --side, --points, --units, and the work frame"
         )
     _refuse_steps(made, measurement)
-    return Profile.from_contours([c.contour for c in made]), others + len(found) - len(made), made
+    nominal = Profile.from_contours([c.contour for c in made])
+    left, bottom, right, top = nominal.bounding_box()
+    # What runs round the whole measured part clears the stock round it.
+    away = sum(x0 > left or y0 > bottom or x1 < right or y1 < top for x0, y0, x1, y1 in far)
+    return nominal, away + _elsewhere(found, made, 2 * path_radius), made
+
+
+def _elsewhere(found: list[CutContour], made: list[CutContour], reach: float) -> int:
+    """How many contours are walls of their own, and no passes that rough beside a measured one.
+
+    Such a pass faces as the wall does, or as the pass between, nearer than the width of the cut.
+    """
+    probes = {}
+    for k, one in enumerate(found):
+        if not any(one is m for m in made):
+            profile = Profile.from_contours([one.contour])
+            probes[k] = profile.at(0, np.linspace(0.0, float(profile.total[0]), 33))
+    beside = [one.contour for one in made]
+    while beside and probes:
+        search = FootPointSearch(Profile.from_contours(beside))
+        beside = []
+        for k, (places, normal) in list(probes.items()):
+            feet = search.find(places)
+            along = (np.abs(feet.distance) < max(reach, REACH)) & ((feet.normal * normal).sum(axis=1) > 0.5)
+            if along.mean() > 0.5:
+                beside.append(found[k].contour)
+                del probes[k]
+    return len(probes)
 
 
 def _refuse_steps(made: list[CutContour], measurement: Measurement) -> None:
@@ -308,8 +335,8 @@ def _contours_near(
     material_right: bool,
     measurement: Measurement | None,
     resolution: float,
-) -> tuple[list[CutContour], list[str], int]:
-    """Different contours near the points; what was wrong with others; and how many are far away."""
+) -> tuple[list[CutContour], list[str], set[tuple[float, ...]]]:
+    """Different contours near the points; what was wrong with others; and the boxes of those far away."""
     found: list[CutContour] = []
     trouble: list[str] = []
     far: set[tuple[float, ...]] = set()
@@ -338,7 +365,7 @@ def _contours_near(
                 found += list(cut_contours(toolpath, path_radius, material_right, only, resolution=resolution))
             except InputError as error:
                 trouble.append(str(error))
-    return _different(sorted(found, key=_deepest)), trouble, len(far)
+    return _different(sorted(found, key=_deepest)), trouble, far
 
 
 def _deepest(cut: CutContour) -> float:

@@ -35,6 +35,7 @@ from .html import (
 )
 from .plots import COVERAGE, MICRO, Plot, along_contour, histogram
 from .transfer import transfer_section
+from .verdict import what_to_do
 from .view import on_contour, path_and_contour
 
 Floats = NDArray[np.float64]
@@ -124,6 +125,8 @@ def _corrected_before(result: Result) -> bool:
 def _verdict(result: Result, largest: LargestCorrection) -> str:
     d, settings, proof = result.deviation, result.request.settings, result.verification
     words = []
+    do, why = what_to_do(result.summary()).split(": ", 1)
+    first = f"<p class=verdict><b>{escape(do[:1].upper() + do[1:])}</b>: {escape(why)}.</p>"
     if len(d):
         s, count = statistics(d.value), len(d) + len(d.rejected)
         span = f"{um(s['min'], True)} to {um(s['max'], True)} {MICRO}, {um(s['mean'], True)} {MICRO} in the mean."
@@ -156,7 +159,7 @@ def _verdict(result: Result, largest: LargestCorrection) -> str:
         f"Read back, the program keeps the exact path to {um(proof.path_error_max)} {MICRO}, {kept} its tolerance of "
         f"{um(settings.tolerance)} {MICRO}."
     )
-    return f"<p class=verdict>{' '.join(words)}</p>"
+    return f"{first}<p class=verdict>{' '.join(words)}</p>"
 
 
 def _tiles(result: Result, largest: LargestCorrection) -> str:
