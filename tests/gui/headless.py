@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import FreeCAD
+from paths import difference
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 
@@ -46,10 +47,8 @@ def prepare(directory):
 
 def same(obj, program):
     """The object has this path; headless and with a window FreeCAD may have different numpys."""
-    seen, expected = obj.Path.toGCode().split(), program.split()
-    assert len(seen) == len(expected), (len(seen), len(expected))
-    for a, b in zip(seen, expected, strict=True):
-        assert a == b or abs(float(a[1:]) - float(b[1:])) <= 1e-5, (a, b)
+    apart = difference(obj.Path.toGCode(), program)
+    assert apart <= 1e-5, apart
 
 
 def replay_correct(directory):

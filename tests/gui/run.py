@@ -42,8 +42,9 @@ _SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 _HEADLESS = """
 import os, sys
 def _run():
-    if os.path.exists({done!r}):
-        return
+    if os.path.exists({begun!r}):
+        return  # FreeCADCmd runs a script again when it raised
+    open({begun!r}, "w").close()
     tag, directory = {packages!r}.split(os.pathsep, 1)
     if tag == sys.implementation.cache_tag:
         sys.path.insert(0, directory)
@@ -75,6 +76,7 @@ class Stage:
         done = self.work / f"{function}.done"
         script = self.work / f"run_{function}.py"
         text = _HEADLESS.format(
+            begun=str(self.work / f"{function}.begun"),
             done=str(done),
             packages=freecad_root.packages(),
             repository=str(freecad_root.REPOSITORY),
