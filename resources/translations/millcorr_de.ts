@@ -88,6 +88,18 @@
         <translation>Totband</translation>
     </message>
     <message>
+        <source>Unmeasured share</source>
+        <translation>Anteil ohne Messpunkte</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Keep allowance</source>
+        <translation>Aufmaß mitführen</translation>
+    </message>
+    <message>
         <source>Tolerance</source>
         <translation>Toleranz</translation>
     </message>
@@ -246,6 +258,18 @@
     <message>
         <source>Deviations up to this are left alone</source>
         <translation>Abweichungen bis hierher bleiben unberührt</translation>
+    </message>
+    <message>
+        <source>Largest share of a contour without points near that is corrected all the same</source>
+        <translation>Größter Anteil einer Kontur ohne Punkte in der Nähe, der trotzdem korrigiert wird</translation>
+    </message>
+    <message>
+        <source>Diameters of other tools of the path, each as 3=16</source>
+        <translation>Durchmesser weiterer Werkzeuge der Bahn, jeder wie 3=16</translation>
+    </message>
+    <message>
+        <source>Passes that rough along the contour are moved with it</source>
+        <translation>Schruppbahnen entlang der Kontur werden mit ihr verschoben</translation>
     </message>
     <message>
         <source>Largest distance of the path from the exact one</source>
@@ -580,8 +604,8 @@
         <translation>Positioniervorschub</translation>
     </message>
     <message>
-        <source>Tool</source>
-        <translation>Werkzeug</translation>
+        <source>Probe tool</source>
+        <translation>Werkzeugnummer des Tasters</translation>
     </message>
     <message>
         <source>Log</source>
@@ -1553,6 +1577,10 @@
     <message>
         <source>Go to {}</source>
         <translation>Zu {} gehen</translation>
+    </message>
+    <message>
+        <source>Switch on {}</source>
+        <translation>{} einschalten</translation>
     </message>
     <message>
         <source>an operation selected in the tree</source>

@@ -88,6 +88,18 @@
         <translation>Зона нечутливості</translation>
     </message>
     <message>
+        <source>Unmeasured share</source>
+        <translation>Частка без точок</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Інструменти</translation>
+    </message>
+    <message>
+        <source>Keep allowance</source>
+        <translation>Зберігати припуск</translation>
+    </message>
+    <message>
         <source>Tolerance</source>
         <translation>Допуск</translation>
     </message>
@@ -246,6 +258,18 @@
     <message>
         <source>Deviations up to this are left alone</source>
         <translation>Відхилення до цієї величини не чіпаються</translation>
+    </message>
+    <message>
+        <source>Largest share of a contour without points near that is corrected all the same</source>
+        <translation>Найбільша частка контуру без точок поблизу, яка все ж коригується</translation>
+    </message>
+    <message>
+        <source>Diameters of other tools of the path, each as 3=16</source>
+        <translation>Діаметри інших інструментів траєкторії, кожен як 3=16</translation>
+    </message>
+    <message>
+        <source>Passes that rough along the contour are moved with it</source>
+        <translation>Чорнові проходи вздовж контуру зміщуються разом із ним</translation>
     </message>
     <message>
         <source>Largest distance of the path from the exact one</source>
@@ -580,8 +604,8 @@
         <translation>Подача позиціювання</translation>
     </message>
     <message>
-        <source>Tool</source>
-        <translation>Інструмент</translation>
+        <source>Probe tool</source>
+        <translation>Номер щупа</translation>
     </message>
     <message>
         <source>Log</source>
@@ -1553,6 +1577,10 @@
     <message>
         <source>Go to {}</source>
         <translation>Перейти до {}</translation>
+    </message>
+    <message>
+        <source>Switch on {}</source>
+        <translation>Увімкнути {}</translation>
     </message>
     <message>
         <source>an operation selected in the tree</source>
