@@ -40,17 +40,18 @@ _SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 """
 
 _HEADLESS = """
-import os, sys
+import os, sys, traceback
 def _run():
-    if os.path.exists({begun!r}):
-        return  # FreeCADCmd runs a script again when it raised
-    open({begun!r}, "w").close()
     tag, directory = {packages!r}.split(os.pathsep, 1)
     if tag == sys.implementation.cache_tag:
         sys.path.insert(0, directory)
     sys.path[0:0] = [{repository!r}, {here!r}]
     import headless
-    headless.{function}({work!r})
+    try:
+        headless.{function}({work!r})
+    except Exception:
+        traceback.print_exc()
+        return
     open({done!r}, "w").close()
 _run()
 """
@@ -76,7 +77,6 @@ class Stage:
         done = self.work / f"{function}.done"
         script = self.work / f"run_{function}.py"
         text = _HEADLESS.format(
-            begun=str(self.work / f"{function}.begun"),
             done=str(done),
             packages=freecad_root.packages(),
             repository=str(freecad_root.REPOSITORY),
