@@ -18,6 +18,9 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 
+BLOCK = 50_000
+"""So many points are asked for at once: shapely lets no other thread run while it makes them, a window must live on."""
+
 SAGITTA = 1e-3
 """Arcs are looked up as chords that are off them by no more than this, in mm; the distance itself is exact."""
 
@@ -93,6 +96,10 @@ class PathDistance:
         u : (n,) float64
             Fraction of the move, 0 at its start.
         """
+        if len(points) > BLOCK:
+            blocks = [self.nearest(points[k : k + BLOCK]) for k in range(0, len(points), BLOCK)]
+            distances, rows, shares = zip(*blocks, strict=True)
+            return np.concatenate(distances), np.concatenate(rows), np.concatenate(shares)
         distance = np.full(len(points), np.inf)
         row = np.full(len(points), -1, dtype=np.int64)
         u = np.zeros(len(points))

@@ -85,7 +85,9 @@ _MORE = (
     Property(
         "Float", "PositioningFeed", "", _text("App::Property", "Feed of moves at measuring height, mm/min"), 1000.0
     ),
-    Property("Integer", "Tool", "", _text("App::Property", "Number of the probe in the magazine; 0: it is in use"), 0),
+    Property(
+        "Integer", "ProbeTool", "", _text("App::Property", "Number of the probe in the magazine; 0: it is in use"), 0
+    ),
     Property("String", "Log", "", _text("App::Property", "Name of the file the control writes; empty: as usual"), ""),
 )
 
@@ -171,7 +173,7 @@ class MeasuringTask(file_task.FileTask):
             "safe_z": v["SafeZ"],
             "feed": v["Feed"],
             "positioning": v["PositioningFeed"],
-            "tool": v["Tool"] or None,
+            "tool": v["ProbeTool"] or None,
             "log": v["Log"] or None,
             "output": v["Output"] or "PROBE.nc",
         }
@@ -191,7 +193,8 @@ class MeasuringTask(file_task.FileTask):
         """No program, and why."""
         self.text.setPlainText("")
         self.picture.hide()
-        super().show_failure(text)
+        # The tool of a measuring program is the probe.
+        super().show_failure(text.replace("--tool:", "--probe-tool:"))
 
     def job(self) -> file_task.Job:
         """Write the program and what it needs beside it."""

@@ -54,7 +54,10 @@ _READING = tuple(_ROWS[name] for name in ("Format", "Part", "WorkRotation", "Map
 _CORRECTION = tuple(_ROWS[name] for name in ("Filter", "Align", "Gain", "Limit", "DeadBand"))
 _METHOD = tuple(_ROWS[name] for name in ("Method", *methods.NAMES))
 _MORE = (
-    *(_ROWS[name] for name in ("Side", "CutterCompensation", "Tolerance", "Accept")),
+    *(
+        _ROWS[name]
+        for name in ("Side", "CutterCompensation", "Tools", "KeepAllowance", "UnmeasuredShare", "Tolerance", "Accept")
+    ),
     Property(
         "Enumeration",
         "OutputMoves",

@@ -17,11 +17,16 @@ FIELDS = {
     "probe-radius": "BallRadius",
     "work-rotation": "WorkRotation",
     "measured": "Measurement",
+    "tool": "Tools",
+    "unmeasured": "UnmeasuredShare",
 }
 """Properties whose option is called otherwise."""
 
-_VALUE = r"(?:contact|centre|axis|mm\b|inch|left\b|right\b|shift\b|rigid\b|auto\b|\d+(?:\.\d+)?(?:e[-+]\d+)?(?!\w))"
-_OPTION = re.compile(rf"--([a-z]+(?:-[a-z]+)*)(?: ({_VALUE}))?")
+SWITCHES = ("keep-allowance",)
+"""Options that are there or not: to name one is to propose it."""
+
+_VALUE = r"(?:contact|centre|axis|mm\b|inch|left\b|right\b|shift\b|rigid\b|auto\b|\d+(?:\.\d+)?(?:e[-+]\d+)?(?![\w=]))"
+_OPTION = re.compile(rf"--([a-z]+(?:-[a-z]+)*)(?: ({_VALUE})| (?:MM|SHARE)\b)?")
 _ACCEPT = re.compile(r"\s*\(if it is right as it is: --accept ([a-z-]+)\)")
 
 
@@ -33,17 +38,19 @@ class Remedy:
     ----------
     field : str
         Name of the property.
-    value : str or float or None
+    value : str, float, bool or None
         What to set; None where the user must know.
     """
 
     field: str
-    value: str | float | None = None
+    value: str | float | bool | None = None
 
     def in_words(self) -> str:
         """Text of the button."""
         if self.value is None:
             return translate("Millcorr", "Go to {}").format(label_of(self.field))
+        if self.value is True:
+            return translate("Millcorr", "Switch on {}").format(label_of(self.field))
         value = f"{self.value:g}" if isinstance(self.value, float) else self.value
         return translate("Millcorr", "Set {} to {}").format(label_of(self.field), value)
 
@@ -65,7 +72,7 @@ def remedies_in(message: str) -> tuple[Remedy, ...]:
     for option, value in _OPTION.findall(_ACCEPT.sub("", message)):
         field = field_of(option)
         if value or field not in found:
-            found[field] = Remedy(field, _number(value) if value else None)
+            found[field] = Remedy(field, True if option in SWITCHES else _number(value) if value else None)
     return tuple(sorted(found.values(), key=lambda remedy: remedy.value is None))
 
 

@@ -89,7 +89,7 @@
     </message>
     <message>
         <source>Unmeasured share</source>
-        <translation>Ungemessener Anteil</translation>
+        <translation>Anteil ohne Messpunkte</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -97,7 +97,7 @@
     </message>
     <message>
         <source>Keep allowance</source>
-        <translation>Aufmaß beibehalten</translation>
+        <translation>Aufmaß mitführen</translation>
     </message>
     <message>
         <source>Tolerance</source>
@@ -265,11 +265,11 @@
     </message>
     <message>
         <source>Diameters of other tools of the path, each as 3=16</source>
-        <translation>Durchmesser anderer Werkzeuge der Bahn, jeweils als 3=16</translation>
+        <translation>Durchmesser weiterer Werkzeuge der Bahn, jeder wie 3=16</translation>
     </message>
     <message>
         <source>Passes that rough along the contour are moved with it</source>
-        <translation>Schnitte, die entlang der Kontur schruppen, werden mit ihr verschoben</translation>
+        <translation>Schruppbahnen entlang der Kontur werden mit ihr verschoben</translation>
     </message>
     <message>
         <source>Largest distance of the path from the exact one</source>
@@ -604,8 +604,8 @@
         <translation>Positioniervorschub</translation>
     </message>
     <message>
-        <source>Tool</source>
-        <translation>Werkzeug</translation>
+        <source>Probe tool</source>
+        <translation>Werkzeugnummer des Tasters</translation>
     </message>
     <message>
         <source>Log</source>
@@ -1577,6 +1577,10 @@
     <message>
         <source>Go to {}</source>
         <translation>Zu {} gehen</translation>
+    </message>
+    <message>
+        <source>Switch on {}</source>
+        <translation>{} einschalten</translation>
     </message>
     <message>
         <source>an operation selected in the tree</source>

@@ -89,7 +89,7 @@
     </message>
     <message>
         <source>Unmeasured share</source>
-        <translation>Невиміряна частка</translation>
+        <translation>Частка без точок</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -97,7 +97,7 @@
     </message>
     <message>
         <source>Keep allowance</source>
-        <translation>Зберегти припуск</translation>
+        <translation>Зберігати припуск</translation>
     </message>
     <message>
         <source>Tolerance</source>
@@ -261,7 +261,7 @@
     </message>
     <message>
         <source>Largest share of a contour without points near that is corrected all the same</source>
-        <translation>Найбільша частка контуру без точок поблизу, яка все одно коригується</translation>
+        <translation>Найбільша частка контуру без точок поблизу, яка все ж коригується</translation>
     </message>
     <message>
         <source>Diameters of other tools of the path, each as 3=16</source>
@@ -269,7 +269,7 @@
     </message>
     <message>
         <source>Passes that rough along the contour are moved with it</source>
-        <translation>Проходи чорнової обробки вздовж контуру зміщуються разом із ним</translation>
+        <translation>Чорнові проходи вздовж контуру зміщуються разом із ним</translation>
     </message>
     <message>
         <source>Largest distance of the path from the exact one</source>
@@ -604,8 +604,8 @@
         <translation>Подача позиціювання</translation>
     </message>
     <message>
-        <source>Tool</source>
-        <translation>Інструмент</translation>
+        <source>Probe tool</source>
+        <translation>Номер щупа</translation>
     </message>
     <message>
         <source>Log</source>
@@ -1577,6 +1577,10 @@
     <message>
         <source>Go to {}</source>
         <translation>Перейти до {}</translation>
+    </message>
+    <message>
+        <source>Switch on {}</source>
+        <translation>Увімкнути {}</translation>
     </message>
     <message>
         <source>an operation selected in the tree</source>

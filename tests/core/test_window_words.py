@@ -68,6 +68,8 @@ def test_a_button_for_what_the_file_was_taken_for(measurement, remedy, name):
         ({"dead_band": -0.1}, "DeadBand"),
         ({"tolerance": 1.0}, "Tolerance"),
         ({"align": "sideways"}, "Align"),
+        ({"tools": ("x",)}, "Tools"),
+        ({"unmeasured_share": 2.0}, "UnmeasuredShare"),
         ({"method": "transfer"}, "Method"),
     ],
 )
@@ -82,6 +84,8 @@ def test_a_remedy_without_a_value_leads_to_its_field():
     assert found == (Remedy("Points", "contact"), Remedy("ToolDiameter"), Remedy("Unit"))
     assert found[1].in_words() == "Go to Tool diameter"
     assert worded("check --tool-diameter.") == "check \u201cTool diameter\u201d."
+    assert remedies_in("as --tool 3=16, or --unmeasured SHARE") == (Remedy("Tools"), Remedy("UnmeasuredShare"))
+    assert remedies_in("too little stock; --keep-allowance moves it") == (Remedy("KeepAllowance", True),)
     assert remedies_in("nothing to do") == () and first_field("nothing") == "" and accepted_by("nothing") == ""
 
 
@@ -157,7 +161,7 @@ def test_progress_is_what_the_core_is_at():
     for modules, _, _ in STAGES:
         for module in modules:
             importlib.import_module(f"millcorr.{module}")
-    assert stage_of(["threading", "millcorr.pipeline", "millcorr.distrust", "millcorr.filtering"])[0] == (
+    assert stage_of(["threading", "millcorr.pipeline", "millcorr.distrust", "millcorr.separation"])[0] == (
         "Looking for doubts"
     )
     assert stage_of(["threading", "json"]) is None

@@ -40,16 +40,18 @@ _SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 """
 
 _HEADLESS = """
-import os, sys
+import os, sys, traceback
 def _run():
-    if os.path.exists({done!r}):
-        return
     tag, directory = {packages!r}.split(os.pathsep, 1)
     if tag == sys.implementation.cache_tag:
         sys.path.insert(0, directory)
     sys.path[0:0] = [{repository!r}, {here!r}]
     import headless
-    headless.{function}({work!r})
+    try:
+        headless.{function}({work!r})
+    except Exception:
+        traceback.print_exc()
+        return
     open({done!r}, "w").close()
 _run()
 """

@@ -2,7 +2,6 @@
 """A document that was corrected without a window is opened with one: looked at, refused, posted, undone, deleted."""
 
 import os
-import re
 import sys
 
 import FreeCAD
@@ -10,16 +9,8 @@ import FreeCADGui
 
 sys.path.insert(0, os.environ["MILLCORR_TESTS"])
 
+from paths import difference
 from window import VERSION, active, check, equal, found, path, play, select, shot, tidy, top, tree, wait
-
-
-def difference(before, after):
-    """Largest difference between the numbers of two paths, infinite where they differ in anything else."""
-    number = re.compile(r"(?<=[XYZIJF])-?[0-9.]+")
-    if number.sub("", before) != number.sub("", after):
-        return 1e9
-    pairs = zip(number.findall(before), number.findall(after), strict=True)
-    return max(abs(float(a) - float(b)) for a, b in pairs)
 
 
 def story():
