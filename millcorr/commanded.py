@@ -28,6 +28,7 @@ from .read_only import ReadOnlyArrays
 from .reconstruction import CompensatedContour
 from .regeneration import BAND
 from .regeneration.carried import carried_correction
+from .regeneration.leads import sections
 from .regeneration.path_following import follow, length_in_plane
 from .theoretical_contour import SAME_POINT, CutContour, cut_at_vertices, cut_contours, cutting_runs
 from .toolpath import Compensation, Kind, Plane, Toolpath
@@ -449,7 +450,7 @@ def beside_the_path(toolpath: Toolpath, following: Bools) -> Bools:
 
     A retraction to an unknown height (G28 Z0) goes along without being rewritten.
     """
-    section = _sections(toolpath)
+    section = sections(toolpath)
     rapid = np.diff(section, prepend=0) > 0
     unknown = (toolpath.kind == int(Kind.RAPID)) & np.isnan(toolpath.end[:, 2])
     out: Bools = np.isin(section, section[following]) & ~rapid & ~unknown
@@ -493,7 +494,7 @@ def on_the_path(
     which = np.repeat(np.arange(len(rows)), count)
     u = (np.arange(len(which)) - np.repeat(np.cumsum(count) - count, count) + 0.5) / count[which]
     places, ahead = toolpath.place(rows[which], u), _direction(toolpath, rows[which], u)
-    section = _sections(toolpath)[rows]
+    section = sections(toolpath)[rows]
     out = np.zeros(len(toolpath), dtype=bool)
     for one in cut:
         distance, row, at = PathDistance(one.path, np.arange(len(one.path))).nearest(places)
@@ -512,13 +513,6 @@ def _direction(toolpath: Toolpath, row: Ints, u: Floats) -> Floats:
     ahead = toolpath.place(row, np.minimum(u + h, 1.0)) - toolpath.place(row, np.maximum(u - h, 0.0))
     out: Floats = ahead / np.maximum(np.hypot(*ahead.T), 1e-15)[:, None]
     return out
-
-
-def _sections(toolpath: Toolpath) -> Ints:
-    """Number of each move's section; a rapid in the plane begins a new one; (n,)."""
-    travel = np.nan_to_num(toolpath.end[:, :2] - toolpath.start[:, :2], nan=1.0)
-    jump: Ints = ((toolpath.kind == int(Kind.RAPID)) & (np.abs(travel).max(axis=1) > 0)).astype(np.int64)
-    return np.cumsum(jump)
 
 
 def roughing(surface: CommandedSurface, following: Bools, nominal: Profile, resolution: float) -> Bools:

@@ -37,11 +37,24 @@ def own_work(toolpath: Toolpath, following: Bools, beside: Bools) -> Bools:
     (n,) bool
     """
     out = beside & ~following
+    section = sections(toolpath)
+    touched = np.zeros(int(section.max(initial=0)) + 1, dtype=bool)
+    touched[section[following]] = True
     for run in cutting_runs(toolpath):
+        # What a rapid lies between is never displaced.
+        if not touched[section[run]].any():
+            continue
         for a, b in closed_loops(toolpath, run):
             if not following[run[a:b]].any():
                 out[run[a:b]] = True
     return out
+
+
+def sections(toolpath: Toolpath) -> Ints:
+    """Number of each move's section; a rapid in the plane begins a new one; (n,)."""
+    travel = np.nan_to_num(toolpath.end[:, :2] - toolpath.start[:, :2], nan=1.0)
+    jump: Ints = ((toolpath.kind == int(Kind.RAPID)) & (np.abs(travel).max(axis=1) > 0)).astype(np.int64)
+    return np.cumsum(jump)
 
 
 def carry_along(toolpath: Toolpath, following: Bools, own: Bools, shift0: Floats, shift1: Floats) -> None:
