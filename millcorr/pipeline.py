@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import hashlib
 import logging
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -27,7 +28,7 @@ from .commanded import (
     on_the_path,
     roughing,
 )
-from .comparison.cutters import cutter_radii, stated_diameters
+from .comparison.cutters import cutter_radii, nearest_group, stated_diameters
 from .compensation import Correction, dead_band
 from .deviation import Deviation, deviations, statistics
 from .errors import DistrustError, FormatError, InputError, LimitError, UsageError
@@ -35,6 +36,7 @@ from .footpoint import FootPointSearch
 from .largest import largest_correction
 from .measurement import Measurement
 from .path.emission import emit_in_place
+from .path.reading import read_moves
 from .prediction import Aim, Simulation, simulate
 from .prediction.combined_control import AxisTransfer, Machine
 from .prediction.foreseen import FirstCut, Foreseen, aim_of, combined_target, foresee, predicted_target, require_setup
@@ -56,6 +58,9 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 log = logging.getLogger(__name__)
+
+OTHER_FRAMES = re.compile(rb"[Gg](5[5-9]|54\.1|52|92|68|10)(?![0-9])")
+"""Codes that put what follows into another frame than G54."""
 
 LEAST_UNDER = 0.05
 """A first cut leaves its allowance and what the machine yields, never less by more than this, in mm."""
@@ -375,6 +380,8 @@ def correct(request: Request, *, check: bool = False) -> Result:
             if len(np.unique(row[found.following])) > commanded.following.sum():
                 toolpath, commanded, usable, row_of = divided, found, usable[row], row_of[row]
         expected, following = commanded.expected, commanded.following
+    if not following.any():
+        raise InputError(f"{program.name}: no move runs along the contour that the points lie on")
     rows = np.zeros(len(kept), dtype=bool)
     rows[row_of[beside_the_path(toolpath, following)]] = True
     program.require_plain(rows)
@@ -692,9 +699,11 @@ def _own_contour(
 def _cutters(
     program: gcode.Program, request: Request, path_radius: float, measurement: Measurement | None, warnings: list[str]
 ) -> Floats:
-    """Radius of the cutter of every move of the program, mm; NaN where it is not known."""
+    """Radius of the cutter of every move of the program, mm; NaN where it is not known, or cuts another part."""
+    other = _other_parts(program, request, path_radius, measurement, warnings)
     if len(np.unique(program.toolpath.tool)) < 2:
-        return cutter_radii(program.toolpath, request.radius, path_radius, {}, measurement)[0]
+        radii = cutter_radii(program.toolpath, request.radius, path_radius, {}, measurement)[0]
+        return np.where(other, np.nan, radii)
     scale = 25.4 if (program.modal.unit == 20).any() else 1.0
     stated = stated_diameters(program.comments(), scale) | dict(request.settings.tool_diameters)
     radii, unknown = cutter_radii(program.toolpath, request.radius, path_radius, stated, measurement)
@@ -704,7 +713,41 @@ def _cutters(
             f"the diameter of {listed} is not known: what it cuts stays as it is and is not looked at; "
             f"--tool {unknown[0]}=MM states it"
         )
-    return radii
+    return np.where(other, np.nan, radii)
+
+
+def _other_parts(
+    program: gcode.Program, request: Request, path_radius: float, measurement: Measurement | None, warnings: list[str]
+) -> NDArray[np.bool_]:
+    """Moves under another work offset than those that made the points, or in a frame that is turned or moved; (n,)."""
+    toolpath = program.toolpath
+    out = np.zeros(len(toolpath), dtype=bool)
+    if not OTHER_FRAMES.search(program.data):
+        return out
+    out |= program.opaque_moves()
+    moves = read_moves(program.data)
+    if not len(moves) or measurement is None:
+        return out
+    offset = moves.offset[np.clip(np.searchsorted(moves.line, toolpath.source, side="right") - 1, 0, None)]
+    cuts = (toolpath.kind != Kind.RAPID) & np.isfinite(toolpath.end[:, :2]).all(axis=1) & ~out
+    _, first = np.unique(offset[cuts], return_index=True)
+    frames = offset[cuts][np.sort(first)].tolist()
+    if len(frames) < 2:
+        return out
+    away = abs(path_radius - measurement.ball_radius), abs(request.radius - measurement.ball_radius)
+    mine = nearest_group(toolpath, cuts, offset, frames, away, measurement)
+    warnings.append(
+        f"what is cut under {_offset_name(frames[0] if frames[0] != mine else frames[1])} is another part than the "
+        f"measured one, cut under {_offset_name(mine)}: it stays as it is"
+    )
+    other: NDArray[np.bool_] = out | (offset != mine)
+    return other
+
+
+def _offset_name(offset: int) -> str:
+    """G54, G54.1 P2: a work offset as `PlainMoves.offset` numbers it."""
+    code, number = divmod(offset, 1000)
+    return f"G{code / 10:g}" + (f" P{number}" if number else "")
 
 
 def _usable(program: gcode.Program, radius: float, settings: Settings) -> tuple[NDArray[np.bool_], float]:

@@ -26,6 +26,9 @@ SAMPLE = 500
 
 _IN_COMMENT = re.compile(r"\bT\s*0*(\d+)\b[^()]*?\bD(?:IA(?:METER)?)?\s*[=:]?\s*(\d+(?:\.\d*)?|\.\d+)", re.IGNORECASE)
 
+_OFFSETS = re.compile(r"\bH\s*\d+\b", re.IGNORECASE)
+"""Beside the number of a length offset, D is the number of a radius offset."""
+
 
 def stated_diameters(comments: Sequence[tuple[int, str]], scale: float) -> dict[int, float]:
     """Diameters in mm that comments state of tools, such as ``T4 D10 END MILL``, by tool number.
@@ -40,8 +43,12 @@ def stated_diameters(comments: Sequence[tuple[int, str]], scale: float) -> dict[
     out: dict[int, float] = {}
     for _, text in comments:
         found = _IN_COMMENT.search(text)
-        if found is not None and float(found.group(2)) > 0:
-            out.setdefault(int(found.group(1)), scale * float(found.group(2)))
+        if found is None or _OFFSETS.search(text):
+            continue
+        tool, diameter = int(found.group(1)), float(found.group(2))
+        # D4 beside T4 is the number of an offset as likely as a diameter.
+        if diameter > 0 and ("." in found.group(2) or diameter != tool):
+            out.setdefault(tool, scale * diameter)
     return out
 
 
@@ -109,12 +116,39 @@ def _tool_of(
         return same[0]
     if measurement is None:
         return same[0] if len(same) == 1 else None
+    away = abs(path_radius - measurement.ball_radius), abs(radius - measurement.ball_radius)
+    return nearest_group(toolpath, cuts, toolpath.tool, same + others or tools, away, measurement)
+
+
+def nearest_group(
+    toolpath: Toolpath,
+    cuts: NDArray[np.bool_],
+    group: NDArray[np.int64],
+    candidates: Sequence[int],
+    away: tuple[float, float],
+    measurement: Measurement,
+) -> int:
+    """Which group of moves runs as far from the points as the one that made them.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    cuts : (n,) bool
+        Moves to look at.
+    group : (n,) int64
+        Number of the group of each move, such as its tool or its work offset.
+    candidates : sequence of int
+        Groups to choose from; of two that run alike the first.
+    away : (float, float)
+        Distance in mm of the points from moves with and without compensation.
+    measurement : Measurement
+    """
     points = measurement.points[:: max(1, len(measurement) // SAMPLE), :2]
-    candidates = same or others or tools
-    off = np.empty((len(candidates), len(points)))
-    for k, tool in enumerate(candidates):
-        rows = np.flatnonzero(cuts & (toolpath.tool == tool))
-        compensated = bool((toolpath.compensation[rows] != Compensation.OFF).any())
-        away = (path_radius if compensated else radius) - measurement.ball_radius
-        off[k] = np.abs(PathDistance(toolpath, rows)(points) - abs(away))
-    return int(candidates[int(np.bincount(off.argmin(axis=0), minlength=len(candidates)).argmax())])
+    off = np.full((len(candidates), len(points)), np.inf)
+    for k, number in enumerate(candidates):
+        rows = np.flatnonzero(cuts & (group == number))
+        if len(rows):
+            compensated = bool((toolpath.compensation[rows] != Compensation.OFF).any())
+            off[k] = np.abs(PathDistance(toolpath, rows)(points) - away[0 if compensated else 1])
+    nearest = (off <= off.min(axis=0) + 1e-6).argmax(axis=0)
+    return int(candidates[int(np.bincount(nearest, minlength=len(candidates)).argmax())])

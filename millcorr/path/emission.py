@@ -18,7 +18,7 @@ from millcorr.reconstruction import CompensatedContour
 from millcorr.regeneration.emission import Emission, written_text
 from millcorr.regeneration.free_ends import keep_coordinate
 from millcorr.settings import Settings
-from millcorr.toolpath import Toolpath
+from millcorr.toolpath import Plane, Toolpath
 
 from .displacement import displace
 from .surface_proof import prove_surface
@@ -94,13 +94,14 @@ def emit_in_place(
     text = written_text(program, regeneration, settings.tolerance, header)
     emitted = prove_text(program.data, text, regeneration.lines, header=header, reach=reach).moves.toolpath()
     emitted = emitted.take(~_nowhere(emitted))
-    planned = regeneration.toolpath.take(~_nowhere(regeneration.toolpath))
-    following_now = regeneration.following[~_nowhere(regeneration.toolpath)]
+    goes = ~_nowhere(regeneration.toolpath)
+    planned, following_now = regeneration.toolpath.take(goes), regeneration.following[goes]
     if len(emitted) != len(planned):
         raise LimitError(f"the written program reads back with {len(emitted)} moves in place of {len(planned)}")
+    _refuse_other_moves(planned, emitted, regeneration.lines, settings.tolerance)
     proof, (stays, place) = prove_surface(
         CommandedSurface(program.toolpath, cutters),
-        CommandedSurface(emitted, _by_tool(program.toolpath, cutters, emitted)),
+        CommandedSurface(emitted, cutters[regeneration.origin[goes]]),
         (following, following_now),
         before,
         after,
@@ -117,20 +118,29 @@ def emit_in_place(
     return Emission(compensated, residual, regeneration, proof, text), note
 
 
+def _refuse_other_moves(planned: Toolpath, emitted: Toolpath, lines: Ints, tolerance: float) -> None:
+    """LimitError where a move of a line that changed is not what was planned, rounding apart."""
+    rows = np.flatnonzero(np.isin(planned.source, lines))
+    # An arc too flat to be written becomes a line, and what is not known of a place is not compared.
+    flat = (planned.plane[rows] == Plane.XY) & (emitted.plane[rows] == Plane.XY)
+    share = np.array([0.0, 0.5, 1.0])
+    gap = np.abs(emitted.take(rows).position(share) - planned.take(rows).position(share))
+    gap[~flat, 1] = 0.0
+    off = np.nan_to_num(gap).max(axis=(1, 2), initial=0.0) > 2 * tolerance
+    off |= np.isnan(emitted.end[rows, :2]).any(axis=1) & ~np.isnan(planned.end[rows, :2]).any(axis=1)
+    if off.any():
+        row = rows[int(np.argmax(off))]
+        x, y = emitted.end[row, :2]
+        raise LimitError(
+            f"line {int(emitted.source[row]) + 1} of the written program goes to X{x:.3f} Y{y:.3f} and not where it "
+            "was planned to go"
+        )
+
+
 def _nowhere(toolpath: Toolpath) -> Bools:
     """Moves that go nowhere: a reader may count them or not."""
     still = (toolpath.start == toolpath.end) | np.isnan(toolpath.start + toolpath.end)
     out: Bools = still.all(axis=1) & (toolpath.sweep == 0)
-    return out
-
-
-def _by_tool(program: Toolpath, cutters: Floats, emitted: Toolpath) -> Floats:
-    """Radius of the cutter of every move that was read back."""
-    key = np.stack([program.tool, program.compensation], axis=1)
-    out = np.full(len(emitted), np.nan)
-    for tool, compensation in np.unique(key, axis=0):
-        there = (key == (tool, compensation)).all(axis=1)
-        out[(emitted.tool == tool) & (emitted.compensation == compensation)] = cutters[there][0]
     return out
 
 

@@ -68,8 +68,10 @@ def prove_surface(
     for z in _heights(written.toolpath, made_by[1], len(wanted)):
         was = original.only(made_by[0]).offset(before.nominal, before.normal, z)
         now = written.only(made_by[1]).offset(after.nominal, after.normal, z)
+        made = np.isfinite(was) & ~after.at_corner & (was - before.moved < REACHED)
+        _refuse_lost(made, now, after)
         known = np.isfinite(was) & np.isfinite(now) & ~after.at_corner
-        here = known & (was - before.moved < REACHED)
+        here = known & made
         reached |= here
         own = np.where(here, np.fmin(own, was), own)
         # What was off before stays: rounding and chords of the program itself. What it left, as beside an inside
@@ -97,6 +99,14 @@ def prove_surface(
     return result, (float(more[most]), (float(x), float(y)))
 
 
+def _refuse_lost(made: Bools, now: Floats, after: WantedSurface) -> None:
+    """LimitError where the written program does not cut what the original did, or nothing can be compared."""
+    lost = np.flatnonzero(made & np.isnan(now))
+    if len(lost) or not made.any():
+        x, y = after.place[lost[0] if len(lost) else 0]
+        raise LimitError(f"the written program leaves no surface near X{x:.3f} Y{y:.3f} that could be proven")
+
+
 def _heights(toolpath: Toolpath, made_by: Bools, count: int) -> list[Floats | None]:
     """Heights at which the surface is looked at: where only the deepest pass cuts, and where all that make it do."""
     z = toolpath.end[made_by, 2]
@@ -116,13 +126,13 @@ def _refuse_gouging_others(
     tolerance: float,
 ) -> None:
     """LimitError where another move of the written program cuts deeper into the corrected surface than before."""
-    z = _heights(written.toolpath, made_by[1], len(own))[-1]
-    was = original.only(~made_by[0]).offset(after.nominal, after.normal, z)
-    now = written.only(~made_by[1]).offset(after.nominal, after.normal, z)
-    rows = np.flatnonzero(np.isfinite(own) & np.isfinite(now) & ~after.at_corner)
+    was = original.only(~made_by[0]).offset(after.nominal, after.normal)
+    now = written.only(~made_by[1]).offset(after.nominal, after.normal)
+    # Where another move cut deeper than the contour before, as one at another height does, or a lead that is rounder
+    # than an inside corner, it is not for the contour to say what it may.
+    rows = np.flatnonzero(np.isfinite(own) & np.isfinite(now) & ~after.at_corner & ~(was < own - tolerance))
     over = np.zeros(len(own))
-    # A lead that cuts into the contour, as one rounder than an inside corner does, goes on doing so.
-    over[rows] = (now - own - wanted)[rows] - np.fmin(was[rows] - own[rows], 0.0)
+    over[rows] = (now - own - wanted)[rows]
     worst = int(np.argmin(over))
     if over[worst] >= -tolerance:
         return

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from millcorr import gcode
 from millcorr.compensation import Correction
 from millcorr.errors import LimitError
+from millcorr.path.text_proof import prove_text
 from millcorr.profile import Profile
 from millcorr.reconstruction import CompensatedContour
 from millcorr.settings import Settings
@@ -107,6 +108,7 @@ def emit(
         regeneration = keep_coordinate(toolpath, regeneration, axis="yx".index(settings.depth_along))
     _refuse_detour(toolpath, regeneration)
     text = written_text(program, regeneration, settings.tolerance, header)
+    prove_text(program.data, text, regeneration.lines, header=header)
     emitted = gcode.parse(text, program.name).toolpath
     if len(emitted) != len(regeneration.toolpath):
         raise LimitError(

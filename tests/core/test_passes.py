@@ -15,6 +15,7 @@ import shapely
 from millcorr import gcode, pipeline
 from millcorr.errors import InputError, LimitError
 from millcorr.measurement import Measurement
+from millcorr.path import emission
 
 R = 4.0
 W, H = 80.0, 50.0
@@ -210,3 +211,60 @@ def test_a_program_in_facets_is_corrected_again() -> None:
     off = shapely.distance(shapely.points((on - (one + two)[:, None] * normal)[middle]), removed.boundary)
     # Each program is within 1 um of what is wanted, and the facets stand off by 1 um.
     assert off.max() < 0.004
+
+
+def test_what_is_cut_under_another_work_offset_is_another_part() -> None:
+    """The same plate 0.05 mm smaller on a second fixture, whose finish lies nearer to the first one's points."""
+    other = once(R - 0.05, -3.0, head="G55\n")
+    result, new = correct(program(once(R, -3.0, head="G54\n"), other), measured(points(0.02)))
+    assert new.endswith(other + "M30\n%")
+    np.testing.assert_allclose(wall(new.split("G55")[0], -2.0), -0.02, atol=0.001)
+    assert any("G55 is another part" in w for w in result.warnings)
+
+
+def test_roughing_less_deep_than_the_finish_is_looked_at() -> None:
+    text = program(once(R + 0.03, -2.8), once(R + 0.5, -3.0), once(R, -3.0))
+    with pytest.raises(LimitError, match="--keep-allowance"):
+        correct(text, measured(points(-0.06)))
+
+
+def test_a_rebate_above_the_wall_is_no_roughing() -> None:
+    """A cut that is deeper than the wall at another height stays, whatever the wall does."""
+    rebate = once(R - 0.5, -1.0)
+    _, new = correct(program(rebate, once(R, -3.0)), measured(points(-0.05, -2.0)))
+    assert rebate in new
+    np.testing.assert_allclose(wall(new, -2.0), 0.05, atol=0.001)
+
+
+def test_the_tool_that_fits_the_points_is_corrected_whatever_is_stated() -> None:
+    rough = once(R + 0.05, -3.0, head="(T1 D8. ROUGHER)\nT1 M6\n")
+    _, new = correct(program(rough, once(R, -3.0, head="T2 M6\n")), measured(points(0.02)))
+    assert "".join(line + "\n" for line in rough.splitlines()[1:]) in new
+    np.testing.assert_allclose(wall(new[new.index("T2") :], -2.0), -0.02, atol=0.001)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        (r"X-43\.9\S+ Y-28\.98", "X-143.98 Y-28.98"),
+        (r"X-43\.9\S+ Y28\.98", "X-43.97 Y28.98"),
+        (r"X0\. Y-35\.98", "X0. Y0."),
+    ],
+)
+def test_a_spoilt_place_in_the_written_text_is_caught(monkeypatch: pytest.MonkeyPatch, old: str, new: str) -> None:
+    """F and Z on lines of their own, so that no other word holds a place."""
+    lines = [f"X{x:.2f} Y{y:.2f}" for x, y in ring(R)[1:]]
+    head = "G21 G90\nG0 X0. Y-36.\nG0 Z5.\nF400.\nG1\nZ-3.\nX0. Y-29.\n"
+    text = head + "\n".join(lines) + "\nX0. Y-36.\nG0 Z20.\nM30\n"
+    wrote = emission.written_text
+
+    def spoilt(*args):
+        out = wrote(*args)
+        changed, count = re.subn(old.encode(), new.encode(), out)
+        assert count
+        return changed
+
+    correct(text, measured(points(0.02)))
+    monkeypatch.setattr(emission, "written_text", spoilt)
+    with pytest.raises(LimitError):
+        correct(text, measured(points(0.02)))
