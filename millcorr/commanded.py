@@ -55,6 +55,10 @@ ROUGHED = 0.005
 """What leaves less stock than this, in mm, to the pass behind it on a given profile is no roughing pass: FreeCAD lays
 the arcs of one contour otherwise at another depth."""
 
+MANY, CELL, FEW_HEIGHTS = 20_000, 0.02, 50
+"""Of more points than this, at few heights, the surface is looked at once in every cell of so many mm: facets are
+longer, and what rounding and chords do to them is straight between."""
+
 FEW = 0.02
 """A contour that made a smaller share of the points is not the one that was measured: that many may be outliers."""
 
@@ -631,7 +635,7 @@ def commanded_offset(
     InputError
         If points were measured where the program does not cut the profile.
     """
-    out = surface.offset(deviation.foot, deviation.normal, z)
+    out = _at_points(surface, deviation, z)
     wide = np.isnan(out)
     if expected is not None:
         there = expected.correction.at(deviation.stretch, deviation.s, expected.profile)
@@ -643,4 +647,24 @@ def commanded_offset(
             f"the program does not cut the profile near X{x:.3f} Y{y:.3f}, where points were measured: give the "
             "--operation that cuts it, or only the points that belong to it"
         )
+    return out
+
+
+def _at_points(surface: CommandedSurface, deviation: Deviation, z: Floats | None) -> Floats:
+    """Offset of a surface at measured points; of very many at one in every cell of a contour, straight between."""
+    height, group = np.unique(np.zeros(len(deviation)) if z is None else z, return_inverse=True)
+    if len(deviation) <= MANY or len(height) > FEW_HEIGHTS:
+        return surface.offset(deviation.foot, deviation.normal, z)
+    order = np.lexsort((deviation.s, group, deviation.stretch))
+    row = np.stack([deviation.stretch, group, np.floor(deviation.s / CELL).astype(np.int64)], axis=1)[order]
+    new = np.concatenate([[True], (np.diff(row, axis=0) != 0).any(axis=1)])
+    # The last of every row of cells, too, so that nothing lies beyond.
+    last = np.concatenate([(np.diff(row[:, :2], axis=0) != 0).any(axis=1), [True]])
+    chosen = order[new | last]
+    found = surface.offset(deviation.foot[chosen], deviation.normal[chosen], None if z is None else z[chosen])
+    out = np.empty(len(deviation))
+    for k, h in np.unique(row[new, :2], axis=0):
+        mine = (deviation.stretch == k) & (group == h)
+        there = mine[chosen]
+        out[mine] = np.interp(deviation.s[mine], deviation.s[chosen][there], found[there])
     return out

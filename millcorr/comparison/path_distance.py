@@ -18,7 +18,7 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 
-BLOCK = 50_000
+BLOCK = 5_000
 """So many points are asked for at once: shapely lets no other thread run while it makes them, a window must live on."""
 
 SAGITTA = 1e-3
