@@ -107,6 +107,8 @@ def imported(shape, how, tmp_path):
 @pytest.mark.parametrize("how", ["as it is", "placed", "step", "iges", "brep", "nurbs"])
 @pytest.mark.parametrize("name", MODELS)
 def test_outline_is_the_model_s(name, how, tmp_path):
+    if name == "parallel of a spline" and how in ("step", "iges", "brep") and int(FreeCAD.Version()[0]) >= 1:
+        pytest.xfail("read back by FreeCAD 1.x this model closes round no valid solid")
     model = MODELS[name]()
     if how == "iges" and name in ("stepped", "flush boss"):
         pytest.skip("OCCT does not sew the loose faces of this IGES file to a solid")
