@@ -135,9 +135,8 @@ class CommandedSurface(ReadOnlyArrays):
         cuts = (self.toolpath.kind != Kind.RAPID) & np.isfinite(self.radius)
         largest = float(np.nanmax(self.radius, initial=0.0))
         rows = np.flatnonzero(cuts & rows_near(self.toolpath, foot, 2 * largest + 2 * reach))
-        lowest = np.nan_to_num(
-            np.fmax(self.toolpath.start[rows, 2], self.toolpath.end[rows, 2]), nan=-np.inf
-        )  # A height that the program has not stated is below everything.
+        # A height that the program has not stated is below everything.
+        lowest = np.nan_to_num(np.fmax(self.toolpath.start[rows, 2], self.toolpath.end[rows, 2]), nan=-np.inf)
         heights = np.unique(lowest)
         at = len(heights) if z is None else np.searchsorted(heights, z + 1e-6, side="right")
         # A point below all that is cut belongs to the deepest pass; what it means is not for this place to say.
@@ -225,7 +224,7 @@ def choose_side(
     near = np.abs(distance - abs(expected)) < REACH
     if near.sum() < 0.5 * len(near) or abs(expected) < 2 * REACH:
         near = distance < radius + 2 * REACH
-    ahead = _direction(toolpath, row, u)
+    ahead = toolpath.direction(row, u)
     away = points - toolpath.place(row, u)
     right = int((ahead[:, 0] * away[:, 1] - ahead[:, 1] * away[:, 0] < 0)[near].sum())
     count = int(near.sum())
@@ -497,25 +496,17 @@ def on_the_path(
     count = np.clip(np.ceil(length / SPACING), 9, 400).astype(np.int64)
     which = np.repeat(np.arange(len(rows)), count)
     u = (np.arange(len(which)) - np.repeat(np.cumsum(count) - count, count) + 0.5) / count[which]
-    places, ahead = toolpath.place(rows[which], u), _direction(toolpath, rows[which], u)
+    places, ahead = toolpath.place(rows[which], u), toolpath.direction(rows[which], u)
     section = sections(toolpath)[rows]
     out = np.zeros(len(toolpath), dtype=bool)
     for one in cut:
         distance, row, at = PathDistance(one.path, np.arange(len(one.path))).nearest(places)
-        there = _direction(one.path, row, at)
+        there = one.path.direction(row, at)
         parallel = np.abs(ahead[:, 0] * there[:, 1] - ahead[:, 1] * there[:, 0]) < PARALLEL
         share = np.bincount(which[(distance <= band) & parallel], minlength=len(rows)) / count
         # What only meets the path, as the lead of another pass does, covers little of it.
         covered = np.bincount(section, share * length, minlength=int(section.max(initial=0)) + 1)
         out[rows[(share > 0) & (covered[section] > COVERS * float(length_in_plane(one.path).sum()))]] = True
-    return out
-
-
-def _direction(toolpath: Toolpath, row: Ints, u: Floats) -> Floats:
-    """Unit vectors along moves at a fraction of each, (n, 2)."""
-    h = 1e-4
-    ahead = toolpath.place(row, np.minimum(u + h, 1.0)) - toolpath.place(row, np.maximum(u - h, 0.0))
-    out: Floats = ahead / np.maximum(np.hypot(*ahead.T), 1e-15)[:, None]
     return out
 
 
@@ -563,14 +554,11 @@ class Commanded:
     ----------
     following : (n,) bool
         Moves that follow the nominal.
-    error : float
-        Largest distance in mm of a following move from the nominal's exact parallel.
     expected : CompensatedContour
         Contour that they follow within `BAND`: the nominal, with the correction that the program carries.
     """
 
     following: Bools
-    error: float
     expected: CompensatedContour
 
     @staticmethod
@@ -608,7 +596,7 @@ class Commanded:
             )
         following = np.zeros(len(toolpath), dtype=bool)
         following[parts.row] = True
-        return Commanded(following, float(np.nanmax(parts.error)), expected)
+        return Commanded(following, expected)
 
 
 def commanded_offset(

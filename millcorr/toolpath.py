@@ -187,6 +187,13 @@ class Toolpath:
             out[curved] += 3 * control[:, :2] * v * (1 - v) ** 2 + 3 * control[:, 2:] * v**2 * (1 - v)
         return out
 
+    def direction(self, row: Ints, u: Floats) -> Floats:
+        """Unit vectors of travel in the plane, one fraction of each of some moves, (n, 2); 0 where nothing travels."""
+        h = 1e-6
+        ahead = self.place(row, np.minimum(u + h, 1.0)) - self.place(row, np.maximum(u - h, 0.0))
+        out: Floats = ahead / np.maximum(np.hypot(*ahead.T), 1e-15)[:, None]
+        return out
+
     def length(self) -> Floats:
         """Length of every move in mm, shape (n,); arcs with their helix."""
         delta = self.end - self.start

@@ -235,10 +235,7 @@ def _interpolated(surface: WantedSurface, stretch: Ints, s: Floats) -> Floats:
 def _at_the_ends(toolpath: Toolpath, rows: Ints, known: _Nodes) -> Floats:
     """Displacement at every node, (m, 2) mm: the same for both moves at a vertex, both sides kept at a corner."""
     node_row, node_u, way, amount = known.row, known.u, known.way, known.amount
-    h = 1e-6
-    low, high = np.maximum(node_u - h, 0.0), np.minimum(node_u + h, 1.0)
-    ahead = toolpath.place(rows[node_row], high) - toolpath.place(rows[node_row], low)
-    ahead /= np.maximum(np.hypot(*ahead.T), 1e-15)[:, None]
+    ahead = toolpath.direction(rows[node_row], node_u)
     right = np.stack([ahead[:, 1], -ahead[:, 0]], axis=1)
     across = (right * way).sum(axis=1)
     # The side of the material is one for the whole path.
