@@ -556,10 +556,13 @@ class Commanded:
         Moves that follow the nominal.
     expected : CompensatedContour
         Contour that they follow within `BAND`: the nominal, with the correction that the program carries.
+    error : float
+        By how much, in mm, they are off its exact parallel at most.
     """
 
     following: Bools
     expected: CompensatedContour
+    error: float
 
     @staticmethod
     def find(
@@ -596,7 +599,7 @@ class Commanded:
             )
         following = np.zeros(len(toolpath), dtype=bool)
         following[parts.row] = True
-        return Commanded(following, expected)
+        return Commanded(following, expected, float(np.nanmax(parts.error)))
 
 
 def commanded_offset(

@@ -356,6 +356,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
     in_place = (nominal is None or request.nominal_is_first_program) and not settings.leave_stock
     row_of, whole = np.flatnonzero(kept), (toolpath, usable)
     expected: CompensatedContour | None = None
+    given: Commanded | None = None
     if nominal is None:
         if settings.method == "predicted":
             _require_side(settings, toolpath, usable)
@@ -367,12 +368,12 @@ def correct(request: Request, *, check: bool = False) -> Result:
             following |= on_the_path(toolpath, plain, cut, program.resolution, reach=settings.limit)
     if request.nominal is not None or settings.leave_stock:
         reach = settings.limit if carried else 0.0
-        given = request.nominal is not None
-        nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, given)
+        stated = request.nominal is not None
+        nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, stated)
         rough = roughing(CommandedSurface(toolpath, cutters[kept]), commanded.following, nominal, program.resolution)
         if rough.any() and not settings.keep_allowance:
             usable = usable & ~rough
-            nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, given)
+            nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, stated)
         divided, row = cut_onto_the_contour(toolpath, commanded.following)
         if len(divided) > len(toolpath) and not in_place:
             _, found = _turned_to_the_path(nominal, divided, path_radius, usable[row], reach, False)
@@ -380,6 +381,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
             if len(np.unique(row[found.following])) > commanded.following.sum():
                 toolpath, commanded, usable, row_of = divided, found, usable[row], row_of[row]
         expected, following = commanded.expected, commanded.following
+        given = None if in_place else commanded
     if not following.any():
         raise InputError(f"{program.name}: no move runs along the contour that the points lie on")
     rows = np.zeros(len(kept), dtype=bool)
@@ -492,17 +494,19 @@ def correct(request: Request, *, check: bool = False) -> Result:
     header = _header(request, noted)
 
     def lay(correction: Correction) -> Emission:
-        if in_place:
+        if not settings.leave_stock:
             emission, note = emit_in_place(
                 program,
                 following,
                 nominal,
                 correction,
                 path_radius,
-                cutters,
+                cutters[row_of],
                 settings,
                 header=header,
                 carried=None if expected is None else expected.correction,
+                toolpath=toolpath,
+                given=given,
             )
             warnings.extend([note] if note is not None and note not in warnings else [])
             return emission

@@ -76,7 +76,7 @@ def verify(
     LimitError
         If the path is farther off than the tolerance, or gouges; names the place.
     """
-    points, length = _samples(emitted, np.flatnonzero(following))
+    points, length = sampled(emitted, np.flatnonzero(following))
     feet = FootPointSearch(compensated, margin=radius + 2.0).find(points)
     off = feet.distance - radius
     # Past a convex corner or an open end the path may run straight on: the cutter is then farther away.
@@ -104,7 +104,8 @@ def _across(points: Floats, profile: Profile, feet: FootPoints) -> Floats:
     return out
 
 
-def _samples(toolpath: Toolpath, rows: Ints) -> tuple[Floats, float]:
+def sampled(toolpath: Toolpath, rows: Ints) -> tuple[Floats, float]:
+    """Places along moves in mm, (k, 2), every `SPACING` mm and nine a move at least, and the length of the moves."""
     moves = toolpath.take(rows)
     # Heights may be unknown where the program has not stated one; the proof is in the plane.
     level = np.nan_to_num(moves.start) * [1, 1, 0], np.nan_to_num(moves.end) * [1, 1, 0]

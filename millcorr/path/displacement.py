@@ -8,7 +8,7 @@ the surface beside it. Where the moved path is no longer a line or an arc within
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,7 @@ from millcorr.footpoint import FootPointSearch, Place
 from millcorr.profile import Profile
 from millcorr.regeneration.curve_moves import Intervals, fit_moves
 from millcorr.regeneration.leads import carry_along, own_work
-from millcorr.regeneration.moves import FIT_SHARE, Regeneration, put_together, wanted_kind
+from millcorr.regeneration.moves import FIT_SHARE, KEEP_SHARE, Regeneration, put_together, wanted_kind
 from millcorr.regeneration.path_following import length_in_plane
 from millcorr.theoretical_contour import cutting_runs
 from millcorr.toolpath import Toolpath
@@ -91,13 +91,14 @@ class DisplacedPath:
 def displace(
     toolpath: Toolpath,
     following: Bools,
-    before: WantedSurface,
+    before: WantedSurface | None,
     after: WantedSurface,
     nominal: Profile,
     radius: float,
     *,
     tolerance: float = 0.001,
     output_moves: str = "keep",
+    original_error: float = 0.0,
 ) -> Regeneration:
     """Move the following moves of a toolpath by as much as the wanted surface has moved.
 
@@ -106,8 +107,11 @@ def displace(
     toolpath : Toolpath
     following : (n,) bool
         Moves that make the surface.
-    before, after : WantedSurface
-        What the toolpath makes, and what it is to make.
+    before : WantedSurface or None
+        What the toolpath makes, chords and rounding of its own apart, which stay; None: the path is laid on the exact
+        parallel of `after`.
+    after : WantedSurface
+        What it is to make.
     nominal : Profile
         What both were moved from.
     radius : float
@@ -115,6 +119,8 @@ def displace(
     tolerance : float
         Largest distance in mm between written and exact path, rounding included.
     output_moves : {'keep', 'lines', 'arcs', 'nurbs'}
+    original_error : float
+        How far the moves are off what they follow so far, mm, for `Regeneration`.
 
     Returns
     -------
@@ -130,6 +136,8 @@ def displace(
     shift0, shift1 = np.zeros((len(toolpath), 2)), np.zeros((len(toolpath), 2))
     known = _nodes(toolpath, rows, nominal, before, after, radius)
     node_row, node_u = known.row, known.u
+    if before is None:
+        known = _where_it_should_be(known, len(rows), KEEP_SHARE * tolerance)
     shift = _at_the_ends(toolpath, rows, known)
     shift[np.hypot(*shift.T) <= STILL] = 0.0
     path = DisplacedPath(toolpath, rows, node_row, node_u, shift)
@@ -142,7 +150,7 @@ def displace(
     intervals = _intervals(toolpath, path, pick, output_moves)
     fitted, owner, fit_error = fit_moves(intervals, path, 0.0, FIT_SHARE * tolerance)
     return put_together(
-        toolpath, following, rows[pick], fitted, owner, shift0, shift1, original_error=0.0, fit_error=fit_error
+        toolpath, following, rows[pick], fitted, owner, shift0, shift1, original_error=original_error, fit_error=fit_error
     )
 
 
@@ -150,15 +158,16 @@ def displace(
 class _Nodes:
     """Where on every move the displacement is known.
 
-    Index of the move, fraction, direction away from the contour, amount in mm, and whether the contour's nearest place
-    is a corner.
+    Index of the move, fraction, direction away from the contour, amount in mm, the normal of the move, and whether it
+    touches the contour there.
     """
 
     row: Ints
     u: Floats
     way: Floats
     amount: Floats
-    corner: Bools
+    normal: Floats
+    touching: Bools
 
     def take(self, index: Ints) -> _Nodes:
         return _Nodes(*(getattr(self, name)[index] for name in _Nodes.__slots__))
@@ -168,14 +177,24 @@ class _Nodes:
 
 
 def _nodes(
-    toolpath: Toolpath, rows: Ints, nominal: Profile, before: WantedSurface, after: WantedSurface, radius: float
+    toolpath: Toolpath, rows: Ints, nominal: Profile, before: WantedSurface | None, after: WantedSurface, radius: float
 ) -> _Nodes:
     """Nodes at the ends of every move, just inside them, and as close between as the displacement bends."""
     feet = FootPointSearch(nominal, margin=radius + 2.0)
+    side = 0.0
 
     def at(row: Ints, u: Floats) -> _Nodes:
+        nonlocal side
         place = np.ascontiguousarray(toolpath.place(rows[row], u))
-        return _Nodes(row, u, *_along_normals(place, feet, before, after, nominal, radius))
+        way, amount, corner = _along_normals(place, feet, before, after, nominal, radius)
+        ahead = toolpath.direction(rows[row], u)
+        right = np.stack([ahead[:, 1], -ahead[:, 0]], axis=1)
+        across = (right * way).sum(axis=1)
+        # The side of the material is one for the whole path.
+        side = side or (1.0 if np.median(across) >= 0 else -1.0)
+        # Beside a corner itself only an arc about it, whose normal it is that points there, touches.
+        touching = side * across >= np.where(corner, np.cos(ABOUT), np.cos(ALIGNED))
+        return _Nodes(row, u, way, amount, side * right, touching)
 
     length = np.maximum(length_in_plane(toolpath.take(rows)), 1e-9)
     count = np.maximum(2, np.ceil(length / STEP).astype(np.int64))
@@ -194,7 +213,7 @@ def _nodes(
         middle = at(a.row, (a.u + b.u) / 2)
         between = (a.amount[:, None] * a.way + b.amount[:, None] * b.way) / 2
         off = np.hypot(*(middle.amount[:, None] * middle.way - between).T)
-        bent = np.flatnonzero((off > BENT) & ((b.u - a.u) * length[a.row] > 4 * INSET))
+        bent = np.flatnonzero((off > BENT) & (a.touching | middle.touching | b.touching) & ((b.u - a.u) * length[a.row] > 4 * INSET))
         if not len(bent):
             break
         middle, a, b = middle.take(bent), a.take(bent), b.take(bent)
@@ -204,22 +223,34 @@ def _nodes(
 
 
 def _along_normals(
-    place: Floats, search: FootPointSearch, before: WantedSurface, after: WantedSurface, nominal: Profile, radius: float
+    place: Floats,
+    search: FootPointSearch,
+    before: WantedSurface | None,
+    after: WantedSurface,
+    nominal: Profile,
+    radius: float,
 ) -> tuple[Floats, Floats, Bools]:
     """Unit vectors from the contour to places of the path, how far the centre there moves along them, and corners."""
     feet = search.find(place)
     corner = (feet.place == Place.JOINT) & is_corner(nominal, feet)
     if radius == 0:
         stretch, s = nominal.stretch[feet.span], nominal.arc_length(feet.span, feet.t)
-        correction = [_interpolated(surface, stretch, s) for surface in (before, after)]
-        return feet.normal, correction[1] - correction[0], corner
+        was = feet.distance if before is None else _interpolated(before, stretch, s)
+        return feet.normal, _interpolated(after, stretch, s) - was, corner
     away = place - feet.foot
     size = np.hypot(*away.T)
     way = np.where((size > 1e-9)[:, None], away / np.maximum(size, 1e-12)[:, None], feet.normal)
     guess = radius - size
-    was = before.clearance(place, way, radius, guess)
-    now = after.clearance(place, way, radius, was)
+    was = np.zeros(len(place)) if before is None else before.clearance(place, way, radius, guess)
+    now = after.clearance(place, way, radius, guess if before is None else was)
     return way, now - was, corner
+
+
+def _where_it_should_be(known: _Nodes, count: int, allowed: float) -> _Nodes:
+    """Nodes of moves that are all over within so many mm of where they should be: these stay."""
+    largest = np.zeros(count)
+    np.maximum.at(largest, known.row, np.abs(known.amount))
+    return replace(known, amount=np.where(largest[known.row] <= allowed, 0.0, known.amount))
 
 
 def _interpolated(surface: WantedSurface, stretch: Ints, s: Floats) -> Floats:
@@ -234,25 +265,17 @@ def _interpolated(surface: WantedSurface, stretch: Ints, s: Floats) -> Floats:
 
 def _at_the_ends(toolpath: Toolpath, rows: Ints, known: _Nodes) -> Floats:
     """Displacement at every node, (m, 2) mm: the same for both moves at a vertex, both sides kept at a corner."""
-    node_row, node_u, way, amount = known.row, known.u, known.way, known.amount
-    ahead = toolpath.direction(rows[node_row], node_u)
-    right = np.stack([ahead[:, 1], -ahead[:, 0]], axis=1)
-    across = (right * way).sum(axis=1)
-    # The side of the material is one for the whole path.
-    side = 1.0 if np.median(across) >= 0 else -1.0
-    normal = side * right
-    # Beside a corner itself only an arc about it, whose normal it is that points there, touches.
-    touching = side * across >= np.where(known.corner, np.cos(ABOUT), np.cos(ALIGNED))
-    amount = _held(node_row, node_u, amount, touching)
+    node_row, node_u, normal = known.row, known.u, known.normal
+    amount = _held(node_row, node_u, known.amount, known.touching)
     # A node that touches moves along its way to the contour, another along the move's own normal.
-    shift = amount[:, None] * np.where(touching[:, None], way, normal)
+    shift = amount[:, None] * np.where(known.touching[:, None], known.way, normal)
     lost = np.isnan(amount)
     shift[lost] = 0.0
 
     first = np.flatnonzero(node_u == 0.0)
     last = np.flatnonzero(node_u == 1.0)
     this, after = _vertices(toolpath, rows)
-    turn = _turn(ahead[last[this]], ahead[first[after]])
+    turn = _turn(normal[last[this]], normal[first[after]])
     sharp = np.abs(turn) > SMOOTH
     # Just inside its ends a move knows nothing of the corner there.
     side0 = np.where(np.isnan(amount[last - 1]), np.nan, amount[last - 1])
@@ -272,7 +295,9 @@ def _at_the_ends(toolpath: Toolpath, rows: Ints, known: _Nodes) -> Floats:
         if is_sharp:
             _run_up(shift, node_row, node_u, normal, end, corner, toolpath, rows)
             _run_up(shift, node_row, node_u, normal, begin, corner, toolpath, rows)
-    return _floating(shift, lost, first, last)
+    joined = np.zeros((2, len(rows)), dtype=bool)
+    joined[0, after], joined[1, this] = True, True
+    return _floating(shift, lost, first, last, (joined[0], joined[1]))
 
 
 def _held(node_row: Ints, node_u: Floats, amount: Floats, touching: Bools) -> Floats:
@@ -324,11 +349,14 @@ def _run_up(
     shift[inner] += along
 
 
-def _floating(shift: Floats, lost: Bools, first: Ints, last: Ints) -> Floats:
-    """Moves that touch nothing take their ends' displacement, straight between."""
+def _floating(shift: Floats, lost: Bools, first: Ints, last: Ints, joined: tuple[Bools, Bools]) -> Floats:
+    """Moves that touch nothing take their ends' displacement, straight between; at a free end that of the other."""
     whole = np.flatnonzero(lost[first])
     for k in whole:
         a, b = first[k], last[k]
+        if joined[0][k] != joined[1][k]:
+            shift[a : b + 1] = shift[b if joined[1][k] else a]
+            continue
         share = np.linspace(0.0, 1.0, b - a + 1)[:, None]
         shift[a : b + 1] = shift[a] * (1 - share) + shift[b] * share
     return shift

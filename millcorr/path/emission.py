@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr import gcode
-from millcorr.commanded import CommandedSurface
+from millcorr.commanded import Commanded, CommandedSurface
 from millcorr.compensation import Correction
 from millcorr.errors import FitError, LimitError
 from millcorr.nurbs import NurbsCurve
@@ -41,6 +41,8 @@ def emit_in_place(
     *,
     header: Sequence[str],
     carried: Correction | None = None,
+    toolpath: Toolpath | None = None,
+    given: Commanded | None = None,
 ) -> tuple[Emission, str | None]:
     """Move the surface of a program by a correction, write it and prove what was written.
 
@@ -55,13 +57,18 @@ def emit_in_place(
     radius : float
         Distance in mm from contour to path.
     cutters : (m,) float64
-        Radius of the cutter of every move of the program, mm; NaN where it is not known.
+        Radius of the cutter of every move of the toolpath, mm; NaN where it is not known.
     settings : Settings
         Its tolerance and moves.
     header : sequence of str
         Comments for the first lines of a program that changed.
     carried : Correction, optional
         What of it the program carries already; nothing by default.
+    toolpath : Toolpath, optional
+        The program's moves, divided where a contour begins; its own by default.
+    given : Commanded, optional
+        What the program follows, where the nominal was given apart from it: the path is then laid on its exact
+        parallel.
 
     Returns
     -------
@@ -74,23 +81,25 @@ def emit_in_place(
     LimitError, FitError
         If the path would be unsafe, or the text does not prove.
     """
+    toolpath = program.toolpath if toolpath is None else toolpath
     before = WantedSurface(nominal, Correction.none(nominal) if carried is None else carried)
     after = WantedSurface(nominal, correction)
     regeneration = displace(
-        program.toolpath,
+        toolpath,
         following,
-        before,
+        before if given is None else None,
         after,
         nominal,
         radius,
         tolerance=settings.tolerance,
         output_moves=settings.output_moves,
+        original_error=0.0 if given is None else given.error,
     )
     reach = regeneration.largest_shift + settings.tolerance
     if settings.depth_along != "normal" and not any(c.closed for c in nominal.contours):
         # Ends slide along themselves by no more than twice as far again.
         reach += 2 * regeneration.largest_shift
-        regeneration = keep_coordinate(program.toolpath, regeneration, axis="yx".index(settings.depth_along))
+        regeneration = keep_coordinate(toolpath, regeneration, axis="yx".index(settings.depth_along))
     text = written_text(program, regeneration, settings.tolerance, header)
     emitted = prove_text(program.data, text, regeneration.lines, header=header, reach=reach).moves.toolpath()
     emitted = emitted.take(~_nowhere(emitted))
@@ -100,13 +109,14 @@ def emit_in_place(
         raise LimitError(f"the written program reads back with {len(emitted)} moves in place of {len(planned)}")
     _refuse_other_moves(planned, emitted, regeneration.lines, settings.tolerance)
     proof, (stays, place) = prove_surface(
-        CommandedSurface(program.toolpath, cutters),
+        CommandedSurface(toolpath, cutters),
         CommandedSurface(emitted, cutters[regeneration.origin[goes]]),
         (following, following_now),
         before,
         after,
         radius,
         tolerance=settings.tolerance,
+        exact=given is not None,
     )
     note = None
     if stays > settings.tolerance:

@@ -9,9 +9,10 @@ from numpy.typing import NDArray
 from millcorr.commanded import CommandedSurface
 from millcorr.comparison.path_distance import PathDistance, SegmentTree
 from millcorr.errors import LimitError
+from millcorr.footpoint import FootPointSearch, Place
 from millcorr.regeneration.path_following import length_in_plane
 from millcorr.toolpath import Kind, Toolpath
-from millcorr.verification import Verification
+from millcorr.verification import Verification, sampled
 
 from .wanted_surface import WantedSurface
 
@@ -32,6 +33,7 @@ def prove_surface(
     radius: float,
     *,
     tolerance: float,
+    exact: bool = False,
 ) -> tuple[Verification, tuple[float, tuple[float, float]]]:
     """Compare the surface of a written program with that of the original and with what was wanted.
 
@@ -47,6 +49,8 @@ def prove_surface(
         Distance in mm from contour to path.
     tolerance : float
         mm.
+    exact : bool
+        Whether the path was laid on the exact parallel of the wanted surface; else it keeps what the original is off.
 
     Returns
     -------
@@ -60,8 +64,42 @@ def prove_surface(
         If the surface is farther off than the tolerance: names place, amount and, where a pass that stays cuts into it,
         its line.
     """
+    rest = _out_of_reach(after, radius) if radius > 0 else np.zeros(len(after.moved))
+    if exact:
+        error, places, reached, own = _off_the_parallel(original, written, made_by, before, after, radius)
+        wanted = after.moved - own
+    else:
+        error, reached, own = _change_in_error(original, written, made_by, before, after, rest)
+        wanted, places = after.moved - before.moved, after.place
+    worst = int(np.argmax(np.abs(error)))
+    x, y = places[worst]
+    length = float(length_in_plane(written.toolpath.take(made_by[1])).sum())
+    result = Verification(float(abs(error[worst])), (float(x), float(y)), float(max(0.0, -error.min())), length)
+    if abs(error[worst]) > tolerance:
+        raise LimitError(
+            f"the corrected surface would be {abs(error[worst]) * 1000:.2f} um off at X{x:.3f} Y{y:.3f}, more than "
+            f"the tolerance of {tolerance * 1000:g} um"
+            + (" (the cutter gouges there)" if error[worst] < 0 else ": where that does no harm, a larger --tolerance")
+        )
+    if radius > 0:
+        _refuse_gouging_others(original, written, made_by, after, own, wanted, tolerance)
+    # What was out of reach before, as the corners of facets are, is no matter of the correction.
+    more = np.where(reached, rest - (_out_of_reach(before, radius) if radius > 0 else 0.0), 0.0)
+    most = int(np.argmax(more))
+    x, y = after.place[most]
+    return result, (float(more[most]), (float(x), float(y)))
+
+
+def _change_in_error(
+    original: CommandedSurface,
+    written: CommandedSurface,
+    made_by: tuple[Bools, Bools],
+    before: WantedSurface,
+    after: WantedSurface,
+    rest: Floats,
+) -> tuple[Floats, Bools, Floats]:
+    """What the change of the surface is off the wanted one, mm; where it was made before; and what was left there."""
     wanted = after.moved - before.moved
-    rest = _out_of_reach(after, radius) if radius > 0 else np.zeros(len(wanted))
     error = np.zeros(len(wanted))
     own = np.full(len(wanted), np.inf)
     reached = np.zeros(len(wanted), dtype=bool)
@@ -80,23 +118,31 @@ def prove_surface(
         off = np.where(change > 0, np.where(here, np.maximum(change - rest, 0.0), 0.0), np.maximum(change, over))
         off = np.where(known, np.where(change > 0, off, np.minimum(off, 0.0)), 0.0)
         error = np.where(np.abs(off) > np.abs(error), off, error)
-    worst = int(np.argmax(np.abs(error)))
-    x, y = after.place[worst]
-    length = float(length_in_plane(written.toolpath.take(made_by[1])).sum())
-    result = Verification(float(abs(error[worst])), (float(x), float(y)), float(max(0.0, -error.min())), length)
-    if abs(error[worst]) > tolerance:
-        raise LimitError(
-            f"the corrected surface would be {abs(error[worst]) * 1000:.2f} um off at X{x:.3f} Y{y:.3f}, more than "
-            f"the tolerance of {tolerance * 1000:g} um"
-            + (" (the cutter gouges there)" if error[worst] < 0 else ": where that does no harm, a larger --tolerance")
-        )
-    if radius > 0:
-        _refuse_gouging_others(original, written, made_by, after, own, wanted, tolerance)
-    # What was out of reach before, as the corners of facets are, is no matter of the correction.
-    more = np.where(reached, rest - (_out_of_reach(before, radius) if radius > 0 else 0.0), 0.0)
-    most = int(np.argmax(more))
-    x, y = after.place[most]
-    return result, (float(more[most]), (float(x), float(y)))
+    return error, reached, own
+
+
+def _off_the_parallel(
+    original: CommandedSurface,
+    written: CommandedSurface,
+    made_by: tuple[Bools, Bools],
+    before: WantedSurface,
+    after: WantedSurface,
+    radius: float,
+) -> tuple[Floats, Floats, Bools, Floats]:
+    """What a path is off the exact parallel, mm, and where; which places it made before, and what was left there."""
+    places, _ = sampled(written.toolpath, np.flatnonzero(made_by[1]))
+    feet = FootPointSearch(after.profile, margin=radius + 2.0).find(places)
+    off = after.distance(places) - radius
+    if radius == 0:
+        # Past an open end the path runs straight on.
+        across = ((places - feet.foot) * after.profile.normals(feet.span, feet.t)).sum(axis=1)
+        off = np.where(feet.place == Place.END, np.fmin(np.abs(off), np.abs(across)), off)
+    else:
+        # Past a convex corner and an open end the cutter may be farther away.
+        off = np.where(feet.place == Place.SMOOTH, off, np.minimum(off, 0.0))
+    own = original.only(made_by[0]).offset(before.nominal, before.normal)
+    reached = np.isfinite(own) & (np.abs(own - before.moved) < REACHED)
+    return off, places, reached, np.where(np.isfinite(own), own, np.inf)
 
 
 def _refuse_lost(made: Bools, now: Floats, after: WantedSurface) -> None:
@@ -132,7 +178,7 @@ def _refuse_gouging_others(
     # than an inside corner, it is not for the contour to say what it may.
     rows = np.flatnonzero(np.isfinite(own) & np.isfinite(now) & ~after.at_corner & ~(was < own - tolerance))
     over = np.zeros(len(own))
-    over[rows] = (now - own - wanted)[rows]
+    over[rows] = now[rows] - own[rows] - wanted[rows]
     worst = int(np.argmin(over))
     if over[worst] >= -tolerance:
         return

@@ -42,6 +42,7 @@ class WantedSurface:
 
     Attributes
     ----------
+    profile : Profile
     nominal, place : (n, 2) float64
         Points of the profile, and of the surface, mm.
     stretch, s : (n,)
@@ -57,6 +58,7 @@ class WantedSurface:
     """
 
     def __init__(self, profile: Profile, correction: Correction) -> None:
+        self.profile = profile
         span, t = self._samples(profile)
         self.nominal = profile.evaluate(span, t)[0]
         self.normal = profile.normals(span, t)
