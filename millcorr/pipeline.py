@@ -35,7 +35,7 @@ from .errors import DistrustError, FormatError, InputError, LimitError, UsageErr
 from .footpoint import FootPointSearch
 from .largest import largest_correction
 from .measurement import Measurement
-from .path.emission import emit_in_place
+from .path.emission import Emission, emit
 from .path.reading import read_moves
 from .prediction import Aim, Simulation, simulate
 from .prediction.combined_control import AxisTransfer, Machine
@@ -44,7 +44,6 @@ from .probe import axis_residue, contact_known, numbered_as_read
 from .profile import Profile
 from .reconstruction import CompensatedContour
 from .regeneration import Regeneration
-from .regeneration.emission import Emission, emit
 from .regeneration.vanishing_arcs import without_vanishing_arcs
 from .separation import Separated
 from .settings import Settings as Settings
@@ -352,11 +351,11 @@ def correct(request: Request, *, check: bool = False) -> Result:
             toolpath, kept = _for_first_cut(program, request, path_radius, usable)
             usable = usable[kept]
     nominal = request.nominal
-    # What the program itself cuts is corrected in place; on a given profile, and a first cut, the path is laid anew.
-    in_place = (nominal is None or request.nominal_is_first_program) and not settings.leave_stock
-    row_of, whole = np.flatnonzero(kept), (toolpath, usable)
+    # What the program itself cuts keeps its chords and rounding; on a drawing the path is laid exactly.
+    exact = nominal is not None and not request.nominal_is_first_program
+    row_of = np.flatnonzero(kept)
     expected: CompensatedContour | None = None
-    given: Commanded | None = None
+    original_error = 0.0
     if nominal is None:
         if settings.method == "predicted":
             _require_side(settings, toolpath, usable)
@@ -365,23 +364,24 @@ def correct(request: Request, *, check: bool = False) -> Result:
         )
         following = on_the_path(toolpath, usable, cut, program.resolution)
         if settings.keep_allowance:
-            following |= on_the_path(toolpath, plain, cut, program.resolution, reach=settings.limit)
-    if request.nominal is not None or settings.leave_stock:
+            following |= on_the_path(toolpath, plain[kept], cut, program.resolution, reach=settings.limit)
+        laid = whole = toolpath, following, row_of
+    else:
         reach = settings.limit if carried else 0.0
-        stated = request.nominal is not None
-        nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, stated)
-        rough = roughing(CommandedSurface(toolpath, cutters[kept]), commanded.following, nominal, program.resolution)
+        nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, True)
+        rough = roughing(CommandedSurface(toolpath, cutters), commanded.following, nominal, program.resolution)
         if rough.any() and not settings.keep_allowance:
             usable = usable & ~rough
-            nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, stated)
+            nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, True)
+        laid = whole = toolpath, commanded.following, row_of
         divided, row = cut_onto_the_contour(toolpath, commanded.following)
-        if len(divided) > len(toolpath) and not in_place:
+        if len(divided) > len(toolpath) and exact:
             _, found = _turned_to_the_path(nominal, divided, path_radius, usable[row], reach, False)
             # What only touches the contour is no part of it, and stays one move.
             if len(np.unique(row[found.following])) > commanded.following.sum():
-                toolpath, commanded, usable, row_of = divided, found, usable[row], row_of[row]
-        expected, following = commanded.expected, commanded.following
-        given = None if in_place else commanded
+                commanded, laid = found, (divided, found.following, row)
+        expected, original_error = commanded.expected, commanded.error
+        toolpath, following, row_of = laid
     if not following.any():
         raise InputError(f"{program.name}: no move runs along the contour that the points lie on")
     rows = np.zeros(len(kept), dtype=bool)
@@ -444,7 +444,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
             cut_by_another = allowance or again is not None
             offset = np.zeros(len(deviation)) if cut_by_another else offset_of(deviation, part.has_z)
             machine = deviation.value - offset
-            if request.nominal is None and in_place and not cut_by_another:
+            if request.nominal is None and not cut_by_another:
                 # The nominal is what the passes leave; the profile only says where and which way.
                 deviation, offset = replace(deviation, value=machine), np.zeros(len(machine))
             findings = distrust.examine_deviations(
@@ -494,35 +494,23 @@ def correct(request: Request, *, check: bool = False) -> Result:
     header = _header(request, noted)
 
     def lay(correction: Correction) -> Emission:
-        if not settings.leave_stock:
-            emission, note = emit_in_place(
-                program,
-                following,
-                nominal,
-                correction,
-                path_radius,
-                cutters[row_of],
-                settings,
-                header=header,
-                carried=None if expected is None else expected.correction,
-                toolpath=toolpath,
-                given=given,
-            )
-            warnings.extend([note] if note is not None and note not in warnings else [])
-            return emission
-        moves, free = (toolpath, usable) if correction.largest > EXACT else whole
-        return emit(
+        moves, rows, origin = laid if correction.largest > EXACT else whole
+        emission, note = emit(
             program,
+            moves,
+            rows,
             nominal,
             correction,
             path_radius,
+            cutters[origin],
             settings,
-            rows=free,
-            nominal_from_path=request.nominal is None,
             header=header,
-            toolpath=moves,
-            expected=expected,
+            carried=None if expected is None else expected.correction,
+            exact=exact,
+            original_error=original_error,
         )
+        warnings.extend([note] if note is not None and note not in warnings else [])
+        return emission
 
     foreseen: Foreseen | None = None
     if aim is None or before is None:

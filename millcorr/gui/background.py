@@ -22,7 +22,7 @@ STAGES: tuple[tuple[tuple[str, ...], str, float], ...] = (
     (("distrust", "probe"), _text("Millcorr", "Looking for doubts"), 0.25),
     (("deviation", "commanded"), _text("Millcorr", "Deviations"), 0.15),
     (("targets", "compensation", "separation"), _text("Millcorr", "Separating form from scatter"), 0.45),
-    (("path.emission", "regeneration.emission"), _text("Millcorr", "Laying and proving the path"), 0.75),
+    (("path.emission",), _text("Millcorr", "Laying and proving the path"), 0.75),
     (("scene",), _text("Millcorr", "Drawing"), 0.92),
 )
 """Modules of the core, what the user reads while one is at work, and the share of the whole that is then done."""

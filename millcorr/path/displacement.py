@@ -21,7 +21,7 @@ from millcorr.regeneration.leads import carry_along, own_work
 from millcorr.regeneration.moves import FIT_SHARE, KEEP_SHARE, Regeneration, put_together, wanted_kind
 from millcorr.regeneration.path_following import length_in_plane
 from millcorr.theoretical_contour import cutting_runs
-from millcorr.toolpath import Toolpath
+from millcorr.toolpath import Kind, Toolpath
 
 from .wanted_surface import WantedSurface, meeting
 
@@ -78,7 +78,7 @@ class DisplacedPath:
         out: Floats = self.toolpath.place(self.rows[piece], u) + moved
         return out
 
-    def evaluate(self, piece: Ints, sigma: Floats, offset: float = 0.0) -> tuple[Floats, Floats, Floats]:
+    def evaluate(self, piece: Ints, sigma: Floats) -> tuple[Floats, Floats, Floats]:
         """Points, normals to the right of travel, and speed, at lengths in mm along the moves as they were."""
         length = self.length[piece]
         u, h = sigma / length, 1e-5
@@ -145,13 +145,12 @@ def displace(
     np.logical_or.at(moved, node_row, shift.any(axis=1))
     first, last = node_u == 0.0, node_u == 1.0
     shift0[rows], shift1[rows] = shift[first], shift[last]
-    carry_along(toolpath, following, own_work(toolpath, following, np.zeros(len(toolpath), dtype=bool)), shift0, shift1)
+    carry_along(toolpath, following, own_work(toolpath, following), shift0, shift1)
     pick = np.flatnonzero(moved)
     intervals = _intervals(toolpath, path, pick, output_moves)
-    fitted, owner, fit_error = fit_moves(intervals, path, 0.0, FIT_SHARE * tolerance)
-    return put_together(
-        toolpath, following, rows[pick], fitted, owner, shift0, shift1, original_error=original_error, fit_error=fit_error
-    )
+    fitted, owner, fit_error = fit_moves(intervals, path, FIT_SHARE * tolerance)
+    errors = original_error, fit_error
+    return put_together(toolpath, following, rows[pick], fitted, owner, shift0, shift1, errors)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -213,7 +212,9 @@ def _nodes(
         middle = at(a.row, (a.u + b.u) / 2)
         between = (a.amount[:, None] * a.way + b.amount[:, None] * b.way) / 2
         off = np.hypot(*(middle.amount[:, None] * middle.way - between).T)
-        bent = np.flatnonzero((off > BENT) & (a.touching | middle.touching | b.touching) & ((b.u - a.u) * length[a.row] > 4 * INSET))
+        bent = np.flatnonzero(
+            (off > BENT) & (a.touching | middle.touching | b.touching) & ((b.u - a.u) * length[a.row] > 4 * INSET)
+        )
         if not len(bent):
             break
         middle, a, b = middle.take(bent), a.take(bent), b.take(bent)
@@ -367,6 +368,10 @@ def _intervals(toolpath: Toolpath, path: DisplacedPath, pick: Ints, output_moves
     zero, one = np.zeros(len(pick)), np.ones(len(pick))
     start, end = path.at(pick, zero), path.at(pick, one)
     z0, z1 = toolpath.start[rows, 2], toolpath.end[rows, 2]
+    whole = np.hypot(*(toolpath.end[rows, :2] - toolpath.start[rows, :2]).T) < 1e-9
+    kind = wanted_kind(toolpath.kind[rows], z0, z1, output_moves)
+    # Of what has shrunk into a corner only the place is left.
+    kind = np.where((np.hypot(*(end - start).T) < 1e-9) & ~whole, int(Kind.LINE), kind)
     return Intervals(
         owner=np.arange(len(pick)),
         piece=pick,
@@ -376,8 +381,6 @@ def _intervals(toolpath: Toolpath, path: DisplacedPath, pick: Ints, output_moves
         end=end,
         z0=z0,
         z1=z1,
-        kind=wanted_kind(toolpath.kind[rows], z0, z1, output_moves),
-        corner=np.full((len(pick), 2), np.nan),
-        whole=np.hypot(*(end - start).T) < 1e-9,
-        sweep_sign=np.sign(toolpath.sweep[rows]),
+        kind=kind,
+        whole=whole,
     )

@@ -4,21 +4,23 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from millcorr import gcode
-from millcorr.commanded import Commanded, CommandedSurface
+from millcorr.commanded import CommandedSurface
 from millcorr.compensation import Correction
 from millcorr.errors import FitError, LimitError
 from millcorr.nurbs import NurbsCurve
 from millcorr.profile import Contour, Profile
 from millcorr.reconstruction import CompensatedContour
-from millcorr.regeneration.emission import Emission, written_text
 from millcorr.regeneration.free_ends import keep_coordinate
+from millcorr.regeneration.moves import Regeneration
 from millcorr.settings import Settings
 from millcorr.toolpath import Plane, Toolpath
+from millcorr.verification import Verification
 
 from .displacement import displace
 from .surface_proof import prove_surface
@@ -30,8 +32,33 @@ Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 
 
-def emit_in_place(
+@dataclass(frozen=True, eq=False, slots=True)
+class Emission:
+    """A program laid on a moved profile, with its proof.
+
+    Parameters
+    ----------
+    compensated : Profile
+        The profile that it cuts on a machine without errors.
+    fit_residual : float
+        Largest distance between the exact moved contour and that NURBS, mm.
+    regeneration : Regeneration
+    verification : Verification
+        Of the program's text, read back.
+    text : bytes
+        The program; the very bytes of the original where nothing changed.
+    """
+
+    compensated: Profile
+    fit_residual: float
+    regeneration: Regeneration
+    verification: Verification
+    text: bytes
+
+
+def emit(
     program: gcode.Program,
+    toolpath: Toolpath,
     following: Bools,
     nominal: Profile,
     correction: Correction,
@@ -41,14 +68,16 @@ def emit_in_place(
     *,
     header: Sequence[str],
     carried: Correction | None = None,
-    toolpath: Toolpath | None = None,
-    given: Commanded | None = None,
+    exact: bool = False,
+    original_error: float = 0.0,
 ) -> tuple[Emission, str | None]:
     """Move the surface of a program by a correction, write it and prove what was written.
 
     Parameters
     ----------
     program : Program
+    toolpath : Toolpath
+        Its moves, divided where a contour begins on one of them; of a first cut without the fillets that vanish.
     following : (n,) bool
         Moves that make the surface.
     nominal : Profile
@@ -64,11 +93,11 @@ def emit_in_place(
         Comments for the first lines of a program that changed.
     carried : Correction, optional
         What of it the program carries already; nothing by default.
-    toolpath : Toolpath, optional
-        The program's moves, divided where a contour begins; its own by default.
-    given : Commanded, optional
-        What the program follows, where the nominal was given apart from it: the path is then laid on its exact
-        parallel.
+    exact : bool
+        Whether the path is laid on the exact parallel of the wanted surface, as where the nominal is a drawing; else it
+        keeps chords and rounding of its own.
+    original_error : float
+        How far the moves are off what they follow so far, mm.
 
     Returns
     -------
@@ -81,27 +110,28 @@ def emit_in_place(
     LimitError, FitError
         If the path would be unsafe, or the text does not prove.
     """
-    toolpath = program.toolpath if toolpath is None else toolpath
     before = WantedSurface(nominal, Correction.none(nominal) if carried is None else carried)
     after = WantedSurface(nominal, correction)
     regeneration = displace(
         toolpath,
         following,
-        before if given is None else None,
+        None if exact else before,
         after,
         nominal,
         radius,
         tolerance=settings.tolerance,
         output_moves=settings.output_moves,
-        original_error=0.0 if given is None else given.error,
+        original_error=original_error,
     )
     reach = regeneration.largest_shift + settings.tolerance
     if settings.depth_along != "normal" and not any(c.closed for c in nominal.contours):
         # Ends slide along themselves by no more than twice as far again.
         reach += 2 * regeneration.largest_shift
         regeneration = keep_coordinate(toolpath, regeneration, axis="yx".index(settings.depth_along))
-    text = written_text(program, regeneration, settings.tolerance, header)
-    emitted = prove_text(program.data, text, regeneration.lines, header=header, reach=reach).moves.toolpath()
+    text = _written_text(program, regeneration, settings.tolerance, header)
+    # Of a first cut's vanishing fillets the lines go, and their neighbours' ends with them.
+    lines = np.unique(program.toolpath.source) if settings.leave_stock else regeneration.lines
+    emitted = prove_text(program.data, text, lines, header=header, reach=reach).moves.toolpath()
     emitted = emitted.take(~_nowhere(emitted))
     goes = ~_nowhere(regeneration.toolpath)
     planned, following_now = regeneration.toolpath.take(goes), regeneration.following[goes]
@@ -116,7 +146,7 @@ def emit_in_place(
         after,
         radius,
         tolerance=settings.tolerance,
-        exact=given is not None,
+        exact=exact,
     )
     note = None
     if stays > settings.tolerance:
@@ -179,3 +209,16 @@ def compensated_profile(nominal: Profile, correction: Correction, surface: Wante
         curve = NurbsCurve(1, points, np.ones(len(points)), np.arange(float(len(points))), count)
         contours.append(Contour((curve,), contour.closed))
     return Profile.from_contours(contours), 0.0
+
+
+def _written_text(program: gcode.Program, regeneration: Regeneration, tolerance: float, header: Sequence[str]) -> bytes:
+    """The new program; decimals as the program has them where the tolerance allows."""
+    plain = gcode.write(program, regeneration.toolpath, tolerance=tolerance)
+    if plain == program.data:
+        return plain
+    room = tolerance - regeneration.fit_error
+    # Rounding moves a point by at most half a unit in each of two directions.
+    own = program.style.decimals
+    unit = 25.4 if (program.modal.unit == 20).any() else 1.0
+    decimals = own if np.sqrt(0.5) * unit * 10.0**-own <= 0.9 * room else None
+    return gcode.write(program, regeneration.toolpath, decimals=decimals, tolerance=tolerance, header=header)

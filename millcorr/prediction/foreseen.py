@@ -22,8 +22,8 @@ from millcorr.engagement import engagement, stock_of
 from millcorr.engagement.contact_steps import Contacts
 from millcorr.errors import UsageError
 from millcorr.footpoint import FootPointSearch
+from millcorr.path.emission import Emission
 from millcorr.profile import Profile
-from millcorr.regeneration.emission import Emission
 from millcorr.separation.parts import averaged
 from millcorr.settings import Settings
 from millcorr.setup_file import Setup

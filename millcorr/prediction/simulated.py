@@ -25,8 +25,8 @@ from millcorr.errors import FormatError, LimitError, RefusedError
 from millcorr.footpoint import FootPointSearch
 from millcorr.kinematics import Control, Halts, Motion, halts_of, motion
 from millcorr.measurement import Measurement
+from millcorr.path.emission import Emission
 from millcorr.profile import Profile
-from millcorr.regeneration.emission import Emission
 from millcorr.setup_file import Setup
 from millcorr.toolpath import Toolpath
 

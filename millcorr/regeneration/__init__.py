@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From a correction to moves: the path laid anew on the exact parallel of the compensated contour."""
+"""From a displaced path to moves: which moves follow a contour, what replaces them, and what goes along."""
 
-from .moves import BAND, OUTPUT_MOVES, Regeneration, regenerate
+from .moves import BAND, OUTPUT_MOVES, Regeneration
 
-__all__ = ["BAND", "OUTPUT_MOVES", "Regeneration", "regenerate"]
+__all__ = ["BAND", "OUTPUT_MOVES", "Regeneration"]

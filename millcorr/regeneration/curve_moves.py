@@ -9,7 +9,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from millcorr.errors import FitError, LimitError
+from millcorr.errors import FitError
 from millcorr.toolpath import Kind, Plane, Toolpath
 
 Floats = NDArray[np.float64]
@@ -26,7 +26,7 @@ ROUNDS = 24
 class ExactPath(Protocol):
     """A path made of pieces, each a function of one parameter."""
 
-    def evaluate(self, piece: Ints, sigma: Floats, offset: float = 0.0, /) -> tuple[Floats, Floats, Floats]:
+    def evaluate(self, piece: Ints, sigma: Floats, /) -> tuple[Floats, Floats, Floats]:
         """Points (n, 2) in mm, unit normals to the right of growing sigma, and length per unit of sigma."""
 
 
@@ -39,21 +39,17 @@ class Intervals:
     owner : (e,) int64
         What the resulting moves belong to.
     piece : (e,) int64
-        Piece of the contour; negative on the arc about a corner.
+        Piece of the path.
     sigma0, sigma1 : (e,) float64
-        Arc length on the piece at start and end, mm.
+        Parameter of the piece at start and end, mm.
     start, end : (e, 2) float64
         Ends that the moves must meet exactly, mm.
     z0, z1 : (e,) float64
         Heights at the ends, mm.
     kind : (e,) int64
         `Kind` to use.
-    corner : (e, 2) float64
-        Centre of the arc about a corner; NaN elsewhere.
     whole : (e,) bool
         True where the interval is a full turn, ending where it starts.
-    sweep_sign : (e,) float64
-        Direction of the arc about a corner.
     """
 
     owner: Ints
@@ -65,26 +61,20 @@ class Intervals:
     z0: Floats
     z1: Floats
     kind: Ints
-    corner: Floats
     whole: Bools
-    sweep_sign: Floats
 
     def take(self, index: Ints | Bools) -> Intervals:
         """Rows chosen by index or mask."""
         return Intervals(**{f.name: getattr(self, f.name)[index] for f in fields(self)})
 
 
-def fit_moves(
-    intervals: Intervals, contour: ExactPath, radius: float, tolerance: float
-) -> tuple[Toolpath, Ints, float]:
+def fit_moves(intervals: Intervals, path: ExactPath, tolerance: float) -> tuple[Toolpath, Ints, float]:
     """Replace intervals of the exact path by moves.
 
     Parameters
     ----------
     intervals : Intervals
-    contour : ExactPath
-    radius : float
-        Distance of the path from the contour, mm.
+    path : ExactPath
     tolerance : float
         Largest distance in mm between moves and exact path.
 
@@ -98,35 +88,26 @@ def fit_moves(
 
     Raises
     ------
-    LimitError
-        If the contour turns tighter than the radius: the cutter would gouge.
     FitError
         If the tolerance cannot be reached.
     """
     moves: list[tuple[Ints, Floats, Toolpath]] = []
     largest = 0.0
-    corner = intervals.piece < 0
-    if corner.any():
-        moves += _about_corners(intervals.take(corner), tolerance)
-        if (intervals.kind[corner] == Kind.LINE).any():
-            largest = tolerance
-    rest = intervals.take(~corner)
-    for round_ in range(ROUNDS):
+    rest = intervals
+    for _ in range(ROUNDS):
         if not len(rest.owner):
             break
-        probes = _probe(rest, contour, radius)
-        if round_ == 0 or round_ == 4:
-            _refuse_gouge(rest, probes, contour, radius)
+        probes = _probe(rest, path)
         done = np.zeros(len(rest.owner), dtype=bool)
         for kind, attempt in ((Kind.LINE, _lines), (Kind.ARC, _arcs), (Kind.CUBIC, _cubics)):
             rows = np.flatnonzero(rest.kind == kind)
             if len(rows):
-                error, found = attempt(rest.take(rows), probes[rows], tolerance, contour, radius)
+                error, found = attempt(rest.take(rows), probes[rows], tolerance, path)
                 ok = error <= tolerance
                 done[rows[ok]] = True
                 largest = max(largest, float(error[ok].max(initial=0.0)))
                 moves += found
-        rest = _halves(rest.take(~done), contour, radius)
+        rest = _halves(rest.take(~done), path)
     else:
         x, y = rest.start[0]
         raise FitError(f"the corrected path near X{x:.3f} Y{y:.3f} cannot be written within {tolerance:g} mm")
@@ -166,59 +147,15 @@ def _place(rows: Intervals) -> Floats:
     return out
 
 
-def _about_corners(rows: Intervals, tolerance: float) -> list[tuple[Ints, Floats, Toolpath]]:
-    arm0, arm1 = rows.start - rows.corner, rows.end - rows.corner
-    turn = np.arctan2(arm0[:, 0] * arm1[:, 1] - arm0[:, 1] * arm1[:, 0], (arm0 * arm1).sum(axis=1))
-    # The corner's arc keeps its direction; a correction never turns it round.
-    against = (rows.sweep_sign != 0) & (np.sign(turn) != rows.sweep_sign)
-    sweep = np.where(against, turn + rows.sweep_sign * 2 * np.pi, turn)
-    radius = np.hypot(*arm0.T)
-    line = rows.kind == Kind.LINE
-    a = rows.take(~line)
-    arcs = _moves(a.start, a.end, a.z0, a.z1, Kind.ARC, centre=a.corner, sweep=sweep[~line])
-    out = [(a.owner, np.zeros(len(a.owner)), arcs)]
-    for i in np.flatnonzero(line):
-        largest = 2 * np.arccos(max(1 - tolerance / radius[i], 0.0)) if radius[i] > 0 else np.pi
-        count = max(1, int(np.ceil(abs(sweep[i]) / largest)))
-        share = np.arange(count + 1) / count
-        angle = np.arctan2(arm0[i, 1], arm0[i, 0]) + sweep[i] * share
-        point = rows.corner[i] + radius[i] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
-        point[0], point[-1] = rows.start[i], rows.end[i]
-        z = rows.z0[i] + (rows.z1[i] - rows.z0[i]) * share
-        chords = _moves(point[:-1], point[1:], z[:-1], z[1:], Kind.LINE)
-        out.append((np.full(count, rows.owner[i]), np.arange(float(count)), chords))
-    return out
-
-
-def _probe(rows: Intervals, contour: ExactPath, radius: float) -> Floats:
+def _probe(rows: Intervals, path: ExactPath) -> Floats:
     """Points of the exact path within each interval, (e, 15, 2)."""
     sigma = rows.sigma0[:, None] + (rows.sigma1 - rows.sigma0)[:, None] * PROBES
     piece = np.repeat(rows.piece, len(PROBES))
-    return contour.evaluate(piece, sigma.ravel(), radius)[0].reshape(-1, len(PROBES), 2)
-
-
-def _refuse_gouge(rows: Intervals, probes: Floats, contour: ExactPath, radius: float) -> None:
-    """LimitError where the parallel curve runs backwards: the contour turns tighter than the radius."""
-    sigma = rows.sigma0[:, None] + (rows.sigma1 - rows.sigma0)[:, None] * PROBES
-    piece = np.repeat(rows.piece, len(PROBES))
-    _, normal, size = contour.evaluate(piece, sigma.ravel(), radius)
-    step = np.diff(probes, axis=1)
-    normal = normal.reshape(-1, len(PROBES), 2)
-    way = np.sign(rows.sigma1 - rows.sigma0)[:, None]
-    middle = normal[:, 1:] + normal[:, :-1]
-    forward = (step[:, :, 1] * middle[:, :, 0] - step[:, :, 0] * middle[:, :, 1]) * way
-    bad = (forward < -1e-9).any(axis=1) | (size.reshape(-1, len(PROBES)) <= 0).any(axis=1)
-    if bad.any():
-        i = int(np.flatnonzero(bad)[0])
-        x, y = probes[i, len(PROBES) // 2]
-        raise LimitError(
-            f"the cutter of radius {radius:g} mm would gouge near X{x:.3f} Y{y:.3f}: there the corrected profile "
-            "turns tighter than the cutter; use a stronger --filter or a smaller tool"
-        )
+    return path.evaluate(piece, sigma.ravel())[0].reshape(-1, len(PROBES), 2)
 
 
 def _lines(
-    rows: Intervals, probes: Floats, tolerance: float, contour: ExactPath, radius: float
+    rows: Intervals, probes: Floats, tolerance: float, path: ExactPath
 ) -> tuple[Floats, list[tuple[Ints, Floats, Toolpath]]]:
     error = np.where(rows.whole, np.inf, _off_chord(rows, probes))
     good = rows.take(error <= tolerance)
@@ -236,7 +173,7 @@ def _off_chord(rows: Intervals, probes: Floats) -> Floats:
 
 
 def _arcs(
-    rows: Intervals, probes: Floats, tolerance: float, contour: ExactPath, radius: float
+    rows: Intervals, probes: Floats, tolerance: float, path: ExactPath
 ) -> tuple[Floats, list[tuple[Ints, Floats, Toolpath]]]:
     """One arc through the ends and the middle; a line where that is as good and the radius is huge."""
     middle = len(PROBES) // 2
@@ -279,14 +216,14 @@ def _sweep(start: Floats, middle: Floats, end: Floats, centre: Floats, whole: Bo
 
 
 def _cubics(
-    rows: Intervals, probes: Floats, tolerance: float, contour: ExactPath, radius: float
+    rows: Intervals, probes: Floats, tolerance: float, path: ExactPath
 ) -> tuple[Floats, list[tuple[Ints, Floats, Toolpath]]]:
     """One Bezier cubic with the path's tangents at its ends."""
     step = (rows.sigma1 - rows.sigma0)[:, None] / 3
     # Just inside: where the curvature jumps, each side has its own speed.
     inside = 1e-6 * (rows.sigma1 - rows.sigma0)
-    _, n0, f0 = contour.evaluate(rows.piece, rows.sigma0 + inside, radius)
-    _, n1, f1 = contour.evaluate(rows.piece, rows.sigma1 - inside, radius)
+    _, n0, f0 = path.evaluate(rows.piece, rows.sigma0 + inside)
+    _, n1, f1 = path.evaluate(rows.piece, rows.sigma1 - inside)
     p1 = rows.start + step * np.stack([-n0[:, 1], n0[:, 0]], 1) * f0[:, None]
     p2 = rows.end - step * np.stack([-n1[:, 1], n1[:, 0]], 1) * f1[:, None]
     u = PROBES[None, :, None]
@@ -297,7 +234,7 @@ def _cubics(
         + rows.end[:, None] * u**3
     )
     sigma = rows.sigma0[:, None] + (rows.sigma1 - rows.sigma0)[:, None] * PROBES
-    _, normal, _ = contour.evaluate(np.repeat(rows.piece, len(PROBES)), sigma.ravel(), radius)
+    _, normal, _ = path.evaluate(np.repeat(rows.piece, len(PROBES)), sigma.ravel())
     gap = curve - probes
     across = np.abs((gap * normal.reshape(gap.shape)).sum(axis=2)).max(axis=1)
     # Running ahead along the path costs only its square over the radius of curvature.
@@ -309,12 +246,12 @@ def _cubics(
     return error, [(good.owner, _place(good), moves)]
 
 
-def _halves(rows: Intervals, contour: ExactPath, radius: float) -> Intervals:
+def _halves(rows: Intervals, path: ExactPath) -> Intervals:
     """Each interval cut in the middle of its arc length."""
     if not len(rows.owner):
         return rows
     middle = (rows.sigma0 + rows.sigma1) / 2
-    point = contour.evaluate(rows.piece, middle, radius)[0]
+    point = path.evaluate(rows.piece, middle)[0]
     height = (rows.z0 + rows.z1) / 2
     none = np.zeros(len(rows.owner), dtype=bool)
     first = {f.name: getattr(rows, f.name) for f in fields(rows)}

@@ -56,7 +56,7 @@ def keep_coordinate(toolpath: Toolpath, regeneration: Regeneration, axis: int) -
         shift1[tail] = _slide(moves, tail, last[axis] - moves.end[tail, axis], axis)
     if max(np.abs(shift0).max(), np.abs(shift1).max()) > 2 * regeneration.largest_shift:
         return regeneration
-    carry_along(moves, following, own_work(moves, following, np.zeros(len(moves), dtype=bool)), shift0, shift1)
+    carry_along(moves, following, own_work(moves, following), shift0, shift1)
     bent = (moves.kind == int(Kind.ARC)) | (moves.kind == int(Kind.CUBIC))
     if (bent & (shift0 != shift1).any(axis=1)).any():
         return regeneration

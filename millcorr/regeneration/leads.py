@@ -21,7 +21,7 @@ REACH = 30.0
 """Leads are at most this long, in mm; what is chained on farther away stays where it is."""
 
 
-def own_work(toolpath: Toolpath, following: Bools, beside: Bools) -> Bools:
+def own_work(toolpath: Toolpath, following: Bools) -> Bools:
     """Moves that cut something else than the corrected contour.
 
     Parameters
@@ -29,14 +29,12 @@ def own_work(toolpath: Toolpath, following: Bools, beside: Bools) -> Bools:
     toolpath : Toolpath
     following : (n,) bool
         Moves on the contour that is corrected.
-    beside : (n,) bool
-        Moves that run along it at another distance, as roughing passes do.
 
     Returns
     -------
     (n,) bool
     """
-    out = beside & ~following
+    out = np.zeros(len(toolpath), dtype=bool)
     section = sections(toolpath)
     touched = np.zeros(int(section.max(initial=0)) + 1, dtype=bool)
     touched[section[following]] = True

@@ -10,10 +10,9 @@ import pytest
 
 from millcorr import gcode, pipeline
 from millcorr.compensation import Correction, Course
-from millcorr.reconstruction import CompensatedContour
-from millcorr.regeneration import regenerate
 from millcorr.regeneration.free_ends import keep_coordinate
 from tests.core import loop_programs as programs
+from tests.core.laid_paths import laid
 
 LEADS = """G21 G90
 G0 X-10 Y-20
@@ -76,8 +75,7 @@ def regenerated(text: str, bare: str, shift: float):
     nominal = pipeline.nominal_from_program(gcode.parse(bare), 5.0, pipeline.Settings(side="left"), None)
     stretches = tuple(nominal.stretches())
     courses = tuple(Course.constant(shift, t.length, t.closed) for t in stretches)
-    contour = CompensatedContour(nominal, Correction(stretches, courses))
-    plain = regenerate(program.toolpath, contour, 5.0)
+    plain = laid(program.toolpath, nominal, Correction(stretches, courses), 5.0)
     return program.toolpath, plain.toolpath, keep_coordinate(program.toolpath, plain, 0).toolpath
 
 

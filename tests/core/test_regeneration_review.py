@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 from millcorr.footpoint import FootPointSearch, Place
 from millcorr.profile import Profile
 from millcorr.reconstruction import CompensatedContour
-from millcorr.regeneration import Regeneration, regenerate
+from millcorr.regeneration import Regeneration
 from tests.core.contours import Element, Part, Path, parts, profile_of, rectangle, reversed_elements, started_at
+from tests.core.laid_paths import laid
 from tests.core.sweeps import examples
 from tests.core.test_reconstruction import constant, waves
 
@@ -76,7 +77,7 @@ def test_random_parts(part, mitre, climb, index, fraction, size, wavelength, mov
         elements = reversed_elements(elements)
     elements = started_at(elements, index, fraction)
     contour = CompensatedContour(profile, waves(profile, size, wavelength))
-    done = regenerate(program(elements, lead, climb, passes).toolpath(), contour, R, output_moves=moves)
+    done = laid(program(elements, lead, climb, passes).toolpath(), profile, contour.correction, R, moves)
     check(done, contour, passes * sum(e.length for e in elements))
     if size == 0.0 and moves == "keep":
         assert done.changed == 0
@@ -93,7 +94,7 @@ def go(profile: Profile, elements: list[Element], climb: bool) -> None:
         elements = reversed_elements(elements)
     elements = started_at(elements, 0, 0.5)
     contour = CompensatedContour(profile, constant(profile, 0.05))
-    done = regenerate(program(elements, False, climb, 1).toolpath(), contour, R, output_moves="lines")
+    done = laid(program(elements, False, climb, 1).toolpath(), profile, contour.correction, R, "lines")
     check(done, contour, sum(e.length for e in elements))
 
 

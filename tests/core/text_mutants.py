@@ -120,7 +120,7 @@ def _splines(line: bytes) -> bool:
 
 
 def _kind(line: bytes, codes: tuple[int, ...]) -> str:
-    """"place" of a line that holds a place in the plane, with or without one of these G codes, and nothing else."""
+    """ "place" of a line that holds a place in the plane, with or without one of these G codes, and nothing else."""
     letters = _PLACES + (b"PQ" if _splines(line) else b"")
 
     def keep(found: re.Match[bytes]) -> bytes:
