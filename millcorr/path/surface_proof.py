@@ -10,6 +10,7 @@ from millcorr.commanded import CommandedSurface
 from millcorr.comparison.path_distance import PathDistance, SegmentTree
 from millcorr.errors import LimitError
 from millcorr.footpoint import FootPointSearch, Place
+from millcorr.regeneration import BAND
 from millcorr.regeneration.path_following import length_in_plane
 from millcorr.toolpath import Kind, Toolpath
 from millcorr.verification import Verification, sampled
@@ -141,8 +142,8 @@ def _off_the_parallel(
         # Past a convex corner and an open end the cutter may be farther away.
         off = np.where(feet.place == Place.SMOOTH, off, np.minimum(off, 0.0))
     own = original.only(made_by[0]).offset(before.nominal, before.normal)
-    reached = np.isfinite(own) & (np.abs(own - before.moved) < REACHED)
-    return off, places, reached, np.where(np.isfinite(own), own, np.inf)
+    made = np.isfinite(own) & (np.abs(own - before.moved) < BAND)
+    return off, places, made, np.where(made, own, np.inf)
 
 
 def _refuse_lost(made: Bools, now: Floats, after: WantedSurface) -> None:
