@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from millcorr.deviation import is_corner
 from millcorr.footpoint import FootPointSearch, Place
-from millcorr.profile import Profile
+from millcorr.profile import SAME_HEIGHT, Profile
 from millcorr.regeneration.curve_moves import Intervals, fit_moves
 from millcorr.regeneration.leads import carry_along, own_work
 from millcorr.regeneration.moves import FIT_SHARE, Regeneration, put_together, wanted_kind
@@ -173,8 +173,11 @@ def _nodes(
     """Nodes at the ends of every move, just inside them, and as close between as the displacement bends."""
     feet = FootPointSearch(nominal, margin=radius + 2.0)
 
+    # A move makes the wall at the height that it has come down to.
+    z = np.fmax(toolpath.start[rows, 2], toolpath.end[rows, 2])
+
     def at(row: Ints, u: Floats) -> _Nodes:
-        place = np.ascontiguousarray(toolpath.place(rows[row], u))
+        place = np.column_stack([toolpath.place(rows[row], u), z[row]])
         return _Nodes(row, u, *_along_normals(place, feet, before, after, nominal, radius))
 
     length = np.maximum(length_in_plane(toolpath.take(rows)), 1e-9)
@@ -206,14 +209,14 @@ def _nodes(
 def _along_normals(
     place: Floats, search: FootPointSearch, before: WantedSurface, after: WantedSurface, nominal: Profile, radius: float
 ) -> tuple[Floats, Floats, Bools]:
-    """Unit vectors from the contour to places of the path, how far the centre there moves along them, and corners."""
+    """Unit vectors from the contour to places (n, 3) of the path, how far the centre moves along them, and corners."""
     feet = search.find(place)
     corner = (feet.place == Place.JOINT) & is_corner(nominal, feet)
     if radius == 0:
         stretch, s = nominal.stretch[feet.span], nominal.arc_length(feet.span, feet.t)
         correction = [_interpolated(surface, stretch, s) for surface in (before, after)]
         return feet.normal, correction[1] - correction[0], corner
-    away = place - feet.foot
+    away = place[:, :2] - feet.foot
     size = np.hypot(*away.T)
     way = np.where((size > 1e-9)[:, None], away / np.maximum(size, 1e-12)[:, None], feet.normal)
     guess = radius - size
@@ -292,7 +295,9 @@ def _held(node_row: Ints, node_u: Floats, amount: Floats, touching: Bools) -> Fl
 def _vertices(toolpath: Toolpath, rows: Ints) -> tuple[Ints, Ints]:
     """Pairs of following moves (indices into `rows`) of which the second begins where the first ends; seams too."""
     start, end = toolpath.start[rows, :2], toolpath.end[rows, :2]
-    meets = np.hypot(*(start[1:] - end[:-1]).T) < 1e-6
+    # The next pass may begin where this one ends, but deeper.
+    down = np.nan_to_num(toolpath.start[rows[1:], 2] - toolpath.end[rows[:-1], 2])
+    meets = (np.hypot(*(start[1:] - end[:-1]).T) < 1e-6) & (np.abs(down) < SAME_HEIGHT)
     this = np.flatnonzero(meets)
     after = this + 1
     begin = np.concatenate([[0], np.flatnonzero(~meets) + 1])
