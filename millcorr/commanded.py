@@ -349,17 +349,24 @@ def _in_steps(found: list[CutContour], count: Ints, radius: float) -> tuple[list
         Heights in mm down to which further steps are cut, above and below all that made points.
     """
     found, total = list(found), max(1, int(count.sum()))
-    made, left, seen = [], [], set()
+    made: list[int] = []
+    left: list[float] = []
+    seen: set[int] = set()
+
+    @cache
+    def profile(k: int) -> Profile:
+        return Profile.from_contours([found[k].contour])
+
     for k in np.flatnonzero(count).tolist():
         if k in seen:
             continue
-        steps = _steps_of_wall(found, k)
-        seen |= set(steps)
-        share = FEW / max(1, len(steps))
-        measured = [n for n, i in enumerate(steps) if count[i] > share * total]
+        steps = _steps_of_wall(found, profile, k)
         if k not in steps or len(steps) < 2:
             made += [k] if count[k] > FEW * total else []
             continue
+        seen |= set(steps)
+        # Of many steps each made a small share of the points; none is an outlier at another height.
+        measured = [n for n, i in enumerate(steps) if count[i] > FEW / len(steps) * total]
         if count[steps].sum() <= FEW * total or not measured:
             continue
         heights = [_deepest(found[i]) for i in steps] + [np.inf]
@@ -398,16 +405,12 @@ def _end_below_rebates(found: list[CutContour], made: list[int], radius: float) 
                 found[other] = replace(found[other], contour=upper)
 
 
-def _steps_of_wall(found: list[CutContour], first: int) -> list[int]:
+def _steps_of_wall(found: list[CutContour], profile: Callable[[int], Profile], first: int) -> list[int]:
     """Contours that make a wall together with one of them, each at heights of its own, from the lowest up.
 
     They run along each other; of those that go down to a height the one deepest in the material is the wall there.
     What others cut away again, as a roughing pass, is no step.
     """
-    profiles: dict[int, Profile] = {}
-
-    def profile(k: int) -> Profile:
-        return profiles.setdefault(k, Profile.from_contours([found[k].contour]))
 
     def over(k: int, other: int) -> float:
         """How far one lies over another in mm, on average; NaN where it does not run along it."""

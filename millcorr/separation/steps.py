@@ -7,7 +7,6 @@ on all of them at the same places. So they are heights of one wall to the model,
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,7 +16,7 @@ from millcorr.compensation import along
 from millcorr.profile import Profile
 from millcorr.wall_steps import StepPlaces
 
-from .model import LevelDifference, Separated, Stretches
+from .model import Separated, Stretches
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -86,9 +85,11 @@ class Systematic:
     separated : Separated
         Where the form is kept.
     places : FormPlaces
-    offset, offset_std : (contours,) float64
-        What each step of a wall has more than the mean of the measured heights, mm, and its standard uncertainty; 0 for
-        other contours. Steps between measured ones lie between them.
+    offset : (contours,) float64
+        What each step of a wall has more than the mean of the measured heights, mm; 0 for other contours. Steps between
+        measured ones lie between them.
+    variance : (contours,) float64
+        What its variance differs by from that of the mean, mm2.
     known : (contours,) bool
         False for the steps of a wall above and below all that were measured.
     contour : (n,) int64
@@ -98,7 +99,7 @@ class Systematic:
     separated: Separated
     places: FormPlaces
     offset: Floats
-    offset_std: Floats
+    variance: Floats
     known: Bools
     contour: Ints
 
@@ -116,26 +117,32 @@ class Systematic:
         """
         profile = places.profile
         count = len(profile.contours)
-        offset, std, known = np.zeros(count), np.zeros(count), np.ones(count, dtype=bool)
+        offset, variance, known = np.zeros(count), np.zeros(count), np.ones(count, dtype=bool)
         level = {one.level: one for one in separated.levels}
         for wall in profile.steps:
             row = np.array(wall)
             bottom, _ = profile.heights(row)
-            measured = np.flatnonzero(np.isin(row, contour))
-            if not len(measured):
-                known[row] = False
+            of_step = {n: np.unique(separated.observed.level[contour == k]).tolist() for n, k in enumerate(wall)}
+            measured = [n for n, found in of_step.items() if found]
+            if len(measured) < 2:
+                known[row] = [n in measured for n in range(len(row))]
                 continue
-            found = [_mean([level[k] for k in _levels_of(separated, contour, row[n]) if k in level]) for n in measured]
-            offset[row] = np.interp(bottom, bottom[measured], [mean for mean, _ in found])
-            std[row] = np.interp(bottom, bottom[measured], [own for _, own in found])
+            means = [np.mean([level[k].mean for k in of_step[n]]) for n in measured]
+            own = [np.mean([level[k].std ** 2 for k in of_step[n]]) / len(of_step[n]) for n in measured]
+            offset[row] = np.interp(bottom, bottom[measured], means)
+            # The measured heights are all there are, and no sample of others about whose mean they would tell.
+            sample = separated.sizes.level**2 / sum(len(of_step[n]) for n in measured)
+            variance[row] = np.interp(bottom, bottom[measured], own) - sample
             known[row] = (np.arange(len(row)) >= measured[0]) & (np.arange(len(row)) <= measured[-1])
-        return Systematic(separated, places, offset, std, known, contour)
+        return Systematic(separated, places, offset, variance, known, contour)
 
     @property
     def at_points(self) -> tuple[Floats, Floats]:
         """Systematic part at the observed points and its standard uncertainty, (n,) each, mm."""
-        mean = self.separated.systematic + self.offset[self.contour]
-        return mean, np.hypot(self.separated.uncertainty, self.offset_std[self.contour])
+        return self._of_step(self.separated.systematic, self.separated.uncertainty, self.contour)
+
+    def _of_step(self, mean: Floats, std: Floats, contour: Ints) -> tuple[Floats, Floats]:
+        return mean + self.offset[contour], np.sqrt(np.maximum(std**2 + self.variance[contour], 0.0))
 
     def at(self, stretch: Ints, s: Floats) -> tuple[Floats, Floats]:
         """Systematic part and its standard uncertainty at any place, mm; (m,) each.
@@ -154,18 +161,4 @@ class Systematic:
         profile = self.places.profile
         contour = np.array([t.contour for t in profile.stretches()], dtype=np.int64)[stretch]
         mean, std = self.separated.at(*self.places.of(stretch, s))
-        return mean + self.offset[contour], np.hypot(std, self.offset_std[contour])
-
-
-def _levels_of(separated: Separated, contour: Ints, step: int) -> list[int]:
-    levels: list[int] = np.unique(separated.observed.level[contour == step]).tolist()
-    return levels
-
-
-def _mean(levels: Sequence[LevelDifference]) -> tuple[float, float]:
-    """Mean of the differences of a step's heights, and its standard uncertainty, mm."""
-    if not levels:
-        return 0.0, 0.0
-    return float(np.mean([one.mean for one in levels])), float(np.hypot.reduce([one.std for one in levels])) / len(
-        levels
-    )
+        return self._of_step(mean, std, contour)

@@ -176,6 +176,8 @@ def test_five_steps_of_a_draft_in_one_run() -> None:
     result, new = correct(program(*draft(*range(5))), deviating(over, 25))
     assert_right(new, over, TOLERANCE + ESTIMATED)
     assert not result.warnings
+    # What a step has by itself is told by twenty points, each of them good to 0.3 um.
+    assert result.uncertainty.max() < 0.0003
     assert [c.step.bottom for c in result.nominal.contours if c.step] == [-10.0, -8.0, -6.0, -4.0, -2.0]
     assert len(re.findall("G2 ", new)) >= 20
 
