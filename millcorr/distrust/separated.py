@@ -52,7 +52,7 @@ def examine_separated(
     return (
         *_unmeasured(separated, profile, unmeasured_share),
         *_outliers(deviation, separated),
-        *_heights(deviation, separated),
+        *_heights(deviation, separated, profile),
     )
 
 
@@ -60,7 +60,8 @@ def _unmeasured(separated: Separated, profile: Profile, most: float) -> tuple[Fi
     worst: tuple[float, int, float, float] | None = None
     seen = separated.observed
     trusted = ~separated.outlier
-    stretches = profile.stretches()
+    # Steps of a wall speak for it together, on one of them.
+    stretches = [t for t in profile.stretches() if t.contour in separated.stretches.contour]
     for contour in np.unique(separated.stretches.contour[seen.stretch]):
         length, closed = float(profile.total[contour]), profile.contours[contour].closed
         # However smooth the form, points at one end of a contour do not speak for the other.
@@ -108,9 +109,11 @@ def _outliers(deviation: Deviation, separated: Separated) -> tuple[Finding, ...]
     return (Finding("outliers", text, share > MANY),)
 
 
-def _heights(deviation: Deviation, separated: Separated) -> tuple[Finding, ...]:
-    """A wall that leans is not corrected by its mean without a word."""
-    levels = [one for one in separated.levels if one.significant]
+def _heights(deviation: Deviation, separated: Separated, profile: Profile) -> tuple[Finding, ...]:
+    """A wall that leans is not corrected by its mean without a word; its steps are, each by its own."""
+    of_steps = np.isin(deviation.contour, [k for wall in profile.steps if len(wall) > 1 for k in wall])
+    stepped = set(np.unique(deviation.level[of_steps]).tolist())
+    levels = [one for one in separated.levels if one.significant and one.level not in stepped]
     if len(levels) < 2:
         return ()
     low, high = (f(levels, key=lambda one: one.mean) for f in (min, max))

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from millcorr.deviation import is_corner
 from millcorr.footpoint import FootPointSearch, Place
-from millcorr.profile import Profile
+from millcorr.profile import SAME_HEIGHT, Profile
 from millcorr.regeneration.curve_moves import Intervals, fit_moves
 from millcorr.regeneration.leads import carry_along, own_work
 from millcorr.regeneration.moves import FIT_SHARE, KEEP_SHARE, Regeneration, put_together, wanted_kind
@@ -182,9 +182,12 @@ def _nodes(
     feet = FootPointSearch(nominal, margin=radius + 2.0)
     side = 0.0
 
+    # A move makes the wall at the height that it has come down to.
+    z = np.fmax(toolpath.start[rows, 2], toolpath.end[rows, 2])
+
     def at(row: Ints, u: Floats) -> _Nodes:
         nonlocal side
-        place = np.ascontiguousarray(toolpath.place(rows[row], u))
+        place = np.column_stack([toolpath.place(rows[row], u), z[row]])
         way, amount, corner = _along_normals(place, feet, before, after, nominal, radius)
         ahead = toolpath.direction(rows[row], u)
         right = np.stack([ahead[:, 1], -ahead[:, 0]], axis=1)
@@ -231,14 +234,14 @@ def _along_normals(
     nominal: Profile,
     radius: float,
 ) -> tuple[Floats, Floats, Bools]:
-    """Unit vectors from the contour to places of the path, how far the centre there moves along them, and corners."""
+    """Unit vectors from the contour to places (n, 3) of the path, how far the centre moves along them, and corners."""
     feet = search.find(place)
     corner = (feet.place == Place.JOINT) & is_corner(nominal, feet)
     if radius == 0:
         stretch, s = nominal.stretch[feet.span], nominal.arc_length(feet.span, feet.t)
         was = feet.distance if before is None else _interpolated(before, stretch, s)
         return feet.normal, _interpolated(after, stretch, s) - was, corner
-    away = place - feet.foot
+    away = place[:, :2] - feet.foot
     size = np.hypot(*away.T)
     way = np.where((size > 1e-9)[:, None], away / np.maximum(size, 1e-12)[:, None], feet.normal)
     guess = radius - size
@@ -318,7 +321,9 @@ def _held(node_row: Ints, node_u: Floats, amount: Floats, touching: Bools) -> Fl
 def _vertices(toolpath: Toolpath, rows: Ints) -> tuple[Ints, Ints]:
     """Pairs of following moves (indices into `rows`) of which the second begins where the first ends; seams too."""
     start, end = toolpath.start[rows, :2], toolpath.end[rows, :2]
-    meets = np.hypot(*(start[1:] - end[:-1]).T) < 1e-6
+    # The next pass may begin where this one ends, but deeper.
+    down = np.nan_to_num(toolpath.start[rows[1:], 2] - toolpath.end[rows[:-1], 2])
+    meets = (np.hypot(*(start[1:] - end[:-1]).T) < 1e-6) & (np.abs(down) < SAME_HEIGHT)
     this = np.flatnonzero(meets)
     after = this + 1
     begin = np.concatenate([[0], np.flatnonzero(~meets) + 1])
