@@ -708,11 +708,12 @@ def _cutters(
     stated = stated_diameters(program.comments(), scale) | dict(request.settings.tool_diameters)
     radii, unknown = cutter_radii(program.toolpath, request.radius, path_radius, stated, measurement)
     if unknown:
-        listed = ", ".join(f"T{tool}" for tool in unknown)
-        warnings.append(
-            f"the diameter of {listed} is not known: what it cuts stays as it is and is not looked at; "
-            f"--tool {unknown[0]}=MM states it"
-        )
+        names = [program.tool(tool) for tool in unknown if tool != -1]
+        listed = [f"T{name}" if name.isdigit() else name for name in names]
+        listed += ["the tool before the first T word"] if -1 in unknown else []
+        remedy = f"--tool {names[0]}=MM states it" if names else "a T word before its cuts gives it a number to state"
+        what = f"the diameter of {', '.join(listed)} is not known"
+        warnings.append(f"{what}: what it cuts stays as it is and is not looked at; {remedy}")
     return np.where(other, np.nan, radii)
 
 

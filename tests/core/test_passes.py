@@ -13,9 +13,11 @@ import pytest
 import shapely
 
 from millcorr import gcode, pipeline
-from millcorr.errors import InputError, LimitError
+from millcorr.comparison.cutters import stated_diameters
+from millcorr.errors import InputError, LimitError, UsageError
 from millcorr.measurement import Measurement
 from millcorr.path import emission
+from millcorr.toolpath import named_tool
 
 R = 4.0
 W, H = 80.0, 50.0
@@ -109,6 +111,43 @@ def test_a_tool_of_which_nothing_is_known_stays_and_is_said() -> None:
     assert any("diameter of T1 is not known" in w and "--tool 1=MM" in w for w in result.warnings)
     result, new = correct(text, measured(points(0.02)), tools=("1=8.2",))
     assert rough in new and not any("not known" in w for w in result.warnings)
+
+
+@pytest.mark.parametrize(
+    ("rough", "fine", "name"),
+    [
+        ('T="ROUGH 8" D1\nM6\n', 'T="FINE" D1\nM6\n', "ROUGH 8"),
+        ('T1="ROUGH 8" M6\n', "T=2 M6\n", "ROUGH 8"),
+        ("T=ROUGH_8 M6\n", "T=FINE_8 M6\n", "ROUGH_8"),
+        ('T"ROUGH 8" G17 S900\n', 'T"FINE" G17 S900\n', "ROUGH 8"),
+    ],
+)
+def test_tools_with_names_are_tools_of_their_own(rough: str, fine: str, name: str) -> None:
+    """The rougher's path is 0.05 mm outside the finisher's, its cutter 0.2 mm larger: it leaves 0.05 mm less stock."""
+    roughing = once(4.1 + 0.05, -3.0, head=rough)
+    text = program(roughing, once(R, -3.0, head=fine))
+    result, new = correct(text, measured(points(0.02)))
+    assert roughing in new
+    assert any(f"diameter of {name} is not known" in w and f"--tool {name}=MM" in w for w in result.warnings)
+    np.testing.assert_allclose(wall(new[new.index(fine) :], -2.0), -0.02, atol=0.001)
+    for tool in (f"{name}=8.2", f'T="{name.lower()}"=8.2'):
+        result, new = correct(text, measured(points(0.02)), tools=(tool,))
+        assert roughing in new and not any("not known" in w for w in result.warnings)
+    # Were the wall to go out by 0.06 mm, that tool would cut 0.01 mm into it: its radius is known and is used.
+    with pytest.raises(LimitError, match=r"would cut 10\.\d um"):
+        correct(text, measured(points(-0.06)), tools=(f"{name}=8.2",))
+
+
+def test_diameters_in_comments() -> None:
+    texts = ["T1 D16 ROUGHER", 'T="EM 10" D=10 R=0', 'T="FINE" DIA 8', 'T="FINE" D 1', "T4 D4", "T5 D5.", "T6 H6 D16"]
+    stated = stated_diameters(list(enumerate(texts)), 1.0)
+    assert stated == {1: 16.0, named_tool(b"em 10"): 10.0, named_tool(b"FINE"): 8.0, 5: 5.0}
+
+
+@pytest.mark.parametrize("text", ["8.2", "=8.2", "ROUGH=", "ROUGH=0", "ROUGH=x", "1=-3"])
+def test_a_tool_is_stated_with_its_diameter(text: str) -> None:
+    with pytest.raises(UsageError, match="as --tool 3=16"):
+        pipeline.Settings(tools=(text,))
 
 
 def test_roughing_that_would_cut_into_the_corrected_wall_is_refused_or_kept_away() -> None:
