@@ -363,14 +363,12 @@ def correct(request: Request, *, check: bool = False) -> Result:
             program, toolpath, settings, measurement, request.radius, path_radius, usable, warnings
         )
         following = on_the_path(toolpath, usable, cut, program.resolution)
-        if settings.keep_allowance:
-            following |= on_the_path(toolpath, plain, cut, program.resolution, reach=settings.limit)
     if request.nominal is not None or settings.leave_stock:
         reach = settings.limit if carried else 0.0
         given = request.nominal is not None
         nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, given)
-        rough = roughing(CommandedSurface(toolpath, cutters[kept]), commanded.following, nominal, program.resolution)
-        if rough.any() and not settings.keep_allowance:
+        rough = _roughing(toolpath, cutters[kept], commanded.following, nominal, program, settings)
+        if rough.any():
             usable = usable & ~rough
             nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, given)
         divided, row = cut_onto_the_contour(toolpath, commanded.following)
@@ -382,8 +380,13 @@ def correct(request: Request, *, check: bool = False) -> Result:
         expected, following = commanded.expected, commanded.following
     if not following.any():
         raise InputError(f"{program.name}: no move runs along the contour that the points lie on")
+    along = np.zeros(len(toolpath), dtype=bool)
+    if settings.keep_allowance:
+        # What roughs comes before what finishes.
+        earlier = np.arange(len(toolpath)) < np.flatnonzero(following)[-1]
+        along = _roughing(toolpath, cutters[row_of], plain[row_of] & earlier & ~following, nominal, program, settings)
     rows = np.zeros(len(kept), dtype=bool)
-    rows[row_of[beside_the_path(toolpath, following)]] = True
+    rows[row_of[beside_the_path(toolpath, following | along)]] = True
     program.require_plain(rows)
     surface = CommandedSurface(program.toolpath, cutters)
 
@@ -493,9 +496,10 @@ def correct(request: Request, *, check: bool = False) -> Result:
 
     def lay(correction: Correction) -> Emission:
         if in_place:
-            emission, note = emit_in_place(
+            emission, notes = emit_in_place(
                 program,
                 following,
+                along,
                 nominal,
                 correction,
                 path_radius,
@@ -504,7 +508,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
                 header=header,
                 carried=None if expected is None else expected.correction,
             )
-            warnings.extend([note] if note is not None and note not in warnings else [])
+            warnings.extend(note for note in notes if note not in warnings)
             return emission
         moves, free = (toolpath, usable) if correction.largest > EXACT else whole
         return emit(
@@ -624,6 +628,18 @@ def _refuse_wrong_allowance(surface: Measurement, nominal: Profile, allowance: f
             f"{allowance:g} mm over it: check --allowance; it belongs to a part with stock left on it, and --program "
             "is then the program that finishes it"
         )
+
+
+def _roughing(
+    toolpath: Toolpath,
+    cutters: Floats,
+    rows: NDArray[np.bool_],
+    nominal: Profile,
+    program: gcode.Program,
+    settings: Settings,
+) -> NDArray[np.bool_]:
+    """Which of some moves of a program leave stock on the nominal for others; (n,)."""
+    return roughing(CommandedSurface(toolpath, cutters), rows, nominal, program.resolution, settings.limit)
 
 
 def _for_first_cut(

@@ -51,7 +51,7 @@ class Settings:
     tools : tuple of str
         Diameters of other tools of the program, each ``T=MM`` with the tool's number or name.
     keep_allowance : bool
-        Passes that run along the contour up to `limit` away, as roughing passes do, are moved with it.
+        Passes that rough along the contour, leaving up to `limit` on it, are moved with it, each by its own radius.
     unmeasured_share : float
         Largest share of a contour that may lie farther from any point than the form hangs together; more is refused.
     iterate : float, optional

@@ -96,6 +96,7 @@ def displace(
     nominal: Profile,
     radius: float,
     *,
+    along: Bools | None = None,
     tolerance: float = 0.001,
     output_moves: str = "keep",
 ) -> Regeneration:
@@ -112,6 +113,8 @@ def displace(
         What both were moved from.
     radius : float
         Distance in mm from contour to path; 0 where the program states the contour itself (G41, G42).
+    along : (n,) bool, optional
+        Moves beside the contour that go along with it, so that what they leave over it stays; none by default.
     tolerance : float
         Largest distance in mm between written and exact path, rounding included.
     output_moves : {'keep', 'lines', 'arcs', 'nurbs'}
@@ -128,22 +131,60 @@ def displace(
     order = np.concatenate(cutting_runs(toolpath)) if following.any() else np.zeros(0, dtype=np.int64)
     rows = order[following[order]]
     shift0, shift1 = np.zeros((len(toolpath), 2)), np.zeros((len(toolpath), 2))
-    known = _nodes(toolpath, rows, nominal, before, after, radius)
+    known = _nodes(toolpath, rows, nominal, before, after, np.full(len(rows), radius))
     node_row, node_u = known.row, known.u
     shift = _at_the_ends(toolpath, rows, known)
+    if along is not None and along.any():
+        beside = order[along[order]]
+        known = _nodes(toolpath, beside, nominal, before, after, _distances(toolpath, beside, nominal, radius))
+        shift = np.concatenate([shift, _at_the_ends(toolpath, beside, known)])
+        node_row, node_u = np.concatenate([node_row, known.row + len(rows)]), np.concatenate([node_u, known.u])
+        rows, node_row, node_u, shift = _joined(
+            toolpath, np.concatenate([rows, beside]), node_row, node_u, shift, along
+        )
     shift[np.hypot(*shift.T) <= STILL] = 0.0
     path = DisplacedPath(toolpath, rows, node_row, node_u, shift)
     moved = np.zeros(len(rows), dtype=bool)
     np.logical_or.at(moved, node_row, shift.any(axis=1))
     first, last = node_u == 0.0, node_u == 1.0
     shift0[rows], shift1[rows] = shift[first], shift[last]
-    carry_along(toolpath, following, own_work(toolpath, following, np.zeros(len(toolpath), dtype=bool)), shift0, shift1)
+    given = np.zeros(len(toolpath), dtype=bool)
+    given[rows] = True
+    carry_along(toolpath, given, own_work(toolpath, given, np.zeros(len(toolpath), dtype=bool)), shift0, shift1)
     pick = np.flatnonzero(moved)
     intervals = _intervals(toolpath, path, pick, output_moves)
     fitted, owner, fit_error = fit_moves(intervals, path, 0.0, FIT_SHARE * tolerance)
     return put_together(
         toolpath, following, rows[pick], fitted, owner, shift0, shift1, original_error=0.0, fit_error=fit_error
     )
+
+
+def _distances(toolpath: Toolpath, rows: Ints, nominal: Profile, radius: float) -> Floats:
+    """How far from the contour moves beside it run, mm; 0 where the program states the contour and not the path."""
+    if radius == 0:
+        return np.zeros(len(rows))
+    share = np.tile([0.25, 0.5, 0.75], len(rows))
+    feet = FootPointSearch(nominal, margin=radius + 2.0).find(toolpath.place(np.repeat(rows, 3), share))
+    out: Floats = np.median(np.abs(feet.distance).reshape(-1, 3), axis=1)
+    return out
+
+
+def _joined(
+    toolpath: Toolpath, rows: Ints, node_row: Ints, node_u: Floats, shift: Floats, along: Bools
+) -> tuple[Ints, Ints, Floats, Floats]:
+    """Moves and their nodes in the program's order; what goes along ends where the contour that it meets begins."""
+    order = np.argsort(rows, kind="stable")
+    rank = np.empty(len(rows), dtype=np.int64)
+    rank[order] = np.arange(len(rows))
+    rows, node_row = rows[order], rank[node_row]
+    by_row = np.argsort(node_row, kind="stable")
+    node_row, node_u, shift = node_row[by_row], node_u[by_row], shift[by_row]
+    first, last = np.flatnonzero(node_u == 0.0), np.flatnonzero(node_u == 1.0)
+    this, after = _vertices(toolpath, rows)
+    leaves, comes = along[rows[after]] & ~along[rows[this]], along[rows[this]] & ~along[rows[after]]
+    shift[first[after[leaves]]] = shift[last[this[leaves]]]
+    shift[last[this[comes]]] = shift[first[after[comes]]]
+    return rows, node_row, node_u, shift
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -168,14 +209,17 @@ class _Nodes:
 
 
 def _nodes(
-    toolpath: Toolpath, rows: Ints, nominal: Profile, before: WantedSurface, after: WantedSurface, radius: float
+    toolpath: Toolpath, rows: Ints, nominal: Profile, before: WantedSurface, after: WantedSurface, radius: Floats
 ) -> _Nodes:
-    """Nodes at the ends of every move, just inside them, and as close between as the displacement bends."""
-    feet = FootPointSearch(nominal, margin=radius + 2.0)
+    """Nodes at the ends of every move, just inside them, and as close between as the displacement bends.
+
+    `radius` is the distance in mm from contour to path of every one of the moves.
+    """
+    feet = FootPointSearch(nominal, margin=float(radius.max(initial=0.0)) + 2.0)
 
     def at(row: Ints, u: Floats) -> _Nodes:
         place = np.ascontiguousarray(toolpath.place(rows[row], u))
-        return _Nodes(row, u, *_along_normals(place, feet, before, after, nominal, radius))
+        return _Nodes(row, u, *_along_normals(place, feet, before, after, nominal, radius[row]))
 
     length = np.maximum(length_in_plane(toolpath.take(rows)), 1e-9)
     count = np.maximum(2, np.ceil(length / STEP).astype(np.int64))
@@ -204,12 +248,17 @@ def _nodes(
 
 
 def _along_normals(
-    place: Floats, search: FootPointSearch, before: WantedSurface, after: WantedSurface, nominal: Profile, radius: float
+    place: Floats,
+    search: FootPointSearch,
+    before: WantedSurface,
+    after: WantedSurface,
+    nominal: Profile,
+    radius: Floats,
 ) -> tuple[Floats, Floats, Bools]:
     """Unit vectors from the contour to places of the path, how far the centre there moves along them, and corners."""
     feet = search.find(place)
     corner = (feet.place == Place.JOINT) & is_corner(nominal, feet)
-    if radius == 0:
+    if not radius.any():
         stretch, s = nominal.stretch[feet.span], nominal.arc_length(feet.span, feet.t)
         correction = [_interpolated(surface, stretch, s) for surface in (before, after)]
         return feet.normal, correction[1] - correction[0], corner
@@ -238,9 +287,13 @@ def _at_the_ends(toolpath: Toolpath, rows: Ints, known: _Nodes) -> Floats:
     ahead = toolpath.direction(rows[node_row], node_u)
     right = np.stack([ahead[:, 1], -ahead[:, 0]], axis=1)
     across = (right * way).sum(axis=1)
-    # The side of the material is one for the whole path.
-    side = 1.0 if np.median(across) >= 0 else -1.0
-    normal = side * right
+    # The side of the material is one for the whole of a path; passes may go either way along the contour.
+    this, after = _vertices(toolpath, rows)
+    path = np.cumsum(~np.isin(np.arange(len(rows)), after[after == this + 1]))[node_row]
+    begin = np.flatnonzero(np.diff(path, prepend=-1))
+    sides = [1.0 if np.median(part) >= 0 else -1.0 for part in np.split(across, begin[1:]) if len(part)]
+    side = np.repeat(sides, np.diff(np.append(begin, len(path))))
+    normal = side[:, None] * right
     # Beside a corner itself only an arc about it, whose normal it is that points there, touches.
     touching = side * across >= np.where(known.corner, np.cos(ABOUT), np.cos(ALIGNED))
     amount = _held(node_row, node_u, amount, touching)
@@ -251,7 +304,6 @@ def _at_the_ends(toolpath: Toolpath, rows: Ints, known: _Nodes) -> Floats:
 
     first = np.flatnonzero(node_u == 0.0)
     last = np.flatnonzero(node_u == 1.0)
-    this, after = _vertices(toolpath, rows)
     turn = _turn(ahead[last[this]], ahead[first[after]])
     sharp = np.abs(turn) > SMOOTH
     # Just inside its ends a move knows nothing of the corner there.

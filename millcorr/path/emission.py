@@ -33,6 +33,7 @@ Bools = NDArray[np.bool_]
 def emit_in_place(
     program: gcode.Program,
     following: Bools,
+    along: Bools,
     nominal: Profile,
     correction: Correction,
     radius: float,
@@ -41,7 +42,7 @@ def emit_in_place(
     *,
     header: Sequence[str],
     carried: Correction | None = None,
-) -> tuple[Emission, str | None]:
+) -> tuple[Emission, tuple[str, ...]]:
     """Move the surface of a program by a correction, write it and prove what was written.
 
     Parameters
@@ -49,6 +50,8 @@ def emit_in_place(
     program : Program
     following : (n,) bool
         Moves that make the surface.
+    along : (n,) bool
+        Moves that leave stock on it, and go along so that it stays.
     nominal : Profile
     correction : Correction
         Of the nominal, in all.
@@ -66,8 +69,8 @@ def emit_in_place(
     Returns
     -------
     Emission
-    note : str or None
-        What the cutter cannot reach, with place and amount.
+    notes : tuple of str
+        What the cutter cannot reach, with place and amount; the lines that went along.
 
     Raises
     ------
@@ -83,6 +86,7 @@ def emit_in_place(
         after,
         nominal,
         radius,
+        along=along,
         tolerance=settings.tolerance,
         output_moves=settings.output_moves,
     )
@@ -108,14 +112,24 @@ def emit_in_place(
         radius,
         tolerance=settings.tolerance,
     )
-    note = None
+    notes = []
     if stays > settings.tolerance:
-        note = (
+        notes.append(
             f"{stays:.3f} mm stays at X{place[0]:.3f} Y{place[1]:.3f}: the corner is too narrow for a cutter of "
             f"{2 * radius:g} mm to reach what is wanted there; a smaller one would"
         )
+    moved = np.intersect1d(program.toolpath.source[along], regeneration.lines)
+    if len(moved):
+        lines = f"{_listed(moved + 1)} of {program.name}"
+        notes.append(f"passes that leave stock on the corrected wall are moved along with it: {lines}")
     compensated, residual = compensated_profile(nominal, correction, after)
-    return Emission(compensated, residual, regeneration, proof, text), note
+    return Emission(compensated, residual, regeneration, proof, text), tuple(notes)
+
+
+def _listed(lines: Ints) -> str:
+    """Numbers of lines in rising order, those that follow one another as from and to."""
+    runs = np.split(lines, np.flatnonzero(np.diff(lines) > 1) + 1)
+    return "lines " + ", ".join(f"{run[0]}" if len(run) == 1 else f"{run[0]}-{run[-1]}" for run in runs)
 
 
 def _refuse_other_moves(planned: Toolpath, emitted: Toolpath, lines: Ints, tolerance: float) -> None:

@@ -38,6 +38,18 @@ def once(distance: float, z: float, *, head: str = "", begin: float = 15.0) -> s
     return head + "\n".join(lines) + "\n"
 
 
+def backwards(distance: float, z: float) -> str:
+    """The same pass the other way round."""
+    lines = once(distance, z).splitlines()
+    return "\n".join([*lines[:3], *lines[8:2:-1], *lines[9:]]) + "\n"
+
+
+def numbers(note: str) -> set[int]:
+    """Line numbers that a note lists: 'lines 3-5, 8'."""
+    ranges = re.findall(r"(\d+)(?:-(\d+))?", note[note.index("lines ") :].split(" of ")[0])
+    return {n for a, b in ranges for n in range(int(a), int(b or a) + 1)}
+
+
 def program(*passes: str) -> str:
     return "%\nO1\nG21 G90 G17\n" + "".join(passes) + "M30\n%\n"
 
@@ -79,9 +91,9 @@ def left(text: str, z: float, radius: float = R) -> shapely.Geometry:
     return shapely.union_all([cut.buffer(radius, quad_segs=256) for cut in cuts])
 
 
-def wall(text: str, z: float) -> list[float]:
+def wall(text: str, z: float, radius: float = R) -> list[float]:
     """Where the walls of the part stand that all cuts leave: left, bottom, right, top, mm over the nominal."""
-    inside = shapely.Polygon(ring(0.5)).difference(left(text, z))
+    inside = shapely.Polygon(ring(0.5)).difference(left(text, z, radius))
     x0, y0, x1, y1 = max(getattr(inside, "geoms", [inside]), key=lambda g: g.area).bounds
     return [-x0 - W / 2, -y0 - H / 2, x1 - W / 2, y1 - H / 2]
 
@@ -159,6 +171,64 @@ def test_roughing_that_would_cut_into_the_corrected_wall_is_refused_or_kept_away
     rough, finish = new.split("G0 Z20.")[:2]
     np.testing.assert_allclose(wall(rough, -2.0), 0.09, atol=0.001)
     np.testing.assert_allclose(wall(finish, -2.0), 0.06, atol=0.001)
+
+
+def test_roughing_of_another_tool_goes_along_by_its_own_radius() -> None:
+    """A larger cutter, in one pass the other way round, leaves 0.03 and 0.2 mm; the wall goes out by 0.06."""
+    head = "(T1 D8.2 ROUGHER)\nT1 M6\n"
+    rough = [once(4.1 + 0.2, -3.0, head=head), backwards(4.1 + 0.03, -2.8)]
+    text = program(*rough, once(R, -3.0, head="(T2 D8.0 FINISHER)\nT2 M6\n"))
+    result, new = correct(text, measured(points(-0.06)), keep_allowance=True)
+    parts = new.split("G0 Z20.")[:3]
+    for part, radius, stands in zip(parts, (4.1, 4.1, R), (0.26, 0.09, 0.06), strict=True):
+        np.testing.assert_allclose(wall(part, -2.0, radius), stands, atol=0.001)
+    sides = [n for n, line in enumerate(text.splitlines(), 1) if "F400." in line]
+    (note,) = (w for w in result.warnings if "moved along" in w)
+    # The first of each six leads onto the ring.
+    assert numbers(note) == {*sides[1:6], *sides[7:12]}
+
+
+def test_roughing_in_one_chain_with_the_finish_goes_along() -> None:
+    """No rapid, no lead between: the cutter steps over from ring to ring."""
+    rings = [f"G1 X{x:.3f} Y{y:.3f} F400.\n" for d in (R + 0.3, R + 0.03, R) for x, y in ring(d)]
+    text = program("G0 X0. Y-44.\nG1 Z-3. F100.\n", *rings, "G1 X0. Y-44.\nG0 Z20.\n")
+    _, new = correct(text, measured(points(-0.06)), keep_allowance=True)
+    moved = [line for line in new.splitlines() if "F400." in line]
+    for k, stands in enumerate((0.36, 0.09, 0.06)):
+        part = "G0 X0. Y-44.\nG1 Z-3.\n" + "\n".join(moved[6 * k : 6 * k + 6])
+        np.testing.assert_allclose(wall(part, -2.0), stands, atol=0.001)
+
+
+def test_roughing_round_corners_goes_along() -> None:
+    """Arcs about the corners, 0.2 mm from the finish, which turns about them in arcs, too."""
+
+    def about(distance: float) -> str:
+        x, y, d = W / 2, H / 2, distance
+        ends = [(-x, -y - d), (-x - d, -y), (-x - d, y), (-x, y + d), (x, y + d), (x + d, y), (x + d, -y), (x, -y - d)]
+        lines = [f"G{1 + k % 2} X{a:.3f} Y{b:.3f}" + f" R{d:.3f}" * (k % 2) for k, (a, b) in enumerate(ends)]
+        lead = f"G0 X0. Y{-y - d - 15:.3f}\nG1 Z-3. F100.\nG1 X0. Y{-y - d:.3f} F400.\n"
+        return lead + "\n".join([*lines, f"G1 X0. Y{-y - d:.3f}", f"G1 Y{-y - d - 15:.3f}", "G0 Z20."]) + "\n"
+
+    result, new = correct(program(about(R + 0.2), about(R)), measured(points(-0.06)), keep_allowance=True)
+    (note,) = (w for w in result.warnings if "moved along" in w)
+    assert numbers(note) == set(range(7, 16))
+    path = gcode.parse(new).toolpath
+    rows = np.flatnonzero((path.kind != 0) & (path.start[:, 2] == -3))
+    wanted = shapely.Polygon([(x + np.sign(x) * 0.06, y + np.sign(y) * 0.06) for x, y in ring(0.0)[1:]])
+    for k, distance in ((0, R + 0.2), (1, R)):
+        mine = rows[11 * k + 1 : 11 * k + 10]
+        places = path.take(mine).position(np.linspace(0, 1, 21))[:, :, :2].reshape(-1, 2)
+        np.testing.assert_allclose(shapely.distance(shapely.points(places), wanted), distance, atol=0.001)
+
+
+def test_finished_walls_beside_the_corrected_one_do_not_go_along() -> None:
+    """The step of a draft above, one below, and a later pass: each makes a surface of its own."""
+    others = [once(R - 0.05, -1.0), once(R + 0.05, -5.0), once(R + 0.4, -3.0)]
+    text = program(*others[:2], once(R, -3.0), others[2])
+    result, new = correct(text, measured(points(0.02)), keep_allowance=True)
+    assert all(other in new for other in others)
+    assert not any("moved along" in w for w in result.warnings)
+    np.testing.assert_allclose(wall(new, -2.0), -0.02, atol=0.001)
 
 
 def test_depth_passes_and_spring_passes_on_one_path_move_together() -> None:
