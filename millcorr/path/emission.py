@@ -21,6 +21,7 @@ from millcorr.settings import Settings
 from millcorr.toolpath import Plane, Toolpath
 
 from .displacement import displace
+from .neighbours import refuse_cut_neighbours
 from .surface_proof import prove_surface
 from .text_proof import prove_text
 from .wanted_surface import WantedSurface
@@ -103,15 +104,20 @@ def emit_in_place(
     if len(emitted) != len(planned):
         raise LimitError(f"the written program reads back with {len(emitted)} moves in place of {len(planned)}")
     _refuse_other_moves(planned, emitted, regeneration.lines, settings.tolerance)
+    original = CommandedSurface(program.toolpath, cutters)
+    written = CommandedSurface(emitted, cutters[regeneration.origin[goes]])
+    changed = np.isin(program.toolpath.source, regeneration.lines), np.isin(planned.source, regeneration.lines)
+    shift = regeneration.largest_shift + settings.tolerance
     proof, (stays, place) = prove_surface(
-        CommandedSurface(program.toolpath, cutters),
-        CommandedSurface(emitted, cutters[regeneration.origin[goes]]),
+        original,
+        written,
         (following, following_now),
         before,
         after,
         radius,
         tolerance=settings.tolerance,
     )
+    refuse_cut_neighbours(original, written, changed, shift=shift, tolerance=settings.tolerance)
     notes = []
     if stays > settings.tolerance:
         notes.append(

@@ -262,6 +262,36 @@ def test_steps_of_a_draft_measured_together_are_refused() -> None:
         correct(program(*steps), measured(points(0.01, -1.0), points(0.02, -3.0, 0.05)))
 
 
+def slot_wall(gap: float, radius: float = R, head: str = "", z: float = -3.0) -> str:
+    """A pass of its own along the left side, whose wall stands `gap` beyond the back of the finish's cutter."""
+    x = -W / 2 - 2 * R - gap + radius
+    lines = ["G0 X-70. Y-15.", "G0 Z5.", f"G1 Z{z:.3f} F100.", f"G1 X{x:.3f} Y-15. F400.", "G1 Y15.", "G1 X-70."]
+    return head + "\n".join([*lines, "G0 Z20."]) + "\n"
+
+
+@pytest.mark.parametrize("radius", [3.0, 2.0])
+@pytest.mark.parametrize("z", [-1.0, -5.0])
+def test_a_finish_that_would_cut_into_another_wall_with_its_back_is_refused(radius: float, z: float) -> None:
+    """The wall stands 0.01 mm behind the finish's cutter, which has to go out by 0.05: 0.04 mm too far."""
+    head = f"(T1 D{2 * radius:.1f})\nT1 M6\n"
+    text = program(slot_wall(0.01, radius, head, z), once(R, -3.0, head="(T2 D8.0)\nT2 M6\n"))
+    message = r"line 2\d of the corrected program would cut 40\.\d um into another wall at X-48\.01\d .* line 10 of the"
+    with pytest.raises(LimitError, match=message):
+        correct(text, measured(points(-0.05)))
+    for gap, deviation in ((0.06, -0.05), (0.01, 0.05), (0.01, -0.01)):
+        near = slot_wall(gap, radius, head, z)
+        _, new = correct(program(near, once(R, -3.0, head="(T2 D8.0)\nT2 M6\n")), measured(points(deviation)))
+        assert new.count(near.split("M6\n")[1]) == 1
+
+
+def test_an_edge_between_two_walls_moves_with_one_of_them() -> None:
+    """A slot square to the measured wall ends where the finish's cutter now begins."""
+    slot = "G0 X20. Y60.\nG0 Z5.\nG1 Z-5. F100.\nG1 Y36. F400.\nG0 Z20.\n"
+    for deviation in (0.05, -0.05):
+        _, new = correct(program(slot, once(R, -3.0)), measured(points(deviation)))
+        assert slot in new
+
+
 def test_two_laps_with_compensation_are_one_contour() -> None:
     lap = "".join(f"G1 X{x:.3f} Y{y:.3f} F400.\n" for x, y in ring(0.0)[1:])
     head = "G21 G90\nG0 X0. Y-60.\nG0 Z5.\nG1 Z-3. F100.\nG41 D1 G1 X0. Y-25. F400.\n"
