@@ -47,6 +47,10 @@ ALIGNED, ABOUT = 0.3, 1e-3
 """A place of the path makes a surface where its own normal and the way to the contour differ by less, in rad: at
 facets, and at a corner. Past a convex corner the cutter touches nothing."""
 
+STEPS_OVER = 0.01
+"""Moves beside the contour whose distances from it differ by more, in mm, are of two passes: chords and rounding of one
+differ by less."""
+
 STILL = 1e-6
 """What would be displaced by no more than this, in mm, stays as it is."""
 
@@ -96,7 +100,7 @@ def displace(
     nominal: Profile,
     radius: float,
     *,
-    along: Bools | None = None,
+    along: tuple[Bools, WantedSurface] | None = None,
     tolerance: float = 0.001,
     output_moves: str = "keep",
 ) -> Regeneration:
@@ -113,8 +117,9 @@ def displace(
         What both were moved from.
     radius : float
         Distance in mm from contour to path; 0 where the program states the contour itself (G41, G42).
-    along : (n,) bool, optional
-        Moves beside the contour that go along with it, so that what they leave over it stays; none by default.
+    along : ((n,) bool, WantedSurface), optional
+        Moves beside the contour that go along with it, so that what they leave over it stays, and what the toolpath
+        makes; none by default.
     tolerance : float
         Largest distance in mm between written and exact path, rounding included.
     output_moves : {'keep', 'lines', 'arcs', 'nurbs'}
@@ -131,17 +136,12 @@ def displace(
     order = np.concatenate(cutting_runs(toolpath)) if following.any() else np.zeros(0, dtype=np.int64)
     rows = order[following[order]]
     shift0, shift1 = np.zeros((len(toolpath), 2)), np.zeros((len(toolpath), 2))
-    known = _nodes(toolpath, rows, nominal, before, after, np.full(len(rows), radius))
+    known = _nodes(toolpath, rows, nominal, before, after, radius)
     node_row, node_u = known.row, known.u
     shift = _at_the_ends(toolpath, rows, known)
-    if along is not None and along.any():
-        beside = order[along[order]]
-        known = _nodes(toolpath, beside, nominal, before, after, _distances(toolpath, beside, nominal, radius))
-        shift = np.concatenate([shift, _at_the_ends(toolpath, beside, known)])
-        node_row, node_u = np.concatenate([node_row, known.row + len(rows)]), np.concatenate([node_u, known.u])
-        rows, node_row, node_u, shift = _joined(
-            toolpath, np.concatenate([rows, beside]), node_row, node_u, shift, along
-        )
+    if along is not None and along[0].any():
+        passes = _displaced_passes(toolpath, order[along[0][order]], nominal, along[1], after, radius)
+        rows, node_row, node_u, shift = _in_order(toolpath, [(rows, node_row, node_u, shift), *passes])
     shift[np.hypot(*shift.T) <= STILL] = 0.0
     path = DisplacedPath(toolpath, rows, node_row, node_u, shift)
     moved = np.zeros(len(rows), dtype=bool)
@@ -159,31 +159,40 @@ def displace(
     )
 
 
-def _distances(toolpath: Toolpath, rows: Ints, nominal: Profile, radius: float) -> Floats:
-    """How far from the contour moves beside it run, mm; 0 where the program states the contour and not the path."""
-    if radius == 0:
-        return np.zeros(len(rows))
+def _displaced_passes(
+    toolpath: Toolpath, rows: Ints, nominal: Profile, before: WantedSurface, after: WantedSurface, radius: float
+) -> list[tuple[Ints, Ints, Floats, Floats]]:
+    """Rows and nodes, as of `DisplacedPath`, of each pass beside a contour, moved at its own distance from it."""
     share = np.tile([0.25, 0.5, 0.75], len(rows))
     feet = FootPointSearch(nominal, margin=radius + 2.0).find(toolpath.place(np.repeat(rows, 3), share))
-    out: Floats = np.median(np.abs(feet.distance).reshape(-1, 3), axis=1)
+    distance = np.median(np.abs(feet.distance).reshape(-1, 3), axis=1)
+    ends = (np.diff(rows) > 1) | (np.abs(np.diff(distance)) > STEPS_OVER)
+    out = []
+    for part in np.split(np.arange(len(rows)), np.flatnonzero(ends) + 1):
+        # Where the program states the contour, the control keeps the distance.
+        own = 0.0 if radius == 0 else float(np.median(distance[part]))
+        known = _nodes(toolpath, rows[part], nominal, before, after, own)
+        out.append((rows[part], known.row, known.u, _at_the_ends(toolpath, rows[part], known)))
     return out
 
 
-def _joined(
-    toolpath: Toolpath, rows: Ints, node_row: Ints, node_u: Floats, shift: Floats, along: Bools
-) -> tuple[Ints, Ints, Floats, Floats]:
-    """Moves and their nodes in the program's order; what goes along ends where the contour that it meets begins."""
+def _in_order(toolpath: Toolpath, parts: list[tuple[Ints, Ints, Floats, Floats]]) -> tuple[Ints, Ints, Floats, Floats]:
+    """Rows and nodes of several paths in the program's order; where two meet the first of the list decides."""
+    count = [len(part[0]) for part in parts]
+    first_row = np.cumsum([0, *count[:-1]])
+    rows, node_u, shift = (np.concatenate([part[k] for part in parts]) for k in (0, 2, 3))
+    node_row = np.concatenate([part[1] + k for part, k in zip(parts, first_row, strict=True)])
     order = np.argsort(rows, kind="stable")
     rank = np.empty(len(rows), dtype=np.int64)
     rank[order] = np.arange(len(rows))
-    rows, node_row = rows[order], rank[node_row]
-    by_row = np.argsort(node_row, kind="stable")
-    node_row, node_u, shift = node_row[by_row], node_u[by_row], shift[by_row]
-    first, last = np.flatnonzero(node_u == 0.0), np.flatnonzero(node_u == 1.0)
+    path = np.repeat(np.arange(len(parts)), count)[order]
+    by_row = np.argsort(rank[node_row], kind="stable")
+    rows, node_row, node_u, shift = rows[order], rank[node_row][by_row], node_u[by_row], shift[by_row]
+    begin, end = np.flatnonzero(node_u == 0.0), np.flatnonzero(node_u == 1.0)
     this, after = _vertices(toolpath, rows)
-    leaves, comes = along[rows[after]] & ~along[rows[this]], along[rows[this]] & ~along[rows[after]]
-    shift[first[after[leaves]]] = shift[last[this[leaves]]]
-    shift[last[this[comes]]] = shift[first[after[comes]]]
+    earlier, later = path[this] < path[after], path[this] > path[after]
+    shift[begin[after[earlier]]] = shift[end[this[earlier]]]
+    shift[end[this[later]]] = shift[begin[after[later]]]
     return rows, node_row, node_u, shift
 
 
@@ -209,17 +218,14 @@ class _Nodes:
 
 
 def _nodes(
-    toolpath: Toolpath, rows: Ints, nominal: Profile, before: WantedSurface, after: WantedSurface, radius: Floats
+    toolpath: Toolpath, rows: Ints, nominal: Profile, before: WantedSurface, after: WantedSurface, radius: float
 ) -> _Nodes:
-    """Nodes at the ends of every move, just inside them, and as close between as the displacement bends.
-
-    `radius` is the distance in mm from contour to path of every one of the moves.
-    """
-    feet = FootPointSearch(nominal, margin=float(radius.max(initial=0.0)) + 2.0)
+    """Nodes at the ends of every move, just inside them, and as close between as the displacement bends."""
+    feet = FootPointSearch(nominal, margin=radius + 2.0)
 
     def at(row: Ints, u: Floats) -> _Nodes:
         place = np.ascontiguousarray(toolpath.place(rows[row], u))
-        return _Nodes(row, u, *_along_normals(place, feet, before, after, nominal, radius[row]))
+        return _Nodes(row, u, *_along_normals(place, feet, before, after, nominal, radius))
 
     length = np.maximum(length_in_plane(toolpath.take(rows)), 1e-9)
     count = np.maximum(2, np.ceil(length / STEP).astype(np.int64))
@@ -248,17 +254,12 @@ def _nodes(
 
 
 def _along_normals(
-    place: Floats,
-    search: FootPointSearch,
-    before: WantedSurface,
-    after: WantedSurface,
-    nominal: Profile,
-    radius: Floats,
+    place: Floats, search: FootPointSearch, before: WantedSurface, after: WantedSurface, nominal: Profile, radius: float
 ) -> tuple[Floats, Floats, Bools]:
     """Unit vectors from the contour to places of the path, how far the centre there moves along them, and corners."""
     feet = search.find(place)
     corner = (feet.place == Place.JOINT) & is_corner(nominal, feet)
-    if not radius.any():
+    if radius == 0:
         stretch, s = nominal.stretch[feet.span], nominal.arc_length(feet.span, feet.t)
         correction = [_interpolated(surface, stretch, s) for surface in (before, after)]
         return feet.normal, correction[1] - correction[0], corner
@@ -287,13 +288,9 @@ def _at_the_ends(toolpath: Toolpath, rows: Ints, known: _Nodes) -> Floats:
     ahead = toolpath.direction(rows[node_row], node_u)
     right = np.stack([ahead[:, 1], -ahead[:, 0]], axis=1)
     across = (right * way).sum(axis=1)
-    # The side of the material is one for the whole of a path; passes may go either way along the contour.
-    this, after = _vertices(toolpath, rows)
-    path = np.cumsum(~np.isin(np.arange(len(rows)), after[after == this + 1]))[node_row]
-    begin = np.flatnonzero(np.diff(path, prepend=-1))
-    sides = [1.0 if np.median(part) >= 0 else -1.0 for part in np.split(across, begin[1:]) if len(part)]
-    side = np.repeat(sides, np.diff(np.append(begin, len(path))))
-    normal = side[:, None] * right
+    # The side of the material is one for the whole path.
+    side = 1.0 if np.median(across) >= 0 else -1.0
+    normal = side * right
     # Beside a corner itself only an arc about it, whose normal it is that points there, touches.
     touching = side * across >= np.where(known.corner, np.cos(ABOUT), np.cos(ALIGNED))
     amount = _held(node_row, node_u, amount, touching)
@@ -304,6 +301,7 @@ def _at_the_ends(toolpath: Toolpath, rows: Ints, known: _Nodes) -> Floats:
 
     first = np.flatnonzero(node_u == 0.0)
     last = np.flatnonzero(node_u == 1.0)
+    this, after = _vertices(toolpath, rows)
     turn = _turn(ahead[last[this]], ahead[first[after]])
     sharp = np.abs(turn) > SMOOTH
     # Just inside its ends a move knows nothing of the corner there.

@@ -87,7 +87,7 @@ def emit_in_place(
         after,
         nominal,
         radius,
-        along=along,
+        along=(along, before),
         tolerance=settings.tolerance,
         output_moves=settings.output_moves,
     )

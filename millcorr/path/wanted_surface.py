@@ -119,14 +119,14 @@ class WantedSurface:
         """Distance of points (n, 2) from the surface, mm."""
         return self._tree.distance(points)
 
-    def clearance(self, origin: Floats, direction: Floats, radius: float | Floats, guess: Floats) -> Floats:
+    def clearance(self, origin: Floats, direction: Floats, radius: float, guess: Floats) -> Floats:
         """How far along a direction a disc's centre may come to the surface.
 
         Parameters
         ----------
         origin, direction : (n, 2) float64
             Places in mm, and unit vectors away from the surface.
-        radius : float or (n,) float64
+        radius : float
             mm.
         guess : (n,) float64
             Where to begin, mm from the origins.
@@ -136,12 +136,12 @@ class WantedSurface:
         (n,) float64
             Distances from the origins, mm, at which the disc touches the surface and does not cut into it.
         """
-        t, size = guess.copy(), np.broadcast_to(radius, guess.shape)
+        t = guess.copy()
         active = np.arange(len(t))
         for _ in range(ROUNDS):
             if not len(active):
                 break
-            step = size[active] - self.distance(origin[active] + t[active, None] * direction[active])
+            step = radius - self.distance(origin[active] + t[active, None] * direction[active])
             t[active] += step
             active = active[np.abs(step) > 1e-8]
         return t
