@@ -112,7 +112,9 @@ def _add_inputs(verb: argparse.ArgumentParser) -> None:
     _add_measurement(verb)
     verb.add_argument("--nominal", metavar="FILE", help="profile: document#label, step, iges, brep, dxf, json, nc")
     verb.add_argument("--tool-diameter", metavar="MM", type=float, help="cutter diameter of the measured surface")
-    others = "number and diameter of another tool of the program, where its comments do not say it; give several"
+    others = (
+        "number or name, and diameter, of another tool of the program, where its comments do not say it; give several"
+    )
     verb.add_argument("--tool", metavar="T=MM", action="append", default=[], dest="tools", help=others)
     along = "move what roughs along the contour with it, so that its allowance stays"
     verb.add_argument("--keep-allowance", action="store_true", help=along)

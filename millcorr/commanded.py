@@ -563,9 +563,7 @@ def beside_the_path(toolpath: Toolpath, following: Bools) -> Bools:
     return out
 
 
-def on_the_path(
-    toolpath: Toolpath, usable: Bools, cut: list[CutContour], resolution: float, *, reach: float = 0.0
-) -> Bools:
+def on_the_path(toolpath: Toolpath, usable: Bools, cut: list[CutContour], resolution: float) -> Bools:
     """Moves that run on the path of contours: the passes that cut them, at every depth, and spring passes.
 
     Parameters
@@ -576,22 +574,19 @@ def on_the_path(
     cut : list of CutContour
     resolution : float
         What the program's coordinates are rounded to, mm.
-    reach : float
-        Passes that run along the path so far away, in mm, are among them, too, whatever their tool: what roughs before
-        what finishes.
 
     Returns
     -------
     (n,) bool
         A move that runs onto the path and along it in one is among them.
     """
-    band = max(ALONG * resolution, SAME_POINT, reach)
+    band = max(ALONG * resolution, SAME_POINT)
     vertices = np.vstack([np.vstack([one.path.start[:, :2], one.path.end[:, :2]]) for one in cut])
     same = np.zeros(len(toolpath), dtype=bool)
     for tool, compensation in np.unique(
         np.concatenate([np.stack([one.path.tool, one.path.compensation], axis=1) for one in cut]), axis=0
     ):
-        same |= ((toolpath.tool == tool) & (toolpath.compensation == compensation)) | (reach > 0)
+        same |= (toolpath.tool == tool) & (toolpath.compensation == compensation)
     runs = cutting_runs(toolpath)
     rows = np.concatenate(runs) if runs else np.zeros(0, dtype=np.int64)
     rows = rows[(same & usable & rows_near(toolpath, vertices, band))[rows]]
@@ -613,40 +608,59 @@ def on_the_path(
     return out
 
 
-def roughing(surface: CommandedSurface, following: Bools, nominal: Profile, resolution: float) -> Bools:
+def roughing(surface: CommandedSurface, rows: Bools, nominal: Profile, resolution: float, limit: float) -> Bools:
     """Moves along a profile that leave stock which others take away at the same height.
 
     Parameters
     ----------
     surface : CommandedSurface
-    following : (n,) bool
-        Moves that run along the profile.
+    rows : (n,) bool
+        Moves to look at.
     nominal : Profile
     resolution : float
         What the program's coordinates are rounded to, mm.
+    limit : float
+        What leaves more than this over the profile, in mm, clears and does not rough it.
 
     Returns
     -------
     (n,) bool
-        Those of which no other than a small part is on the surface that all passes leave.
+        Those that run along the profile and of which no other than a small part is on the surface that all passes
+        leave.
     """
     toolpath = surface.toolpath
-    rows = np.flatnonzero(following & (surface.radius > 0))
     out = np.zeros(len(toolpath), dtype=bool)
-    if not len(rows):
+    widest = float(np.nanmax(surface.radius, initial=0.0)) + limit
+    x0, y0, x1, y1 = nominal.bounding_box()
+    near = rows_near(toolpath, np.array([[x0, y0], [x1, y1]]), widest)
+    cuts = (toolpath.kind != Kind.RAPID) & np.isfinite(surface.radius)
+    row = np.flatnonzero(rows & cuts & near)
+    if not len(row):
         return out
     u = (np.arange(9) + 0.5) / 9
-    which, share = np.repeat(np.arange(len(rows)), 9), np.tile(u, len(rows))
-    search = FootPointSearch(nominal, margin=float(np.nanmax(surface.radius)) + 2.0)
-    z = np.fmax(toolpath.start[rows, 2], toolpath.end[rows, 2])[which]
-    feet = search.find(np.column_stack([toolpath.place(rows[which], share), z]))
-    own = feet.distance - surface.radius[rows[which]]
-    made = surface.offset(feet.foot, feet.normal, np.nan_to_num(z, nan=np.inf))
-    smooth = feet.place == Place.SMOOTH
-    over = smooth & (own - made > max(ALONG * resolution, ROUGHED))
-    counted = np.bincount(which, smooth, minlength=len(rows))
-    out[rows] = np.bincount(which, over, minlength=len(rows)) > 0.5 * np.maximum(counted, 1)
-    return out
+    which, share = np.repeat(np.arange(len(row)), 9), np.tile(u, len(row))
+    place, ahead = toolpath.place(row[which], share), toolpath.direction(row[which], share)
+    z = np.fmax(toolpath.start[row, 2], toolpath.end[row, 2])[which]
+    feet = FootPointSearch(nominal, margin=widest + 2.0).find(np.column_stack([place, z]))
+    own = feet.distance - surface.radius[row[which]]
+    parallel = np.abs((ahead * feet.normal).sum(axis=1)) < PARALLEL
+    along = parallel & (feet.place == Place.SMOOTH) & (own <= limit)
+    over = np.zeros(len(which), dtype=bool)
+    left = own[along] - surface.offset(feet.foot[along], feet.normal[along], np.nan_to_num(z[along], nan=np.inf))
+    over[along] = left > max(ALONG * resolution, ROUGHED)
+    count = np.bincount(which, along, minlength=len(row))
+    # Where a move touches the contour's parallel in passing, as a lead does, it does not run along it.
+    out[row] = (np.bincount(which, over, minlength=len(row)) > 0.5 * count) & (count > 2)
+    # What goes round a corner between two such moves belongs to them.
+    corner = np.zeros(len(toolpath), dtype=bool)
+    corner[row] = np.bincount(which, feet.place == Place.JOINT, minlength=len(row)) > 4
+    for run in cutting_runs(toolpath) if (out & ~corner).any() and corner.any() else []:
+        told = np.flatnonzero(~corner[run])
+        if len(told):
+            behind = told[np.clip(np.searchsorted(told, np.arange(len(run)), side="right") - 1, 0, None)]
+            ahead_of = told[np.clip(np.searchsorted(told, np.arange(len(run))), None, len(told) - 1)]
+            out[run] = out[run[behind]] & out[run[ahead_of]]
+    return out & rows
 
 
 @dataclass(frozen=True, eq=False, slots=True)

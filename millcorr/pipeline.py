@@ -353,7 +353,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
     nominal = request.nominal
     # What the program itself cuts keeps its chords and rounding; on a drawing the path is laid exactly.
     exact = nominal is not None and not request.nominal_is_first_program
-    row_of = np.flatnonzero(kept)
+    row_of, none = np.flatnonzero(kept), np.zeros(len(toolpath), dtype=bool)
     expected: CompensatedContour | None = None
     original_error = 0.0
     if nominal is None:
@@ -363,29 +363,32 @@ def correct(request: Request, *, check: bool = False) -> Result:
             program, toolpath, settings, measurement, request.radius, path_radius, usable, warnings
         )
         following = on_the_path(toolpath, usable, cut, program.resolution)
-        if settings.keep_allowance:
-            following |= on_the_path(toolpath, plain[kept], cut, program.resolution, reach=settings.limit)
-        laid = whole = toolpath, following, row_of
+        whole = toolpath, following, row_of, none
     else:
         reach = settings.limit if carried else 0.0
         nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, True)
-        rough = roughing(CommandedSurface(toolpath, cutters), commanded.following, nominal, program.resolution)
-        if rough.any() and not settings.keep_allowance:
+        rough = _roughing(toolpath, cutters, commanded.following, nominal, program, settings)
+        if rough.any():
             usable = usable & ~rough
             nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, True)
-        laid = whole = toolpath, commanded.following, row_of
+        whole = toolpath, commanded.following, row_of, none
+        following = commanded.following
         divided, row = cut_onto_the_contour(toolpath, commanded.following)
         if len(divided) > len(toolpath) and exact:
             _, found = _turned_to_the_path(nominal, divided, path_radius, usable[row], reach, False)
             # What only touches the contour is no part of it, and stays one move.
             if len(np.unique(row[found.following])) > commanded.following.sum():
-                commanded, laid = found, (divided, found.following, row)
+                toolpath, following, row_of, commanded = divided, found.following, row, found
         expected, original_error = commanded.expected, commanded.error
-        toolpath, following, row_of = laid
     if not following.any():
         raise InputError(f"{program.name}: no move runs along the contour that the points lie on")
+    along = np.zeros(len(toolpath), dtype=bool)
+    if settings.keep_allowance:
+        # What roughs comes before what finishes.
+        earlier = np.arange(len(toolpath)) < np.flatnonzero(following)[-1]
+        along = _roughing(toolpath, cutters[row_of], plain[row_of] & earlier & ~following, nominal, program, settings)
     rows = np.zeros(len(kept), dtype=bool)
-    rows[row_of[beside_the_path(toolpath, following)]] = True
+    rows[row_of[beside_the_path(toolpath, following | along)]] = True
     program.require_plain(rows)
     surface = CommandedSurface(program.toolpath, cutters)
 
@@ -494,11 +497,12 @@ def correct(request: Request, *, check: bool = False) -> Result:
     header = _header(request, noted)
 
     def lay(correction: Correction) -> Emission:
-        moves, rows, origin = laid if correction.largest > EXACT else whole
-        emission, note = emit(
+        moves, rows, origin, roughs = (toolpath, following, row_of, along) if correction.largest > EXACT else whole
+        emission, notes = emit(
             program,
             moves,
             rows,
+            roughs,
             nominal,
             correction,
             path_radius,
@@ -509,7 +513,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
             exact=exact,
             original_error=original_error,
         )
-        warnings.extend([note] if note is not None and note not in warnings else [])
+        warnings.extend(note for note in notes if note not in warnings)
         return emission
 
     foreseen: Foreseen | None = None
@@ -618,6 +622,18 @@ def _refuse_wrong_allowance(surface: Measurement, nominal: Profile, allowance: f
         )
 
 
+def _roughing(
+    toolpath: Toolpath,
+    cutters: Floats,
+    rows: NDArray[np.bool_],
+    nominal: Profile,
+    program: gcode.Program,
+    settings: Settings,
+) -> NDArray[np.bool_]:
+    """Which of some moves of a program leave stock on the nominal for others; (n,)."""
+    return roughing(CommandedSurface(toolpath, cutters), rows, nominal, program.resolution, settings.limit)
+
+
 def _for_first_cut(
     program: gcode.Program, request: Request, path_radius: float, usable: NDArray[np.bool_]
 ) -> tuple[Toolpath, NDArray[np.bool_]]:
@@ -698,11 +714,12 @@ def _cutters(
     stated = stated_diameters(program.comments(), scale) | dict(request.settings.tool_diameters)
     radii, unknown = cutter_radii(program.toolpath, request.radius, path_radius, stated, measurement)
     if unknown:
-        listed = ", ".join(f"T{tool}" for tool in unknown)
-        warnings.append(
-            f"the diameter of {listed} is not known: what it cuts stays as it is and is not looked at; "
-            f"--tool {unknown[0]}=MM states it"
-        )
+        names = [program.tool(tool) for tool in unknown if tool != -1]
+        listed = [f"T{name}" if name.isdigit() else name for name in names]
+        listed += ["the tool before the first T word"] if -1 in unknown else []
+        remedy = f"--tool {names[0]}=MM states it" if names else "a T word before its cuts gives it a number to state"
+        what = f"the diameter of {', '.join(listed)} is not known"
+        warnings.append(f"{what}: what it cuts stays as it is and is not looked at; {remedy}")
     return np.where(other, np.nan, radii)
 
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -11,6 +12,7 @@ from . import alignment
 from .errors import UsageError
 from .regeneration import OUTPUT_MOVES
 from .separation.filters import Filter
+from .toolpath import named_tool
 
 LARGEST_TOLERANCE = 0.05
 """Path errors beyond this, in mm, are as large as the deviations worth correcting."""
@@ -47,9 +49,9 @@ class Settings:
     leave_stock : float
         Stock that the written program leaves over the nominal: a first cut, before anything is measured.
     tools : tuple of str
-        Diameters of other tools of the program, each ``T=MM``.
+        Diameters of other tools of the program, each ``T=MM`` with the tool's number or name.
     keep_allowance : bool
-        Passes that run along the contour up to `limit` away, as roughing passes do, are moved with it.
+        Passes that rough along the contour, leaving up to `limit` on it, are moved with it, each by its own radius.
     unmeasured_share : float
         Largest share of a contour that may lie farther from any point than the form hangs together; more is refused.
     iterate : float, optional
@@ -161,23 +163,27 @@ class Settings:
 
     @property
     def tool_diameters(self) -> tuple[tuple[int, float], ...]:
-        """Numbers and diameters of the tools that are stated apart, mm.
+        """Numbers (`named_tool`) and diameters of the tools that are stated apart, mm.
 
         Raises
         ------
         UsageError
-            If one is no number and diameter.
+            If one is no number or name, and diameter.
         """
         out = []
         for text in self.tools:
-            number, _, diameter = text.upper().removeprefix("T").partition("=")
+            tool, _, diameter = text.rpartition("=")
+            # As a program may call it, too: T3, T="ROUGH".
+            tool = re.sub(r'^T(?=\d+$|\s*=?\s*")[\s=]*', "", tool.strip(), flags=re.IGNORECASE).strip('"')
             try:
-                tool, value = int(number), float(diameter)
+                value = float(diameter)
             except ValueError:
-                tool, value = -1, 0.0
-            if tool < 0 or not 0 < value < math.inf:
-                raise UsageError(f"--tool {text}: write the number and the diameter of a tool in mm, as --tool 3=16")
-            out.append((tool, value))
+                value = 0.0
+            if not tool or not 0 < value < math.inf:
+                raise UsageError(
+                    f"--tool {text}: write the number or name and the diameter of a tool in mm, as --tool 3=16"
+                )
+            out.append((named_tool(tool.encode()), value))
         return tuple(out)
 
     @property

@@ -166,7 +166,7 @@ PROPERTIES = (
         "StringList",
         "Tools",
         "Correction",
-        _text("App::Property", "Diameters of other tools of the path, each as 3=16"),
+        _text("App::Property", "Diameters of other tools of the path, each as 3=16 or ROUGH=16"),
         [],
     ),
     Property(

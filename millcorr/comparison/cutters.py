@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.measurement import Measurement
-from millcorr.toolpath import Compensation, Kind, Toolpath
+from millcorr.toolpath import Compensation, Kind, Toolpath, named_tool
 
 from .path_distance import PathDistance
 
@@ -24,14 +24,16 @@ Floats = NDArray[np.float64]
 SAMPLE = 500
 """So many points, evenly taken, tell which tool made them."""
 
-_IN_COMMENT = re.compile(r"\bT\s*0*(\d+)\b[^()]*?\bD(?:IA(?:METER)?)?\s*[=:]?\s*(\d+(?:\.\d*)?|\.\d+)", re.IGNORECASE)
+_IN_COMMENT = re.compile(
+    r"\bT\s*=?\s*(?:(\d+)\b|\"([^\"]+)\")[^()]*?\b(D(?:IA(?:METER)?)?\s*[=:]?)\s*(\d+(?:\.\d*)?|\.\d+)", re.IGNORECASE
+)
 
 _OFFSETS = re.compile(r"\bH\s*\d+\b", re.IGNORECASE)
 """Beside the number of a length offset, D is the number of a radius offset."""
 
 
 def stated_diameters(comments: Sequence[tuple[int, str]], scale: float) -> dict[int, float]:
-    """Diameters in mm that comments state of tools, such as ``T4 D10 END MILL``, by tool number.
+    """Diameters in mm that comments state of tools, such as ``T4 D10 END MILL``, by tool number (`named_tool`).
 
     Parameters
     ----------
@@ -45,10 +47,11 @@ def stated_diameters(comments: Sequence[tuple[int, str]], scale: float) -> dict[
         found = _IN_COMMENT.search(text)
         if found is None or _OFFSETS.search(text):
             continue
-        tool, diameter = int(found.group(1)), float(found.group(2))
-        # D4 beside T4 is the number of an offset as likely as a diameter.
-        if diameter > 0 and ("." in found.group(2) or diameter != tool):
-            out.setdefault(tool, scale * diameter)
+        number, name, word, length = found.groups()
+        # D4 beside T4 is the number of an offset as likely as a diameter, and so is D1 beside a name.
+        plain = number is None and word.strip().upper() == "D" or number is not None and float(number) == float(length)
+        if float(length) > 0 and ("." in length or not plain):
+            out.setdefault(named_tool((number or name).encode("latin-1")), scale * float(length))
     return out
 
 

@@ -15,7 +15,7 @@ from millcorr.toolpath import Bools, Ints, Toolpath
 from .codes import INCH
 from .motion import Modal, Stretch, follow
 from .style import Style, style_of
-from .words import comments, line_starts, take_apart
+from .words import comments, line_starts, take_apart, tool_names
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -81,6 +81,10 @@ class Program:
     def comments(self) -> list[tuple[int, str]]:
         """All comments: index of the line from 0, and the text without its marks."""
         return [(line, text.decode("latin-1")) for line, text in comments(self.data, self.line_start)]
+
+    def tool(self, number: int) -> str:
+        """A tool as the command line takes it: its number, or its name where the program calls it by one."""
+        return tool_names(self.data).get(number, str(number))
 
     def opaque_moves(self) -> Bools:
         """Moves that cannot be corrected, shape (moves,)."""

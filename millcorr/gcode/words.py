@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.errors import FormatError
-from millcorr.toolpath import Floats, Ints
+from millcorr.toolpath import Floats, Ints, named_tool
 
 Bytes = NDArray[np.uint8]
 
@@ -26,7 +26,9 @@ MOST_DECIMALS = 127
 """Digits behind a point are counted up to this: more than a double has."""
 
 COMMENT = re.compile(rb"\([^()\r\n]*\)|;[^\r\n]*")
-_COMMENT_OR_TEXT = re.compile(rb'\([^()\r\n]*\)|;[^\r\n]*|"[^"\r\n]*"')
+_TOOL = rb'(?<![A-Za-z_])[Tt](?:(?:\d*[ \t]*=)?[ \t]*"(?P<quoted>[^"\r\n]*)"|\d*[ \t]*=[ \t]*(?P<bare>[^\s"=(;]+))'
+"""A tool by its name: T="ROUGH 8", T1="ROUGH 8" of the first spindle, T=ROUGH_8 (Siemens), T"ROUGH 8" (Heidenhain)."""
+_COMMENT_OR_TEXT = re.compile(rb"\([^()\r\n]*\)|;[^\r\n]*|" + _TOOL + rb'|"[^"\r\n]*"')
 _PERCENT = re.compile(rb"(?m)^[ \t]*(?:[nN][ \t]*\d+[ \t]*)?%[^\r\n]*")
 _COLON = re.compile(rb"(?m)^([ \t]*):(?=[ \t]*\d)")
 """Program number as the ISO code of older controls writes it."""
@@ -180,8 +182,10 @@ def _plain_text(data: bytes) -> bytes:
     text = data.removeprefix(BYTE_ORDER_MARK)
     if b"\n" not in text:
         text = text.replace(b"\r", b"\n")
-    if b"(" in text or b";" in text or b'"' in text:
-        text = (_COMMENT_OR_TEXT if b'"' in text else COMMENT).sub(b"", text)
+    if b'"' in text or b"=" in text:
+        text = _COMMENT_OR_TEXT.sub(_tool_word, text)
+    elif b"(" in text or b";" in text:
+        text = COMMENT.sub(b"", text)
     if b"%" in text:
         percents = [found.start() for found in _PERCENT.finditer(text)]
         if len(percents) > 1 and not text[: percents[0]].strip():
@@ -196,6 +200,24 @@ def _plain_text(data: bytes) -> bytes:
         text = _BLOCK_END.sub(b"", text)
     text = text.translate(None, _BLANKS)
     return text if text.endswith(b"\n") else text + b"\n"
+
+
+def _tool_name(found: re.Match[bytes]) -> bytes | None:
+    """Name of the tool that a piece of text calls; None where it is a comment or a text."""
+    quoted: bytes | None = found["quoted"]
+    return found["bare"] if quoted is None else quoted
+
+
+def _tool_word(found: re.Match[bytes]) -> bytes:
+    """A tool's name as a plain word; of comments and texts nothing."""
+    name = _tool_name(found)
+    return b"T%d " % named_tool(name) if name else b""
+
+
+def tool_names(data: bytes) -> dict[int, str]:
+    """Names of the tools that a program calls by name, by the number that stands for each."""
+    names = filter(None, map(_tool_name, _COMMENT_OR_TEXT.finditer(data)))
+    return {named_tool(name): name.decode("utf-8", "replace") for name in names}
 
 
 def _marks(buffer: Bytes) -> tuple[Ints, Bytes, Ints, Ints]:
@@ -272,7 +294,7 @@ _SHORT_KEYWORDS = ("IF", "DO", "OR", "AC", "IC", "DC", "GE", "GT", "LE", "LT", "
 
 def _read_odd_line(raw: bytes, line: int, name: str) -> OddLine:
     """Take one line apart that holds more than plain words."""
-    bare = _COMMENT_OR_TEXT.sub(b"", raw.removeprefix(BYTE_ORDER_MARK))
+    bare = _COMMENT_OR_TEXT.sub(_tool_word, raw.removeprefix(BYTE_ORDER_MARK))
     text = _BLOCK_DELETE.sub(rb"\1", bare).upper().decode("latin-1").rstrip("* \t\r\n\x0b\x0c\x1a")
     words: list[tuple[str, float]] = []
     reasons: list[str] = []

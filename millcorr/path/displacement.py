@@ -47,6 +47,10 @@ ALIGNED, ABOUT = 0.3, 1e-3
 """A place of the path makes a surface where its own normal and the way to the contour differ by less, in rad: at
 facets, and at a corner. Past a convex corner the cutter touches nothing."""
 
+STEPS_OVER = 0.01
+"""Moves beside the contour whose distances from it differ by more, in mm, are of two passes: chords and rounding of one
+differ by less."""
+
 STILL = 1e-6
 """What would be displaced by no more than this, in mm, stays as it is."""
 
@@ -96,6 +100,7 @@ def displace(
     nominal: Profile,
     radius: float,
     *,
+    along: tuple[Bools, WantedSurface] | None = None,
     tolerance: float = 0.001,
     output_moves: str = "keep",
     original_error: float = 0.0,
@@ -116,6 +121,9 @@ def displace(
         What both were moved from.
     radius : float
         Distance in mm from contour to path; 0 where the program states the contour itself (G41, G42).
+    along : ((n,) bool, WantedSurface), optional
+        Moves beside the contour that go along with it, so that what they leave over it stays, and what the toolpath
+        makes; none by default.
     tolerance : float
         Largest distance in mm between written and exact path, rounding included.
     output_moves : {'keep', 'lines', 'arcs', 'nurbs'}
@@ -139,18 +147,60 @@ def displace(
     if before is None:
         known = _where_it_should_be(known, len(rows), KEEP_SHARE * tolerance)
     shift = _at_the_ends(toolpath, rows, known)
+    if along is not None and along[0].any():
+        passes = _displaced_passes(toolpath, order[along[0][order]], nominal, along[1], after, radius)
+        rows, node_row, node_u, shift = _in_order(toolpath, [(rows, node_row, node_u, shift), *passes])
     shift[np.hypot(*shift.T) <= STILL] = 0.0
     path = DisplacedPath(toolpath, rows, node_row, node_u, shift)
     moved = np.zeros(len(rows), dtype=bool)
     np.logical_or.at(moved, node_row, shift.any(axis=1))
     first, last = node_u == 0.0, node_u == 1.0
     shift0[rows], shift1[rows] = shift[first], shift[last]
-    carry_along(toolpath, following, own_work(toolpath, following), shift0, shift1)
+    given = np.zeros(len(toolpath), dtype=bool)
+    given[rows] = True
+    carry_along(toolpath, given, own_work(toolpath, given), shift0, shift1)
     pick = np.flatnonzero(moved)
     intervals = _intervals(toolpath, path, pick, output_moves)
     fitted, owner, fit_error = fit_moves(intervals, path, FIT_SHARE * tolerance)
     errors = original_error, fit_error
     return put_together(toolpath, following, rows[pick], fitted, owner, shift0, shift1, errors)
+
+
+def _displaced_passes(
+    toolpath: Toolpath, rows: Ints, nominal: Profile, before: WantedSurface, after: WantedSurface, radius: float
+) -> list[tuple[Ints, Ints, Floats, Floats]]:
+    """Rows and nodes, as of `DisplacedPath`, of each pass beside a contour, moved at its own distance from it."""
+    share = np.tile([0.25, 0.5, 0.75], len(rows))
+    feet = FootPointSearch(nominal, margin=radius + 2.0).find(toolpath.place(np.repeat(rows, 3), share))
+    distance = np.median(np.abs(feet.distance).reshape(-1, 3), axis=1)
+    ends = (np.diff(rows) > 1) | (np.abs(np.diff(distance)) > STEPS_OVER)
+    out = []
+    for part in np.split(np.arange(len(rows)), np.flatnonzero(ends) + 1):
+        # Where the program states the contour, the control keeps the distance.
+        own = 0.0 if radius == 0 else float(np.median(distance[part]))
+        known = _nodes(toolpath, rows[part], nominal, before, after, own)
+        out.append((rows[part], known.row, known.u, _at_the_ends(toolpath, rows[part], known)))
+    return out
+
+
+def _in_order(toolpath: Toolpath, parts: list[tuple[Ints, Ints, Floats, Floats]]) -> tuple[Ints, Ints, Floats, Floats]:
+    """Rows and nodes of several paths in the program's order; where two meet the first of the list decides."""
+    count = [len(part[0]) for part in parts]
+    first_row = np.cumsum([0, *count[:-1]])
+    rows, node_u, shift = (np.concatenate([part[k] for part in parts]) for k in (0, 2, 3))
+    node_row = np.concatenate([part[1] + k for part, k in zip(parts, first_row, strict=True)])
+    order = np.argsort(rows, kind="stable")
+    rank = np.empty(len(rows), dtype=np.int64)
+    rank[order] = np.arange(len(rows))
+    path = np.repeat(np.arange(len(parts)), count)[order]
+    by_row = np.argsort(rank[node_row], kind="stable")
+    rows, node_row, node_u, shift = rows[order], rank[node_row][by_row], node_u[by_row], shift[by_row]
+    begin, end = np.flatnonzero(node_u == 0.0), np.flatnonzero(node_u == 1.0)
+    this, after = _vertices(toolpath, rows)
+    earlier, later = path[this] < path[after], path[this] > path[after]
+    shift[begin[after[earlier]]] = shift[end[this[earlier]]]
+    shift[end[this[later]]] = shift[begin[after[later]]]
+    return rows, node_row, node_u, shift
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -23,6 +23,7 @@ from millcorr.toolpath import Plane, Toolpath
 from millcorr.verification import Verification
 
 from .displacement import displace
+from .neighbours import refuse_cut_neighbours
 from .surface_proof import prove_surface
 from .text_proof import prove_text
 from .wanted_surface import WantedSurface
@@ -64,6 +65,7 @@ def emit(
     program: gcode.Program,
     toolpath: Toolpath,
     following: Bools,
+    along: Bools,
     nominal: Profile,
     correction: Correction,
     radius: float,
@@ -74,7 +76,7 @@ def emit(
     carried: Correction | None = None,
     exact: bool = False,
     original_error: float = 0.0,
-) -> tuple[Emission, str | None]:
+) -> tuple[Emission, tuple[str, ...]]:
     """Move the surface of a program by a correction, write it and prove what was written.
 
     Parameters
@@ -84,6 +86,8 @@ def emit(
         Its moves, divided where a contour begins on one of them; of a first cut without the fillets that vanish.
     following : (n,) bool
         Moves that make the surface.
+    along : (n,) bool
+        Moves that leave stock on it, and go along so that it stays.
     nominal : Profile
     correction : Correction
         Of the nominal, in all.
@@ -106,8 +110,8 @@ def emit(
     Returns
     -------
     Emission
-    note : str or None
-        What the cutter cannot reach, with place and amount.
+    notes : tuple of str
+        What the cutter cannot reach, with place and amount; the lines that went along.
 
     Raises
     ------
@@ -123,6 +127,7 @@ def emit(
         after,
         nominal,
         radius,
+        along=(along, before),
         tolerance=settings.tolerance,
         output_moves=settings.output_moves,
         original_error=original_error,
@@ -142,9 +147,13 @@ def emit(
     if len(emitted) != len(planned):
         raise LimitError(f"the written program reads back with {len(emitted)} moves in place of {len(planned)}")
     _refuse_other_moves(planned, emitted, regeneration.lines, settings.tolerance)
+    original = CommandedSurface(toolpath, cutters)
+    written = CommandedSurface(emitted, cutters[regeneration.origin[goes]])
+    changed = np.isin(toolpath.source, regeneration.lines), np.isin(planned.source, regeneration.lines)
+    shift = regeneration.largest_shift + settings.tolerance
     proof, (stays, place) = prove_surface(
-        CommandedSurface(toolpath, cutters),
-        CommandedSurface(emitted, cutters[regeneration.origin[goes]]),
+        original,
+        written,
         (following, following_now),
         before,
         after,
@@ -152,14 +161,25 @@ def emit(
         tolerance=settings.tolerance,
         exact=exact,
     )
-    note = None
+    refuse_cut_neighbours(original, written, changed, shift=shift, tolerance=settings.tolerance)
+    notes = []
     if stays > settings.tolerance:
-        note = (
+        notes.append(
             f"{stays:.3f} mm stays at X{place[0]:.3f} Y{place[1]:.3f}: the corner is too narrow for a cutter of "
             f"{2 * radius:g} mm to reach what is wanted there; a smaller one would"
         )
+    moved = np.intersect1d(toolpath.source[along], regeneration.lines)
+    if len(moved):
+        which = f"{_listed(moved + 1)} of {program.name}"
+        notes.append(f"passes that leave stock on the corrected wall are moved along with it: {which}")
     compensated, residual = compensated_profile(nominal, correction, after)
-    return Emission(compensated, residual, regeneration, proof, text), note
+    return Emission(compensated, residual, regeneration, proof, text), tuple(notes)
+
+
+def _listed(lines: Ints) -> str:
+    """Numbers of lines in rising order, those that follow one another as from and to."""
+    runs = np.split(lines, np.flatnonzero(np.diff(lines) > 1) + 1)
+    return "lines " + ", ".join(f"{run[0]}" if len(run) == 1 else f"{run[0]}-{run[-1]}" for run in runs)
 
 
 def _refuse_other_moves(planned: Toolpath, emitted: Toolpath, lines: Ints, tolerance: float) -> None:

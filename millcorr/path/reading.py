@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.read_only import ReadOnlyArrays
-from millcorr.toolpath import Bools, Floats, Ints, Kind, Plane, Toolpath
+from millcorr.toolpath import Bools, Floats, Ints, Kind, Plane, Toolpath, named_tool
 
 Bytes = NDArray[np.uint8]
 
@@ -33,7 +33,11 @@ _NEW_FRAME = (100, 500, 501, 510, 511, 520, 650, 680, 681, 682, 690, 691, 920, 9
 _HOME = (280, 300)
 _MACHINE = 530
 
-_COMMENT = re.compile(rb'\([^()\n]*\)|;[^\n]*|"[^"\n]*"')
+_SKIPPED = re.compile(
+    rb'\([^()\n]*\)|;[^\n]*|((?<![A-Z_])T(?:\d*[ \t]*=)?[ \t]*)?"([^"\n]*)"'
+    rb'|(?<![A-Z_])T\d*[ \t]*=[ \t]*([^\s"=(;]+)'
+)
+"""Comments, texts, and tools that are called by a name."""
 _BLANKS = b" \t\r\x0b\x0c\x1a"
 _PERCENT = re.compile(rb"(?m)^(?:[Nn]\d+)?%[^\n]*")
 _OPENING = re.compile(rb"(?m)^((?:N\d+)?)(?:/[1-9]?|:(?=\d))")
@@ -192,8 +196,8 @@ def _piece(text: bytes) -> tuple[Bytes, Floats, Ints]:
     text = text.removeprefix(b"\xef\xbb\xbf").upper()
     if b"\n" not in text:
         text = text.replace(b"\r", b"\n")
-    if b"(" in text or b";" in text or b'"' in text:
-        text = _COMMENT.sub(b"", text)
+    if any(mark in text for mark in (b"(", b";", b'"', b"=")):
+        text = _SKIPPED.sub(_numbered_tool, text)
     text = text.translate(None, _BLANKS)
     if b"%" in text:
         text = _PERCENT.sub(b"", text)
@@ -251,6 +255,12 @@ def _piece(text: bytes) -> tuple[Bytes, Floats, Ints]:
     line = np.concatenate([line[plain], extra[:, 2].astype(np.int64)])
     order = np.argsort(line, kind="stable")
     return letter[order], number[order], line[order]
+
+
+def _numbered_tool(found: re.Match[bytes]) -> bytes:
+    """T word of a tool that is called by a name; nothing in place of what is skipped."""
+    name = found[2] if found[1] else found[3]
+    return b"T%d" % named_tool(name) if name else b""
 
 
 def _odd_words(text: bytes) -> list[tuple[int, float]]:

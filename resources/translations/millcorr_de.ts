@@ -264,8 +264,8 @@
         <translation>Größter Anteil einer Kontur ohne Punkte in der Nähe, der trotzdem korrigiert wird</translation>
     </message>
     <message>
-        <source>Diameters of other tools of the path, each as 3=16</source>
-        <translation>Durchmesser weiterer Werkzeuge der Bahn, jeder wie 3=16</translation>
+        <source>Diameters of other tools of the path, each as 3=16 or ROUGH=16</source>
+        <translation>Durchmesser weiterer Werkzeuge der Bahn, jeder wie 3=16 oder ROUGH=16</translation>
     </message>
     <message>
         <source>Passes that rough along the contour are moved with it</source>

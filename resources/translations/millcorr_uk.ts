@@ -264,8 +264,8 @@
         <translation>Найбільша частка контуру без точок поблизу, яка все ж коригується</translation>
     </message>
     <message>
-        <source>Diameters of other tools of the path, each as 3=16</source>
-        <translation>Діаметри інших інструментів траєкторії, кожен як 3=16</translation>
+        <source>Diameters of other tools of the path, each as 3=16 or ROUGH=16</source>
+        <translation>Діаметри інших інструментів траєкторії, кожен як 3=16 або ROUGH=16</translation>
     </message>
     <message>
         <source>Passes that rough along the contour are moved with it</source>

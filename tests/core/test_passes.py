@@ -13,9 +13,11 @@ import pytest
 import shapely
 
 from millcorr import gcode, pipeline
-from millcorr.errors import LimitError
+from millcorr.comparison.cutters import stated_diameters
+from millcorr.errors import LimitError, UsageError
 from millcorr.measurement import Measurement
 from millcorr.path import emission
+from millcorr.toolpath import named_tool
 
 R = 4.0
 W, H = 80.0, 50.0
@@ -34,6 +36,18 @@ def once(distance: float, z: float, *, head: str = "", begin: float = 15.0) -> s
     lines += [f"G1 X{x:.3f} Y{y:.3f} F400." for x, y in points]
     lines += [f"G1 X0. Y{-H / 2 - distance - begin:.3f}", "G0 Z20."]
     return head + "\n".join(lines) + "\n"
+
+
+def backwards(distance: float, z: float) -> str:
+    """The same pass the other way round."""
+    lines = once(distance, z).splitlines()
+    return "\n".join([*lines[:3], *lines[8:2:-1], *lines[9:]]) + "\n"
+
+
+def numbers(note: str) -> set[int]:
+    """Line numbers that a note lists: 'lines 3-5, 8'."""
+    ranges = re.findall(r"(\d+)(?:-(\d+))?", note[note.index("lines ") :].split(" of ")[0])
+    return {n for a, b in ranges for n in range(int(a), int(b or a) + 1)}
 
 
 def program(*passes: str) -> str:
@@ -77,9 +91,9 @@ def left(text: str, z: float, radius: float = R) -> shapely.Geometry:
     return shapely.union_all([cut.buffer(radius, quad_segs=256) for cut in cuts])
 
 
-def wall(text: str, z: float) -> list[float]:
+def wall(text: str, z: float, radius: float = R) -> list[float]:
     """Where the walls of the part stand that all cuts leave: left, bottom, right, top, mm over the nominal."""
-    inside = shapely.Polygon(ring(0.5)).difference(left(text, z))
+    inside = shapely.Polygon(ring(0.5)).difference(left(text, z, radius))
     x0, y0, x1, y1 = max(getattr(inside, "geoms", [inside]), key=lambda g: g.area).bounds
     return [-x0 - W / 2, -y0 - H / 2, x1 - W / 2, y1 - H / 2]
 
@@ -111,6 +125,43 @@ def test_a_tool_of_which_nothing_is_known_stays_and_is_said() -> None:
     assert rough in new and not any("not known" in w for w in result.warnings)
 
 
+@pytest.mark.parametrize(
+    ("rough", "fine", "name"),
+    [
+        ('T="ROUGH 8" D1\nM6\n', 'T="FINE" D1\nM6\n', "ROUGH 8"),
+        ('T1="ROUGH 8" M6\n', "T=2 M6\n", "ROUGH 8"),
+        ("T=ROUGH_8 M6\n", "T=FINE_8 M6\n", "ROUGH_8"),
+        ('T"ROUGH 8" G17 S900\n', 'T"FINE" G17 S900\n', "ROUGH 8"),
+    ],
+)
+def test_tools_with_names_are_tools_of_their_own(rough: str, fine: str, name: str) -> None:
+    """The rougher's path is 0.05 mm outside the finisher's, its cutter 0.2 mm larger: it leaves 0.05 mm less stock."""
+    roughing = once(4.1 + 0.05, -3.0, head=rough)
+    text = program(roughing, once(R, -3.0, head=fine))
+    result, new = correct(text, measured(points(0.02)))
+    assert roughing in new
+    assert any(f"diameter of {name} is not known" in w and f"--tool {name}=MM" in w for w in result.warnings)
+    np.testing.assert_allclose(wall(new[new.index(fine) :], -2.0), -0.02, atol=0.001)
+    for tool in (f"{name}=8.2", f'T="{name.lower()}"=8.2'):
+        result, new = correct(text, measured(points(0.02)), tools=(tool,))
+        assert roughing in new and not any("not known" in w for w in result.warnings)
+    # Were the wall to go out by 0.06 mm, that tool would cut 0.01 mm into it: its radius is known and is used.
+    with pytest.raises(LimitError, match=r"would cut 10\.\d um"):
+        correct(text, measured(points(-0.06)), tools=(f"{name}=8.2",))
+
+
+def test_diameters_in_comments() -> None:
+    texts = ["T1 D16 ROUGHER", 'T="EM 10" D=10 R=0', 'T="FINE" DIA 8', 'T="FINE" D 1', "T4 D4", "T5 D5.", "T6 H6 D16"]
+    stated = stated_diameters(list(enumerate(texts)), 1.0)
+    assert stated == {1: 16.0, named_tool(b"em 10"): 10.0, named_tool(b"FINE"): 8.0, 5: 5.0}
+
+
+@pytest.mark.parametrize("text", ["8.2", "=8.2", "ROUGH=", "ROUGH=0", "ROUGH=x", "1=-3"])
+def test_a_tool_is_stated_with_its_diameter(text: str) -> None:
+    with pytest.raises(UsageError, match="as --tool 3=16"):
+        pipeline.Settings(tools=(text,))
+
+
 def test_roughing_that_would_cut_into_the_corrected_wall_is_refused_or_kept_away() -> None:
     """The part is 0.06 mm too small all round: the wall goes out beyond the roughing's 0.03."""
     text = program(once(R + 0.03, -3.0), once(R, -3.0))
@@ -120,6 +171,64 @@ def test_roughing_that_would_cut_into_the_corrected_wall_is_refused_or_kept_away
     rough, finish = new.split("G0 Z20.")[:2]
     np.testing.assert_allclose(wall(rough, -2.0), 0.09, atol=0.001)
     np.testing.assert_allclose(wall(finish, -2.0), 0.06, atol=0.001)
+
+
+def test_roughing_of_another_tool_goes_along_by_its_own_radius() -> None:
+    """A larger cutter, in one pass the other way round, leaves 0.03 and 0.2 mm; the wall goes out by 0.06."""
+    head = "(T1 D8.2 ROUGHER)\nT1 M6\n"
+    rough = [once(4.1 + 0.2, -3.0, head=head), backwards(4.1 + 0.03, -2.8)]
+    text = program(*rough, once(R, -3.0, head="(T2 D8.0 FINISHER)\nT2 M6\n"))
+    result, new = correct(text, measured(points(-0.06)), keep_allowance=True)
+    parts = new.split("G0 Z20.")[:3]
+    for part, radius, stands in zip(parts, (4.1, 4.1, R), (0.26, 0.09, 0.06), strict=True):
+        np.testing.assert_allclose(wall(part, -2.0, radius), stands, atol=0.001)
+    sides = [n for n, line in enumerate(text.splitlines(), 1) if "F400." in line]
+    (note,) = (w for w in result.warnings if "moved along" in w)
+    # The first of each six leads onto the ring.
+    assert numbers(note) == {*sides[1:6], *sides[7:12]}
+
+
+def test_roughing_in_one_chain_with_the_finish_goes_along() -> None:
+    """No rapid, no lead between: the cutter steps over from ring to ring."""
+    rings = [f"G1 X{x:.3f} Y{y:.3f} F400.\n" for d in (R + 0.3, R + 0.03, R) for x, y in ring(d)]
+    text = program("G0 X0. Y-44.\nG1 Z-3. F100.\n", *rings, "G1 X0. Y-44.\nG0 Z20.\n")
+    _, new = correct(text, measured(points(-0.06)), keep_allowance=True)
+    moved = [line for line in new.splitlines() if "F400." in line]
+    for k, stands in enumerate((0.36, 0.09, 0.06)):
+        part = "G0 X0. Y-44.\nG1 Z-3.\n" + "\n".join(moved[6 * k : 6 * k + 6])
+        np.testing.assert_allclose(wall(part, -2.0), stands, atol=0.001)
+
+
+def test_roughing_round_corners_goes_along() -> None:
+    """Arcs about the corners, 0.2 mm from the finish, which turns about them in arcs, too."""
+
+    def about(distance: float) -> str:
+        x, y, d = W / 2, H / 2, distance
+        ends = [(-x, -y - d), (-x - d, -y), (-x - d, y), (-x, y + d), (x, y + d), (x + d, y), (x + d, -y), (x, -y - d)]
+        lines = [f"G{1 + k % 2} X{a:.3f} Y{b:.3f}" + f" R{d:.3f}" * (k % 2) for k, (a, b) in enumerate(ends)]
+        lead = f"G0 X0. Y{-y - d - 15:.3f}\nG1 Z-3. F100.\nG1 X0. Y{-y - d:.3f} F400.\n"
+        return lead + "\n".join([*lines, f"G1 X0. Y{-y - d:.3f}", f"G1 Y{-y - d - 15:.3f}", "G0 Z20."]) + "\n"
+
+    result, new = correct(program(about(R + 0.2), about(R)), measured(points(-0.06)), keep_allowance=True)
+    (note,) = (w for w in result.warnings if "moved along" in w)
+    assert numbers(note) == set(range(7, 16))
+    path = gcode.parse(new).toolpath
+    rows = np.flatnonzero((path.kind != 0) & (path.start[:, 2] == -3))
+    wanted = shapely.Polygon([(x + np.sign(x) * 0.06, y + np.sign(y) * 0.06) for x, y in ring(0.0)[1:]])
+    for k, distance in ((0, R + 0.2), (1, R)):
+        mine = rows[11 * k + 1 : 11 * k + 10]
+        places = path.take(mine).position(np.linspace(0, 1, 21))[:, :, :2].reshape(-1, 2)
+        np.testing.assert_allclose(shapely.distance(shapely.points(places), wanted), distance, atol=0.001)
+
+
+def test_finished_walls_beside_the_corrected_one_do_not_go_along() -> None:
+    """The step of a draft above, one below, and a later pass: each makes a surface of its own."""
+    others = [once(R - 0.05, -1.0), once(R + 0.05, -5.0), once(R + 0.4, -3.0)]
+    text = program(*others[:2], once(R, -3.0), others[2])
+    result, new = correct(text, measured(points(0.02)), keep_allowance=True)
+    assert all(other in new for other in others)
+    assert not any("moved along" in w for w in result.warnings)
+    np.testing.assert_allclose(wall(new, -2.0), -0.02, atol=0.001)
 
 
 def test_depth_passes_and_spring_passes_on_one_path_move_together() -> None:
@@ -145,6 +254,36 @@ def test_of_a_draft_in_steps_the_measured_one_moves() -> None:
     for k in (0, 1, 3, 4):
         assert parts[k].endswith(steps[k]), k
     np.testing.assert_allclose(wall(parts[2], -5.0), 0.10 - 0.015, atol=0.001)
+
+
+def slot_wall(gap: float, radius: float = R, head: str = "", z: float = -3.0) -> str:
+    """A pass of its own along the left side, whose wall stands `gap` beyond the back of the finish's cutter."""
+    x = -W / 2 - 2 * R - gap + radius
+    lines = ["G0 X-70. Y-15.", "G0 Z5.", f"G1 Z{z:.3f} F100.", f"G1 X{x:.3f} Y-15. F400.", "G1 Y15.", "G1 X-70."]
+    return head + "\n".join([*lines, "G0 Z20."]) + "\n"
+
+
+@pytest.mark.parametrize("radius", [3.0, 2.0])
+@pytest.mark.parametrize("z", [-1.0, -5.0])
+def test_a_finish_that_would_cut_into_another_wall_with_its_back_is_refused(radius: float, z: float) -> None:
+    """The wall stands 0.01 mm behind the finish's cutter, which has to go out by 0.05: 0.04 mm too far."""
+    head = f"(T1 D{2 * radius:.1f})\nT1 M6\n"
+    text = program(slot_wall(0.01, radius, head, z), once(R, -3.0, head="(T2 D8.0)\nT2 M6\n"))
+    message = r"line 2\d of the corrected program would cut 40\.\d um into another wall at X-48\.01\d .* line 10 of the"
+    with pytest.raises(LimitError, match=message):
+        correct(text, measured(points(-0.05)))
+    for gap, deviation in ((0.06, -0.05), (0.01, 0.05), (0.01, -0.01)):
+        near = slot_wall(gap, radius, head, z)
+        _, new = correct(program(near, once(R, -3.0, head="(T2 D8.0)\nT2 M6\n")), measured(points(deviation)))
+        assert new.count(near.split("M6\n")[1]) == 1
+
+
+def test_an_edge_between_two_walls_moves_with_one_of_them() -> None:
+    """A slot square to the measured wall ends where the finish's cutter now begins."""
+    slot = "G0 X20. Y60.\nG0 Z5.\nG1 Z-5. F100.\nG1 Y36. F400.\nG0 Z20.\n"
+    for deviation in (0.05, -0.05):
+        _, new = correct(program(slot, once(R, -3.0)), measured(points(deviation)))
+        assert slot in new
 
 
 def test_two_laps_with_compensation_are_one_contour() -> None:

@@ -18,9 +18,7 @@ from tests.core.sweeps import examples
 from tests.core.test_gcode_linuxcnc import compare, motions_of
 
 DATA = Path(__file__).parents[1] / "data" / "nc"
-TEXTS = {
-    name: text.encode() for name, text in vars(loop_programs).items() if name.isupper() and isinstance(text, str)
-}
+TEXTS = {name: text.encode() for name, text in vars(loop_programs).items() if name.isupper() and isinstance(text, str)}
 TEXTS |= {path.stem: path.read_bytes() for path in sorted(DATA.glob("*.nc"))}
 HEAD = "G21 G17 G90\nG0 X0 Y0 Z0\nF100\n"
 LINES = [
@@ -44,6 +42,10 @@ LINES = [
     "G54 G0 X1|G55 G0 X1|Y2|Z3|G1 X2",
     "G54.1 P3 G0 X1 Y1 Z1",
     "T3|G1 X1|M6|X2|T4 M06|X3",
+    'T="ROUGH 8" D1|M6|G1 X1|T = "FINE" M6|X2|T1="Rough 8"|M6|X3|T="5" M6|X4|T5 M6|X5',
+    'T=ROUGH_8 M6|G1 X1|N5T=FINE|N6M6|X2|T=7 M6|X3|T5 "P" M6|X4 (T=Q T="R")',
+    'T"MILL D8" G17 S900*|G1 X1*|T "B" G17*|X2*|;T="C"|X3',
+    'T="" M6|G1 X1|T="A M6|X2|IF T==5 GOTOF E|R1T="A"|X3',
     "G93 G1 X1 F2|X2 F2|G94 X3|X4 F60",
     "G41 D1 G1 X1|G40 X2|G42.1 D5 X3",
     "G18 G2 X10 Z0 I5 K0|G19 G3 Y10 Z0 J5|G17",
@@ -121,7 +123,5 @@ def test_linuxcnc_sees_the_same(made: Made) -> None:
     centre = np.full((len(m), 3), np.nan)
     axes = np.array([(0, 1), (2, 0), (1, 2)])[m.plane - 17]
     np.put_along_axis(centre, axes, m.centre, axis=1)
-    path = Toolpath(
-        m.kind, m.start, m.end, centre, m.sweep, m.control, m.plane, m.feed, m.line, m.compensation, m.tool
-    )
+    path = Toolpath(m.kind, m.start, m.end, centre, m.sweep, m.control, m.plane, m.feed, m.line, m.compensation, m.tool)
     compare(path, motions_of(made.text))
