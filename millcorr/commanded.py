@@ -152,6 +152,16 @@ class CommandedSurface(ReadOnlyArrays):
             out[lost] = self._found(rows, foot[lost], normal[lost], reach)
         return out
 
+    def made_by(self, places: Floats) -> Ints:
+        """Move of which the cutter is nearest to places (n, 2) of the surface, mm; (n,)."""
+        rows = np.flatnonzero((self.toolpath.kind != Kind.RAPID) & np.isfinite(self.radius))
+        least, out = np.full(len(places), np.inf), np.full(len(places), -1)
+        for radius in np.unique(self.radius[rows]):
+            distance, row, _ = PathDistance(self.toolpath, rows[self.radius[rows] == radius]).nearest(places)
+            nearer = distance - radius < least
+            least[nearer], out[nearer] = (distance - radius)[nearer], row[nearer]
+        return out
+
     def _found(self, rows: Ints, foot: Floats, normal: Floats, reach: float) -> Floats:
         own = self.radius[rows]
         parts = [(float(r), PathDistance(self.toolpath, rows[own == r])) for r in np.unique(own)]

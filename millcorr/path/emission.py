@@ -10,13 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr import gcode
-from millcorr.commanded import CommandedSurface
+from millcorr.commanded import CommandedSurface, beside_the_path
 from millcorr.compensation import Correction
 from millcorr.errors import FitError, LimitError
 from millcorr.nurbs import NurbsCurve
 from millcorr.profile import Contour, Profile
 from millcorr.reconstruction import CompensatedContour
 from millcorr.regeneration.free_ends import keep_coordinate
+from millcorr.regeneration.leads import own_work
 from millcorr.regeneration.moves import Regeneration
 from millcorr.settings import Settings
 from millcorr.toolpath import Plane, Toolpath
@@ -155,13 +156,15 @@ def emit(
         original,
         written,
         (following, following_now),
+        regeneration.origin[goes],
         before,
         after,
         radius,
         tolerance=settings.tolerance,
         exact=exact,
     )
-    refuse_cut_neighbours(original, written, changed, shift=shift, tolerance=settings.tolerance)
+    leads = beside_the_path(toolpath, following) & ~following & ~own_work(toolpath, following)
+    refuse_cut_neighbours(original, written, changed, leads, shift=shift, tolerance=settings.tolerance)
     notes = []
     if stays > settings.tolerance:
         notes.append(

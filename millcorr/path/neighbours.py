@@ -29,6 +29,7 @@ def refuse_cut_neighbours(
     original: CommandedSurface,
     written: CommandedSurface,
     changed: tuple[Bools, Bools],
+    leads: Bools,
     *,
     shift: float,
     tolerance: float,
@@ -41,6 +42,8 @@ def refuse_cut_neighbours(
         All passes of the program before, and of the text as it is read back.
     changed : (n,) bool, (m,) bool
         Moves of either that are not as they were.
+    leads : (n,) bool
+        Moves of the program before that lead onto what is corrected and off it: what they cut is no wall.
     shift : float
         How far any of them has moved at most, mm.
     tolerance : float
@@ -55,7 +58,7 @@ def refuse_cut_neighbours(
     if shift <= tolerance or not len(then) or not len(now):
         return
     reach = 2 * float(np.nanmax(original.radius)) + shift
-    others = np.flatnonzero(_cuts(original) & ~changed[0])
+    others = np.flatnonzero(_cuts(original) & ~changed[0] & ~leads)
     others = others[_near(original.toolpath, others, then, reach)]
     row, place, normal = _sides(original, others, tolerance)
     step = 0.5 + shift

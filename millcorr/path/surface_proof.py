@@ -7,18 +7,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.commanded import CommandedSurface
-from millcorr.comparison.path_distance import PathDistance, SegmentTree
+from millcorr.comparison.path_distance import SegmentTree
 from millcorr.errors import LimitError
 from millcorr.footpoint import FootPointSearch, Place
 from millcorr.profile import SAME_HEIGHT
 from millcorr.regeneration import BAND
 from millcorr.regeneration.path_following import length_in_plane
-from millcorr.toolpath import Kind, Toolpath
+from millcorr.toolpath import Toolpath
 from millcorr.verification import Verification, sampled
 
 from .wanted_surface import WantedSurface
 
 Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 
 REACHED = 0.01
@@ -30,6 +31,7 @@ def prove_surface(
     original: CommandedSurface,
     written: CommandedSurface,
     made_by: tuple[Bools, Bools],
+    origin: Ints,
     before: WantedSurface,
     after: WantedSurface,
     radius: float,
@@ -45,6 +47,8 @@ def prove_surface(
         All passes of the program before, and of the text as it is read back.
     made_by : (n,) bool, (m,) bool
         Moves of either that make the surface and are corrected.
+    origin : (m,) int64
+        Move of the original that each written one comes from.
     before, after : WantedSurface
         What the original makes, and what the written one is to make.
     radius : float
@@ -84,7 +88,7 @@ def prove_surface(
             + (" (the cutter gouges there)" if error[worst] < 0 else ": where that does no harm, a larger --tolerance")
         )
     if radius > 0:
-        _refuse_gouging_others(original, written, made_by, after, own, wanted, tolerance)
+        _refuse_gouging_others(original, written, made_by, origin, after, own, wanted, tolerance)
     # What was out of reach before, as the corners of facets are, is no matter of the correction.
     more = np.where(reached, rest - (_out_of_reach(before, radius) if radius > 0 else 0.0), 0.0)
     most = int(np.argmax(more))
@@ -177,6 +181,7 @@ def _refuse_gouging_others(
     original: CommandedSurface,
     written: CommandedSurface,
     made_by: tuple[Bools, Bools],
+    origin: Ints,
     after: WantedSurface,
     own: Floats,
     wanted: Floats,
@@ -185,21 +190,26 @@ def _refuse_gouging_others(
     """LimitError where another move of the written program cuts deeper into the corrected surface than before."""
     # What only cuts above a step of a wall is no matter of the step.
     highest = _below(after.top)
-    was = original.only(~made_by[0]).offset(after.nominal, after.normal, highest)
-    now = written.only(~made_by[1]).offset(after.nominal, after.normal, highest)
-    # Where another move cut deeper than the contour before, as one at another height does, or a lead that is rounder
-    # than an inside corner, it is not for the contour to say what it may.
-    rows = np.flatnonzero(np.isfinite(own) & np.isfinite(now) & ~after.at_corner & ~(was < own - tolerance))
-    over = np.zeros(len(own))
-    over[rows] = now[rows] - own[rows] - wanted[rows]
-    worst = int(np.argmin(over))
-    if over[worst] >= -tolerance:
+    places = np.flatnonzero(np.isfinite(own) & ~after.at_corner)
+    foot, normal, z = after.nominal[places], after.normal[places], highest[places]
+    others = original.only(~made_by[0])
+    was = others.offset(foot, normal, z)
+    # What cut deeper than the contour before, as a way over the part does, or a lead that is rounder than an inside
+    # corner, makes no wall here: it is not for the contour to say where it may run.
+    deeper = np.flatnonzero(was < own[places] - tolerance)
+    through = np.zeros(len(made_by[0]), dtype=bool)
+    if len(deeper):
+        through[others.made_by(foot[deeper] + was[deeper, None] * normal[deeper])] = True
+    others = written.only(~made_by[1] & ~through[origin])
+    now = others.offset(foot, normal, z)
+    rows = np.flatnonzero(np.isfinite(now))
+    over = np.zeros(len(places))
+    over[rows] = now[rows] - own[places[rows]] - wanted[places[rows]]
+    worst = int(np.argmin(over)) if len(over) else -1
+    if worst < 0 or over[worst] >= -tolerance:
         return
-    x, y = after.place[worst]
-    cuts = np.flatnonzero(~made_by[1] & np.isfinite(written.radius) & (written.toolpath.kind != int(Kind.RAPID)))
-    _, row, _ = PathDistance(written.toolpath, cuts).nearest(
-        after.nominal[worst : worst + 1] + now[worst] * after.normal[worst : worst + 1]
-    )
+    x, y = after.place[places[worst]]
+    row = others.made_by(foot[worst : worst + 1] + now[worst] * normal[worst : worst + 1])
     line = int(written.toolpath.source[row[0]]) + 1
     raise LimitError(
         f"line {line} of the corrected program, which is not corrected itself, would cut {-over[worst] * 1000:.1f} um "
