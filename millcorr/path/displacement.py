@@ -73,13 +73,14 @@ class DisplacedPath:
         self.toolpath, self.rows = toolpath, rows
         self.length = np.maximum(length_in_plane(toolpath.take(rows)), 1e-9)
         self._key = 2.0 * node_row + node_u
-        self._shift = shift
+        # Along and across the move: what is moved out evenly stays an arc about its centre.
+        self._shift = _turned(shift, toolpath.direction(rows[node_row], node_u), -1.0)
 
     def at(self, piece: Ints, u: Floats) -> Floats:
         """Places of the moved path, (n, 2) mm, for indices into `rows` and fractions."""
-        key = 2.0 * piece + u
+        key, row = 2.0 * piece + u, self.rows[piece]
         moved = np.stack([np.interp(key, self._key, self._shift[:, k]) for k in (0, 1)], axis=1)
-        out: Floats = self.toolpath.place(self.rows[piece], u) + moved
+        out: Floats = self.toolpath.place(row, u) + _turned(moved, self.toolpath.direction(row, u), 1.0)
         return out
 
     def evaluate(self, piece: Ints, sigma: Floats) -> tuple[Floats, Floats, Floats]:
@@ -90,6 +91,13 @@ class DisplacedPath:
         ahead = (self.at(piece, high) - self.at(piece, low)) / ((high - low) * length)[:, None]
         speed = np.maximum(np.hypot(*ahead.T), 1e-12)
         return self.at(piece, u), np.stack([ahead[:, 1], -ahead[:, 0]], axis=1) / speed[:, None], speed
+
+
+def _turned(vectors: Floats, ahead: Floats, way: float) -> Floats:
+    """Vectors (n, 2) given along and to the left of directions, from these for way 1, or so given for way -1."""
+    x, y = vectors.T
+    c, s = ahead[:, 0], way * ahead[:, 1]
+    return np.stack([c * x - s * y, s * x + c * y], axis=1)
 
 
 def displace(
@@ -207,8 +215,8 @@ def _in_order(toolpath: Toolpath, parts: list[tuple[Ints, Ints, Floats, Floats]]
 class _Nodes:
     """Where on every move the displacement is known.
 
-    Index of the move, fraction, direction away from the contour, amount in mm, the normal of the move, and whether it
-    touches the contour there.
+    Index of the move, fraction, direction and amount in mm of the displacement, the normal of the move, whether it
+    touches the contour there, and whether that is a corner.
     """
 
     row: Ints
@@ -217,6 +225,12 @@ class _Nodes:
     amount: Floats
     normal: Floats
     touching: Bools
+    corner: Bools
+
+    @property
+    def local(self) -> Floats:
+        """Displacement across and along the move, (n, 2) mm."""
+        return _turned(self.amount[:, None] * self.way, self.normal, -1.0)
 
     def take(self, index: Ints) -> _Nodes:
         return _Nodes(*(getattr(self, name)[index] for name in _Nodes.__slots__))
@@ -246,7 +260,7 @@ def _nodes(
         side = side or (1.0 if np.median(across) >= 0 else -1.0)
         # Beside a corner itself only an arc about it, whose normal it is that points there, touches.
         touching = side * across >= np.where(corner, np.cos(ABOUT), np.cos(ALIGNED))
-        return _Nodes(row, u, way, amount, side * right, touching)
+        return _Nodes(row, u, way, amount, side * right, touching, corner & touching)
 
     length = np.maximum(length_in_plane(toolpath.take(rows)), 1e-9)
     count = np.maximum(2, np.ceil(length / STEP).astype(np.int64))
@@ -263,17 +277,17 @@ def _nodes(
     a, b = found.take(left), found.take(left + 1)
     for _ in range(HALVINGS):
         middle = at(a.row, (a.u + b.u) / 2)
-        between = (a.amount[:, None] * a.way + b.amount[:, None] * b.way) / 2
-        off = np.hypot(*(middle.amount[:, None] * middle.way - between).T)
-        bent = np.flatnonzero(
-            (off > BENT) & (a.touching | middle.touching | b.touching) & ((b.u - a.u) * length[a.row] > 4 * INSET)
-        )
+        off = np.hypot(*(middle.local - (a.local + b.local) / 2).T)
+        seen = a.touching | middle.touching | b.touching
+        bent = np.flatnonzero(seen & (off > BENT) & ((b.u - a.u) * length[a.row] > 4 * INSET))
         if not len(bent):
             break
         middle, a, b = middle.take(bent), a.take(bent), b.take(bent)
         found = found.with_more(middle)
         a, b = a.with_more(middle), middle.with_more(b)
-    return found.take(np.lexsort((found.u, found.row)))
+    found = found.take(np.lexsort((found.u, found.row)))
+    place = np.column_stack([toolpath.place(rows[found.row], found.u), z[found.row]])
+    return _about_corners(found, place, feet, before, after, radius)
 
 
 def _along_normals(
@@ -298,6 +312,40 @@ def _along_normals(
     was = np.zeros(len(place)) if before is None else before.clearance(place, way, radius, guess)
     now = after.clearance(place, way, radius, guess if before is None else was)
     return way, now - was, corner
+
+
+def _about_corners(
+    found: _Nodes,
+    place: Floats,
+    search: FootPointSearch,
+    before: WantedSurface | None,
+    after: WantedSurface,
+    radius: float,
+) -> _Nodes:
+    """Nodes of which those on moves about a corner go with the corner, as far as nothing else is in their way."""
+    inner = (found.u > 0) & (found.u < 1)
+    total = np.bincount(found.row[inner])
+    round_one = np.bincount(found.row[inner], found.corner[inner], minlength=len(total)) > 0.9 * total
+    rows = np.flatnonzero(round_one[found.row])
+    if radius == 0 or not len(rows):
+        return replace(found, corner=np.zeros(len(found.u), dtype=bool))
+    place = place[rows]
+    foot = search.find(place).foot
+    shift, room = after.corner_shift(foot), np.full(len(rows), radius)
+    if before is None:
+        away = place[:, :2] - foot
+        shift += foot - place[:, :2] + radius * away / np.maximum(np.hypot(*away.T), 1e-12)[:, None]
+    else:
+        shift -= before.corner_shift(foot)
+        room = before.distance(place)
+    size = np.hypot(*shift.T)
+    off = np.abs(after.distance(np.column_stack([place[:, :2] + shift, place[:, 2]])) - room)
+    blocked = np.bincount(found.row[rows], (off > BENT) | (size <= STILL), minlength=len(total)) > 0
+    free = ~blocked[found.row[rows]]
+    rows = rows[free]
+    way, amount, corner = found.way.copy(), found.amount.copy(), np.zeros(len(found.u), dtype=bool)
+    way[rows], amount[rows], corner[rows] = shift[free] / size[free, None], size[free], True
+    return replace(found, way=way, amount=amount, corner=corner, touching=found.touching | corner)
 
 
 def _where_it_should_be(known: _Nodes, count: int, allowed: float) -> _Nodes:
@@ -343,12 +391,13 @@ def _at_the_ends(toolpath: Toolpath, rows: Ints, known: _Nodes) -> Floats:
             corner[only0] = c0[only0, None] * normal[end[only0]]
             corner[only1] = c1[only1, None] * normal[begin[only1]]
         else:
-            known0, known1 = ~lost[end], ~lost[begin]
-            corner = np.where(known0[:, None], shift[end], np.where(known1[:, None], shift[begin], 0.0))
+            # Where one goes about a corner the other ends where that begins.
+            first_counts = ~lost[end] & ~(known.corner[begin] & ~known.corner[end])
+            corner = np.where(first_counts[:, None], shift[end], np.where(lost[begin, None], 0.0, shift[begin]))
         shift[end], shift[begin] = corner, corner
-        if is_sharp:
-            _run_up(shift, node_row, node_u, normal, end, corner, toolpath, rows)
-            _run_up(shift, node_row, node_u, normal, begin, corner, toolpath, rows)
+        for vertex, other in ((end, begin), (begin, end)):
+            slides = np.full(len(vertex), is_sharp) | (known.corner[other] & ~known.corner[vertex])
+            _run_up(shift, node_row, node_u, normal, vertex[slides], corner[slides], toolpath, rows)
     joined = np.zeros((2, len(rows)), dtype=bool)
     joined[0, after], joined[1, this] = True, True
     return _floating(shift, lost, first, last, (joined[0], joined[1]))

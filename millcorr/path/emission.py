@@ -119,6 +119,9 @@ def emit(
     LimitError, FitError
         If the path would be unsafe, or the text does not prove.
     """
+    if settings.leave_stock:
+        # An allowance may be more than a detail of the contour: then nothing of it is left to lay a path on.
+        CompensatedContour(nominal, correction)
     before = WantedSurface(nominal, Correction.none(nominal) if carried is None else carried)
     after = WantedSurface(nominal, correction)
     regeneration = displace(
@@ -138,7 +141,7 @@ def emit(
         # Ends slide along themselves by no more than twice as far again.
         reach += 2 * regeneration.largest_shift
         regeneration = keep_coordinate(toolpath, regeneration, axis="yx".index(settings.depth_along))
-    text = _written_text(program, regeneration, settings.tolerance, header)
+    text = written_text(program, regeneration, settings.tolerance, header)
     # Of a first cut's vanishing fillets the lines go, and their neighbours' ends with them.
     lines = np.unique(program.toolpath.source) if settings.leave_stock else regeneration.lines
     emitted = prove_text(program.data, text, lines, header=header, reach=reach).moves.toolpath()
@@ -239,7 +242,7 @@ def compensated_profile(nominal: Profile, correction: Correction, surface: Wante
     return Profile.from_contours(contours), 0.0
 
 
-def _written_text(program: gcode.Program, regeneration: Regeneration, tolerance: float, header: Sequence[str]) -> bytes:
+def written_text(program: gcode.Program, regeneration: Regeneration, tolerance: float, header: Sequence[str]) -> bytes:
     """The new program; decimals as the program has them where the tolerance allows."""
     plain = gcode.write(program, regeneration.toolpath, tolerance=tolerance)
     if plain == program.data:

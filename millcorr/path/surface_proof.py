@@ -5,14 +5,17 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from millcorr.commanded import CommandedSurface
-from millcorr.comparison.path_distance import SegmentTree
+from millcorr.comparison.path_distance import PathDistance, SegmentTree
+from millcorr.deviation import REACH
 from millcorr.errors import LimitError
 from millcorr.footpoint import FootPointSearch, Place
 from millcorr.profile import SAME_HEIGHT
 from millcorr.regeneration import BAND
 from millcorr.regeneration.path_following import length_in_plane
+from millcorr.theoretical_contour import SAME_POINT
 from millcorr.toolpath import Toolpath
 from millcorr.verification import Verification, sampled
 
@@ -109,10 +112,13 @@ def _change_in_error(
     error = np.zeros(len(wanted))
     own = np.full(len(wanted), np.inf)
     reached = np.zeros(len(wanted), dtype=bool)
+    # A first cut leaves more than a correction moves.
+    reach = REACH + float(np.abs(after.moved).max())
     for z in _heights(written.toolpath, made_by[1], after):
         was = original.only(made_by[0]).offset(before.nominal, before.normal, z)
-        now = written.only(made_by[1]).offset(after.nominal, after.normal, z)
+        now = written.only(made_by[1]).offset(after.nominal, after.normal, z, reach=reach)
         made = np.isfinite(was) & ~after.at_corner & (was - before.moved < REACHED)
+        made &= ~_rounded(written.toolpath, made_by[1], after, now)
         _refuse_lost(made, now, after)
         known = np.isfinite(was) & np.isfinite(now) & ~after.at_corner
         here = known & made
@@ -125,6 +131,28 @@ def _change_in_error(
         off = np.where(known, np.where(change > 0, off, np.minimum(off, 0.0)), 0.0)
         error = np.where(np.abs(off) > np.abs(error), off, error)
     return error, reached, own
+
+
+def _rounded(toolpath: Toolpath, made_by: Bools, after: WantedSurface, now: Floats) -> Bools:
+    """Places that are only made by the round which a cutter leaves about a free end of its path; (n,)."""
+    out = np.zeros(len(now), dtype=bool)
+    rows = np.flatnonzero(made_by)
+    if not len(rows):
+        return out
+    zero, one = np.zeros(len(rows)), np.ones(len(rows))
+    end = np.concatenate([toolpath.start[rows, :2], toolpath.end[rows, :2]])
+    ahead = np.concatenate([-toolpath.direction(rows, zero), toolpath.direction(rows, one)])
+    meets = cKDTree(end).query_ball_point(end, SAME_POINT, return_length=True)
+    end, ahead = end[meets == 1], ahead[meets == 1]
+    known = np.flatnonzero(np.isfinite(now))
+    if not len(end) or not len(known):
+        return out
+    place = after.nominal[known] + now[known, None] * after.normal[known]
+    distance, which = cKDTree(end).query(place)
+    beyond = ((place - end[which]) * ahead[which]).sum(axis=1) > SAME_POINT
+    nearest = PathDistance(toolpath, rows)(place)
+    out[known] = beyond & (distance < nearest + 1e-9)
+    return out
 
 
 def _off_the_parallel(

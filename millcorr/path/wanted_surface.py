@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from millcorr.comparison.path_distance import SegmentTree
 from millcorr.compensation import Correction
@@ -98,6 +99,7 @@ class WantedSurface:
         shift = meeting(n0, n1, self.moved[last], self.moved[first])
         corner = nominal[last] + shift
         self.place[last], self.place[first] = corner, corner
+        self._corners, self._corner_shift = nominal[last], shift
         for i in np.flatnonzero(np.abs(profile.turn[span[last]]) > CORNER_ANGLE):
             for end, normal, way in ((last[i], n0[i], -1), (first[i], n1[i], 1)):
                 along = float(way * (shift[i] @ np.array([-normal[1], normal[0]])))
@@ -121,6 +123,14 @@ class WantedSurface:
             if profile.contours[k].closed:
                 after[rows[-1]] = rows[0]
         return after
+
+    def corner_shift(self, corners: Floats) -> Floats:
+        """How far corners of the profile, (n, 2) mm, have moved; (n, 2) mm."""
+        if not len(corners):
+            return np.zeros((0, 2))
+        _, which = cKDTree(self._corners).query(corners)
+        out: Floats = self._corner_shift[which]
+        return out
 
     def distance(self, points: Floats) -> Floats:
         """Distance of points (n, 2) or (n, 3) from the surface at their heights, mm; without one from all of it."""
