@@ -172,7 +172,6 @@ def _nodes(
 ) -> _Nodes:
     """Nodes at the ends of every move, just inside them, and as close between as the displacement bends."""
     feet = FootPointSearch(nominal, margin=radius + 2.0)
-
     # A move makes the wall at the height that it has come down to.
     z = np.fmax(toolpath.start[rows, 2], toolpath.end[rows, 2])
 
@@ -186,10 +185,11 @@ def _nodes(
     total = count + 3
     row = np.repeat(np.arange(len(rows)), total)
     number = np.arange(len(row)) - np.repeat(np.cumsum(total) - total, total)
-    inset = np.minimum(INSET / length, 0.1)[row]
+    away = np.minimum(_beside_corners(toolpath, rows, float(np.abs(after.moved - before.moved).max())) / length, 0.1)
     u = (number - 1) / count[row]
-    u = np.where(number == 0, 0.0, np.where(number == 1, inset, u))
-    u = np.where(number == total[row] - 1, 1.0, np.where(number == total[row] - 2, 1.0 - inset, u))
+    u = np.where(number == 0, 0.0, np.where(number == 1, np.minimum(away[0], 0.5 / count)[row], u))
+    last = 1.0 - np.minimum(away[1], 0.5 / count)[row]
+    u = np.where(number == total[row] - 1, 1.0, np.where(number == total[row] - 2, last, u))
     found = at(row, u)
     left = np.flatnonzero((found.row[1:] == found.row[:-1]) & (number[:-1] > 0) & (number[1:] < total[row[1:]] - 1))
     a, b = found.take(left), found.take(left + 1)
@@ -204,6 +204,23 @@ def _nodes(
         found = found.with_more(middle)
         a, b = a.with_more(middle), middle.with_more(b)
     return found.take(np.lexsort((found.u, found.row)))
+
+
+def _beside_corners(toolpath: Toolpath, rows: Ints, most: float) -> Floats:
+    """How far from the start and the end of every move, (2, k) mm, the side past the vertex has no part in it.
+
+    Where that side comes out by so many mm at most, a disc beside an inside corner meets it until it is as far from it
+    again; what lies between is cut off by the corner.
+    """
+    this, after = _vertices(toolpath, rows)
+    ends, starts = np.ones(len(this)), np.zeros(len(after))
+    turn = _turn(toolpath.direction(rows[this], ends), toolpath.direction(rows[after], starts))
+    steep = np.where(np.abs(turn) < np.pi / 2, np.abs(np.sin(turn)), 1.0)
+    room = np.where(np.abs(turn) > SMOOTH, most / np.maximum(steep, np.sin(SMOOTH)), 0.0)
+    out = np.full((2, len(rows)), INSET)
+    out[1, this] += room
+    out[0, after] += room
+    return out
 
 
 def _along_normals(
