@@ -19,6 +19,9 @@ from .wanted_surface import WantedSurface
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
+BELOW = 2 * SAME_HEIGHT
+"""So far below a height, in mm, nothing that only cuts at it has come."""
+
 REACHED = 0.01
 """A place where the program left more than this over the nominal, in mm, was never reached by the cutter: an inner
 corner. Facets of 0.01 mm chord error are the coarsest that finish a surface."""
@@ -117,13 +120,8 @@ def _heights(toolpath: Toolpath, made_by: Bools, surface: WantedSurface) -> list
     known = z[np.isfinite(z)]
     if not len(known):
         return [None]
-    low, high = surface.bottom, _below(surface.top)
+    low, high = surface.bottom, surface.top - BELOW
     return [np.clip(height, low, high) for height in sorted({float(known.min()), float(known.max())})]
-
-
-def _below(top: Floats) -> Floats:
-    """The highest that is still below heights in mm; (n,)."""
-    return top - 2 * SAME_HEIGHT
 
 
 def _refuse_gouging_others(
@@ -136,10 +134,7 @@ def _refuse_gouging_others(
     tolerance: float,
 ) -> None:
     """LimitError where another move of the written program cuts deeper into the corrected surface than before."""
-    # What only cuts above a step of a wall is no matter of the step.
-    highest = _below(after.top)
-    was = original.only(~made_by[0]).offset(after.nominal, after.normal, highest)
-    now = written.only(~made_by[1]).offset(after.nominal, after.normal, highest)
+    was, now = _left_by_others(original, made_by[0], after), _left_by_others(written, made_by[1], after)
     # Where another move cut deeper than the contour before, as one at another height does, or a lead that is rounder
     # than an inside corner, it is not for the contour to say what it may.
     rows = np.flatnonzero(np.isfinite(own) & np.isfinite(now) & ~after.at_corner & ~(was < own - tolerance))
@@ -159,6 +154,17 @@ def _refuse_gouging_others(
         f"into the corrected surface at X{x:.3f} Y{y:.3f}: it leaves too little stock for it; --keep-allowance moves "
         "such passes along"
     )
+
+
+def _left_by_others(surface: CommandedSurface, made_by: Bools, after: WantedSurface) -> Floats:
+    """How far the surface of all other moves lies from the nominal, mm; NaN where none comes near; (n,)."""
+    lowest = np.fmin(surface.toolpath.start[:, 2], surface.toolpath.end[:, 2])
+    out = np.full(len(after.moved), np.nan)
+    for top in np.unique(after.top):
+        # What only cuts above a step of a wall is no matter of the step.
+        rows, here = after.top == top, ~made_by & ~(lowest >= top - BELOW)
+        out[rows] = surface.only(here).offset(after.nominal[rows], after.normal[rows])
+    return out
 
 
 def _out_of_reach(after: WantedSurface, radius: float) -> Floats:
