@@ -215,7 +215,9 @@ def _content(text: bytes, motion: int) -> _Content:
         elif letter == "P" and motion in (20, 30):
             turns = number
         elif not (
-            letter in "XY" or (letter in "PQ" and motion == 50) or (letter == "G" and _float(number) in _PATH_CODES)
+            letter in "XY"
+            or (letter in "PQ" and motion == 50)
+            or (letter == "G" and _float(number) in _PATH_CODES)
         ):
             rest.append(plain)
     return _Content(tuple(rest), feed, height, turns, skip, bent and motion in (0, 10))
