@@ -176,6 +176,14 @@ class SegmentTree:
         which, piece = self._made().query_nearest(shapely.points(points), all_matches=False)
         return which, piece
 
+    def foot(self, points: Floats) -> Floats:
+        """Nearest points (n, 2) of the pieces to points (n, 2), mm."""
+        which, piece = self.nearest(points)
+        out = np.full(points.shape, np.nan)
+        a, b = self.a[piece], self.b[piece]
+        out[which] = a + _to_segment(points[which], a, b)[1][:, None] * (b - a)
+        return out
+
     def near(self, points: Floats, distance: Floats) -> tuple[Ints, Ints]:
         """Points and pieces of them that may be nearer than a distance: within the chords' error of the nearest."""
         import shapely

@@ -260,7 +260,8 @@ def _nodes(
         side = side or (1.0 if np.median(across) >= 0 else -1.0)
         # Beside a corner itself only an arc about it, whose normal it is that points there, touches.
         touching = side * across >= np.where(corner, np.cos(ABOUT), np.cos(ALIGNED))
-        return _Nodes(row, u, way, amount, side * right, touching, corner & touching)
+        found = _Nodes(row, u, way, amount, side * right, touching, corner & touching)
+        return _out_of_the_way(found, place, after, radius)
 
     length = np.maximum(length_in_plane(toolpath.take(rows)), 1e-9)
     count = np.maximum(2, np.ceil(length / STEP).astype(np.int64))
@@ -312,6 +313,21 @@ def _along_normals(
     was = np.zeros(len(place)) if before is None else before.clearance(place, way, radius, guess)
     now = after.clearance(place, way, radius, guess if before is None else was)
     return way, now - was, corner
+
+
+def _out_of_the_way(found: _Nodes, place: Floats, after: WantedSurface, radius: float) -> _Nodes:
+    """Nodes of which those that come clear nowhere along their normals go where a disc does that is moved out of all.
+
+    Beside an inside corner the other side is in the way: the places there go to the new corner.
+    """
+    blocked = np.flatnonzero(np.isnan(found.amount))
+    shift = after.outside(place[blocked], radius) - place[blocked, :2]
+    size = np.hypot(*shift.T)
+    way, amount = found.way.copy(), found.amount.copy()
+    amount[blocked] = size
+    some = blocked[size > 0]
+    way[some] = shift[size > 0] / size[size > 0, None]
+    return replace(found, way=way, amount=amount)
 
 
 def _about_corners(
@@ -380,8 +396,8 @@ def _at_the_ends(toolpath: Toolpath, rows: Ints, known: _Nodes) -> Floats:
     turn = _turn(normal[last[this]], normal[first[after]])
     sharp = np.abs(turn) > SMOOTH
     # Just inside its ends a move knows nothing of the corner there.
-    side0 = np.where(np.isnan(amount[last - 1]), np.nan, amount[last - 1])
-    side1 = np.where(np.isnan(amount[first + 1]), np.nan, amount[first + 1])
+    across = np.where(lost, np.nan, (shift * normal).sum(axis=1))
+    side0, side1 = across[last - 1], across[first + 1]
     for a, b, is_sharp in ((this[sharp], after[sharp], True), (this[~sharp], after[~sharp], False)):
         end, begin = last[a], first[b]
         if is_sharp:
@@ -451,7 +467,8 @@ def _run_up(
     """The node just inside a corner slides along its own move as the corner does. In place."""
     inner = np.where(node_u[vertex] == 0.0, vertex + 1, vertex - 1)
     along = corner - (corner * normal[vertex]).sum(axis=1)[:, None] * normal[vertex]
-    shift[inner] += along
+    across = (shift[inner] * normal[inner]).sum(axis=1)[:, None] * normal[inner]
+    shift[inner] = across + along
 
 
 def _floating(shift: Floats, lost: Bools, first: Ints, last: Ints, joined: tuple[Bools, Bools]) -> Floats:

@@ -25,6 +25,9 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 
+BELOW = 2 * SAME_HEIGHT
+"""So far below a height, in mm, nothing that only cuts at it has come."""
+
 REACHED = 0.01
 """A place where the program left more than this over the nominal, in mm, was never reached by the cutter: an inner
 corner. Facets of 0.01 mm chord error are the coarsest that finish a surface."""
@@ -196,13 +199,8 @@ def _heights(toolpath: Toolpath, made_by: Bools, surface: WantedSurface) -> list
     known = z[np.isfinite(z)]
     if not len(known):
         return [None]
-    low, high = surface.bottom, _below(surface.top)
+    low, high = surface.bottom, surface.top - BELOW
     return [np.clip(height, low, high) for height in sorted({float(known.min()), float(known.max())})]
-
-
-def _below(top: Floats) -> Floats:
-    """The highest that is still below heights in mm; (n,)."""
-    return top - 2 * SAME_HEIGHT
 
 
 def _refuse_gouging_others(
@@ -216,12 +214,10 @@ def _refuse_gouging_others(
     tolerance: float,
 ) -> None:
     """LimitError where another move of the written program cuts deeper into the corrected surface than before."""
-    # What only cuts above a step of a wall is no matter of the step.
-    highest = _below(after.top)
     places = np.flatnonzero(np.isfinite(own) & ~after.at_corner)
-    foot, normal, z = after.nominal[places], after.normal[places], highest[places]
+    foot, normal = after.nominal[places], after.normal[places]
     others = original.only(~made_by[0])
-    was = others.offset(foot, normal, z)
+    was = _left(others, after, places)
     # What cut deeper than the contour before, as a way over the part does, or a lead that is rounder than an inside
     # corner, makes no wall here: it is not for the contour to say where it may run.
     deeper = np.flatnonzero(was < own[places] - tolerance)
@@ -229,7 +225,7 @@ def _refuse_gouging_others(
     if len(deeper):
         through[others.made_by(foot[deeper] + was[deeper, None] * normal[deeper])] = True
     others = written.only(~made_by[1] & ~through[origin])
-    now = others.offset(foot, normal, z)
+    now = _left(others, after, places)
     rows = np.flatnonzero(np.isfinite(now))
     over = np.zeros(len(places))
     over[rows] = now[rows] - own[places[rows]] - wanted[places[rows]]
@@ -246,11 +242,23 @@ def _refuse_gouging_others(
     )
 
 
+def _left(others: CommandedSurface, after: WantedSurface, places: Ints) -> Floats:
+    """How far the surface of moves lies from places of the nominal, mm; NaN where none comes near; (n,)."""
+    lowest = np.fmin(others.toolpath.start[:, 2], others.toolpath.end[:, 2])
+    out = np.full(len(places), np.nan)
+    for top in np.unique(after.top[places]):
+        # What only cuts above a step of a wall is no matter of the step.
+        rows = np.flatnonzero(after.top[places] == top)
+        foot, normal = after.nominal[places[rows]], after.normal[places[rows]]
+        out[rows] = others.only(~(lowest >= top - BELOW)).offset(foot, normal)
+    return out
+
+
 def _out_of_reach(after: WantedSurface, radius: float) -> Floats:
     """What the cutter has to leave over the wanted surface, mm; (n,)."""
     z = np.where(np.isfinite(after.bottom), after.bottom, np.nan)
-    centre = after.clearance(np.column_stack([after.nominal, z]), after.normal, radius, radius + after.moved)
-    path = after.nominal + centre[:, None] * after.normal
+    straight = after.nominal + (radius + after.moved)[:, None] * after.normal
+    path = after.outside(np.column_stack([straight, z]), radius)
     a, b = after.chords.T
     joined = np.hypot(*(path[b] - path[a]).T) < 2 * radius
     out = np.empty(len(path))

@@ -29,6 +29,9 @@ FINEST, COARSEST = 0.02, 0.25
 FLAT = 0.02
 """Where the sides of a joint turn less, in rad, what they differ by is no corner."""
 
+MANY_ROUNDS = 200
+"""Steps of the search for a centre between two sides: each goes to one of them, the nearer the more acute they are."""
+
 ROUNDS = 60
 """Steps of the search for a centre; each is as long as the centre is too far, or too near."""
 
@@ -164,7 +167,8 @@ class WantedSurface:
         Returns
         -------
         (n,) float64
-            Distances from the origins, mm, at which the disc touches the surface and does not cut into it.
+            Distances from the origins, mm, at which the disc touches the surface and does not cut into it; NaN where it
+            does so at none, as beside an inside corner, whose other side it does not leave that way.
         """
         t = guess.copy()
         active = np.arange(len(t))
@@ -175,7 +179,31 @@ class WantedSurface:
             step = radius - self.distance(origin[active] + t[active, None] * way[active])
             t[active] += step
             active = active[np.abs(step) > 1e-8]
+        # Of what is within reach of a straight wall a correction takes no more than a few times itself.
+        t[active] = np.nan
         return t
+
+    def outside(self, places: Floats, radius: float) -> Floats:
+        """The nearest centres, (n, 2) mm, to places (n, 3) from which a disc does not cut into the surface."""
+        out = places.copy()
+        active = np.arange(len(out))
+        for _ in range(MANY_ROUNDS):
+            if not len(active):
+                break
+            nearest = self._nearest(out[active])
+            away = out[active, :2] - nearest
+            size = np.hypot(*away.T)
+            short = size < radius - 1e-9
+            active = active[short]
+            out[active, :2] += (radius / np.maximum(size, 1e-9) - 1.0)[short, None] * away[short]
+        return out[:, :2]
+
+    def _nearest(self, points: Floats) -> Floats:
+        """Nearest points (n, 2) of the surface at the heights of points (n, 3), mm."""
+        out = np.empty((len(points), 2))
+        for k, rows in self._sections.split(points):
+            out[rows] = self._tree(k).foot(points[rows, :2])
+        return out
 
 
 def meeting(n0: Floats, n1: Floats, c0: Floats, c1: Floats) -> Floats:

@@ -108,7 +108,7 @@ def fit_moves(intervals: Intervals, path: ExactPath, tolerance: float) -> tuple[
                 largest = max(largest, float(error[ok].max(initial=0.0)))
                 moves += found
         rest = _halves(rest.take(~done), path)
-    else:
+    if len(rest.owner):
         x, y = rest.start[0]
         raise FitError(f"the corrected path near X{x:.3f} Y{y:.3f} cannot be written within {tolerance:g} mm")
     if not moves:

@@ -645,7 +645,9 @@ def _of_sizes(gathered: Gathered, fit: Fit, variance: Floats, of: Ints, at: Floa
     return out + np.maximum(more, 0.0)
 
 
-def _of_kind(gathered: Gathered, fit: Fit, sizes: Sizes, mean: Floats, of: Ints, at: Floats, column: Ints) -> Floats:
+def _of_kind(
+    gathered: Gathered, fit: Fit, sizes: Sizes, mean: Floats, of: Ints, at: Floats, column: Ints
+) -> Floats:
     """Variance of the systematic part at places because what is taken for form may be the process of this one part.
 
     On one part a form hardly longer than the process's memory cannot be told from it but by what is usual for both.

@@ -258,7 +258,9 @@ class Bound:
             return out
 
         total = self.shape[0] * size
-        self.data = np.stack([np.bincount(place(x, y), np.ascontiguousarray(w).ravel(), total) for x, y, w in pairs])
+        self.data = np.stack(
+            [np.bincount(place(x, y), np.ascontiguousarray(w).ravel(), total) for x, y, w in pairs]
+        )
         # Both sides of a ring of a single point are the same number of the matrix, and count twice on its diagonal.
         self.twice = np.where(p == q, 2.0, 1.0)
         self.form_place = np.concatenate([place(*lower[0]), place(*lower[1]), place(*cross), place(*start)])
@@ -333,7 +335,9 @@ class Bound:
         layout = self.layout
         rho = np.exp(-layout.gap / memory)
         left = -np.expm1(-2.0 * layout.gap / memory)
-        values = np.concatenate([rho * rho / left, 1.0 / left, -rho / left * self.twice, np.ones(len(layout.head))])
+        values = np.concatenate(
+            [rho * rho / left, 1.0 / left, -rho / left * self.twice, np.ones(len(layout.head))]
+        )
         band: Floats = np.bincount(self.memory_place, values, self.shape[0] * self.shape[1]).astype(np.float64)
         log_det = 2.0 * float(np.log(-np.expm1(-layout.ring_length / memory)).sum()) - float(np.log(left).sum())
         return band, log_det

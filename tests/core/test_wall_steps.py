@@ -182,8 +182,10 @@ def test_five_steps_of_a_draft_in_one_run() -> None:
     assert len(re.findall("G2 ", new)) >= 20
 
 
-def test_an_open_wall_in_steps() -> None:
-    over = {0: 0.015, 1: 0.011, 2: 0.020}
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_an_open_wall_in_steps(sign: float) -> None:
+    """The leads stand at right angles to it: a wall that comes out ends where it meets theirs."""
+    over = {0: sign * 0.015, 1: sign * 0.011, 2: sign * 0.020}
     at, normal = edge(30)
 
     def wave(at: np.ndarray) -> np.ndarray:
