@@ -28,6 +28,9 @@ Bools = NDArray[np.bool_]
 BELOW = 2 * SAME_HEIGHT
 """So far below a height, in mm, nothing that only cuts at it has come."""
 
+REACH_ROUNDING = 1e-6
+"""A centre nearer than this to where a disc is clear, in mm, is there."""
+
 REACHED = 0.01
 """A place where the program left more than this over the nominal, in mm, was never reached by the cutter: an inner
 corner. Facets of 0.01 mm chord error are the coarsest that finish a surface."""
@@ -257,10 +260,11 @@ def _left(others: CommandedSurface, after: WantedSurface, places: Ints) -> Float
 def _out_of_reach(after: WantedSurface, radius: float) -> Floats:
     """What the cutter has to leave over the wanted surface, mm; (n,)."""
     z = np.where(np.isfinite(after.bottom), after.bottom, np.nan)
-    straight = after.nominal + (radius + after.moved)[:, None] * after.normal
-    path = after.outside(np.column_stack([straight, z]), radius)
+    path = after.outside(np.column_stack([after.place + radius * after.normal, z]), radius)
+    # From an inside corner itself no way leads out along a normal.
+    clear = after.distance(np.column_stack([path, z])) > radius - REACH_ROUNDING
     a, b = after.chords.T
-    joined = np.hypot(*(path[b] - path[a]).T) < 2 * radius
+    joined = (np.hypot(*(path[b] - path[a]).T) < 2 * radius) & clear[a] & clear[b]
     out = np.empty(len(path))
     for height in np.unique(after.bottom):
         here = after.bottom == height

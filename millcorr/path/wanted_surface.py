@@ -29,6 +29,9 @@ FINEST, COARSEST = 0.02, 0.25
 FLAT = 0.02
 """Where the sides of a joint turn less, in rad, what they differ by is no corner."""
 
+FARTHEST = 4.0
+"""A centre that goes so many times farther than any place of the surface goes past a side and not away from it."""
+
 MANY_ROUNDS = 200
 """Steps of the search for a centre between two sides: each goes to one of them, the nearer the more acute they are."""
 
@@ -171,6 +174,7 @@ class WantedSurface:
             does so at none, as beside an inside corner, whose other side it does not leave that way.
         """
         t = guess.copy()
+        longest = FARTHEST * float(np.abs(self.moved).max()) + FINEST
         active = np.arange(len(t))
         way = np.pad(direction, ((0, 0), (0, origin.shape[1] - 2)))
         for _ in range(ROUNDS):
@@ -178,8 +182,9 @@ class WantedSurface:
                 break
             step = radius - self.distance(origin[active] + t[active, None] * way[active])
             t[active] += step
-            active = active[np.abs(step) > 1e-8]
-        # Of what is within reach of a straight wall a correction takes no more than a few times itself.
+            lost = np.abs(t[active] - guess[active]) > longest
+            t[active[lost]] = np.nan
+            active = active[(np.abs(step) > 1e-8) & ~lost]
         t[active] = np.nan
         return t
 
