@@ -19,7 +19,7 @@ from millcorr.theoretical_contour import SAME_POINT
 from millcorr.toolpath import Toolpath
 from millcorr.verification import Verification, sampled
 
-from .wanted_surface import WantedSurface
+from .wanted_surface import ROUNDS, WantedSurface
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -269,5 +269,19 @@ def _out_of_reach(after: WantedSurface, radius: float) -> Floats:
     for height in np.unique(after.bottom):
         here = after.bottom == height
         chords = joined & here[a]
-        out[here] = SegmentTree(path[a[chords]], path[b[chords]]).distance(after.place[here]) - radius
-    return np.maximum(out, 0.0)
+        out[here] = _left_along_normals(SegmentTree(path[a[chords]], path[b[chords]]), after, here, radius)
+    return out
+
+
+def _left_along_normals(path: SegmentTree, after: WantedSurface, here: Bools, radius: float) -> Floats:
+    """How far along the normals of places a disc led along a path clears the way, mm, as the surface is compared."""
+    place, normal = after.place[here], after.normal[here]
+    out = np.zeros(len(place))
+    active = np.arange(len(out))
+    for _ in range(ROUNDS):
+        step = path.distance(place[active] + out[active, None] * normal[active]) - radius
+        out[active] += np.maximum(step, 0.0)
+        active = active[(step > REACH_ROUNDING) & (out[active] < radius)]
+        if not len(active):
+            break
+    return out
