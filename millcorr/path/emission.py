@@ -122,8 +122,8 @@ def emit(
     if settings.leave_stock:
         # An allowance may be more than a detail of the contour: then nothing of it is left to lay a path on.
         CompensatedContour(nominal, correction)
-    before = WantedSurface(nominal, Correction.none(nominal) if carried is None else carried)
-    after = WantedSurface(nominal, correction)
+    carried = Correction.none(nominal) if carried is None else carried
+    before, after = WantedSurface(nominal, carried, correction), WantedSurface(nominal, correction, carried)
     regeneration = displace(
         toolpath,
         following,
@@ -171,8 +171,8 @@ def emit(
     notes = []
     if stays > settings.tolerance:
         notes.append(
-            f"{stays:.3f} mm stays at X{place[0]:.3f} Y{place[1]:.3f}: the corner is too narrow for a cutter of "
-            f"{2 * radius:g} mm to reach what is wanted there; a smaller one would"
+            f"{stays:.3f} mm stays at X{place[0]:.3f} Y{place[1]:.3f}: what is wanted there is too narrow for a cutter "
+            f"of {2 * radius:g} mm; a smaller one would reach it"
         )
     moved = np.intersect1d(toolpath.source[along], regeneration.lines)
     if len(moved):

@@ -24,7 +24,7 @@ CHORD = 1e-4
 err alike, so that what is moved errs by far less."""
 
 FINEST, COARSEST = 0.02, 0.25
-"""Shortest and longest chord, mm: a correction does not change on shorter ways, and is followed on longer ones."""
+"""Shortest and longest chord, mm: a correction does not bend on shorter ways, and is looked at on longer ones."""
 
 FLAT = 0.02
 """Where the sides of a joint turn less, in rad, what they differ by is no corner."""
@@ -46,6 +46,8 @@ class WantedSurface:
     ----------
     profile : Profile
     correction : Correction
+    alike : Correction, optional
+        That of another surface of the same profile which this one is compared with: both are drawn at the same places.
 
     Attributes
     ----------
@@ -66,9 +68,11 @@ class WantedSurface:
         Points that follow each other.
     """
 
-    def __init__(self, profile: Profile, correction: Correction) -> None:
+    def __init__(self, profile: Profile, correction: Correction, alike: Correction | None = None) -> None:
         self.profile = profile
         span, t = self._samples(profile)
+        for one in (correction,) if alike is None else (correction, alike):
+            span, t = self._followed(profile, one, span, t)
         self.nominal = profile.evaluate(span, t)[0]
         self.normal = profile.normals(span, t)
         self.stretch, self.s = profile.stretch[span], profile.arc_length(span, t)
@@ -92,6 +96,27 @@ class WantedSurface:
         span = np.repeat(every, count + 1)
         number = np.arange(len(span)) - np.repeat(np.cumsum(count + 1) - (count + 1), count + 1)
         return span, number / count[span]
+
+    @staticmethod
+    def _followed(profile: Profile, correction: Correction, span: Ints, t: Floats) -> tuple[Ints, Floats]:
+        """Samples with more between where a correction bends away from its chords."""
+
+        def moved(t: Floats, span: Ints) -> Floats:
+            return correction.at(profile.stretch[span], profile.arc_length(span, t), profile)
+
+        left = np.flatnonzero(span[1:] == span[:-1])
+        side, t0, t1 = span[left], t[left], t[left + 1]
+        m0, m1 = moved(t0, side), moved(t1, side)
+        while len(side):
+            middle = (t0 + t1) / 2
+            m = moved(middle, side)
+            bent = (np.abs(m - (m0 + m1) / 2) > CHORD) & ((t1 - t0) * profile.length[side] > 2 * FINEST)
+            side, t0, middle, t1, m0, m, m1 = (x[bent] for x in (side, t0, middle, t1, m0, m, m1))
+            span, t = np.concatenate([span, side]), np.concatenate([t, middle])
+            side, t0, t1 = np.tile(side, 2), np.concatenate([t0, middle]), np.concatenate([middle, t1])
+            m0, m1 = np.concatenate([m0, m]), np.concatenate([m, m1])
+        order = np.lexsort((t, span))
+        return span[order], t[order]
 
     def _set_corners(self, profile: Profile, span: Ints, t: Floats, nominal: Floats) -> NDArray[np.bool_]:
         """Move the ends of the sides of every joint to where the moved sides meet; which samples stay."""

@@ -245,17 +245,33 @@ def test_over_the_limit_is_refused_with_its_place() -> None:
         corrected("mitres", lambda k, s: np.where(s < 10, 0.6, 0.0))
 
 
-def test_a_gouge_is_refused() -> None:
-    """A dent in the measured wall that a cutter of this radius cannot follow."""
+def test_a_hollow_that_is_too_narrow_is_cut_as_far_as_the_cutter_goes() -> None:
+    """A dent that a cutter of this radius cannot follow: it comes as near as it can, cuts in nowhere, and says so."""
     nominal = reference_contour()
 
     def dent(k: int, s: np.ndarray) -> np.ndarray:
         return 0.3 * np.exp(-(((s - 50.0) / 0.8) ** 2))
 
-    measurement = programs.measured(nominal, dent, spacing=0.2)
+    measurement = programs.measured(nominal, dent, spacing=0.05)
     settings = pipeline.Settings(filter="none")
-    with pytest.raises(LimitError, match="gouge|crosses"):
-        pipeline.correct(pipeline.Request(PROGRAM, 5.0, measurement, nominal, settings))
+    result = pipeline.correct(pipeline.Request(PROGRAM, 5.0, measurement, nominal, settings))
+    s = np.arange(40.0, 60.0, 0.005)
+    place, normal = nominal.at(0, s)
+    moved = result.correction.at(np.zeros(len(s), dtype=np.int64), s, nominal)
+    np.testing.assert_allclose(moved, -dent(0, s), atol=0.003)
+    wanted = LineString(place + moved[:, None] * normal)
+    emitted = gcode.parse(result.text).toolpath
+    path = emitted.position(np.linspace(0, 1, 9))[result.regeneration.following][:, :, :2].reshape(-1, 2)
+    near = path[distance(wanted, shapely_points(path)) < 6.0]
+    near = near[np.abs(near - nominal.at(0, 50.0)[0]).max(axis=1) < 8.0]
+    # The program has four decimals, and chords of the wanted surface lie 0.3 um inside it at most.
+    assert distance(wanted, shapely_points(near)).min() > 5.0 - 0.001
+    # A disc rests on both edges of the dent; of a centre line over it, the dent's middle is nearest.
+    free = LineString(near).distance(Point(nominal.at(0, 50.0)[0] - 0.3 * nominal.at(0, 50.0)[1])) - 5.0
+    assert free > 0.1
+    (said,) = [w for w in result.warnings if "too narrow" in w]
+    # What the correction differs from the dent by, and the tolerance.
+    assert abs(float(said.split(" mm stays")[0]) - free) < 0.004
 
 
 def test_wrong_tool_diameter_is_refused() -> None:
