@@ -111,7 +111,8 @@ class WantedSurface:
             middle = (t0 + t1) / 2
             m = moved(middle, side)
             bent = (np.abs(m - (m0 + m1) / 2) > CHORD) & ((t1 - t0) * profile.length[side] > 2 * FINEST)
-            side, t0, middle, t1, m0, m, m1 = (x[bent] for x in (side, t0, middle, t1, m0, m, m1))
+            t0, middle, t1, m0, m, m1 = (x[bent] for x in (t0, middle, t1, m0, m, m1))
+            side = side[bent]
             span, t = np.concatenate([span, side]), np.concatenate([t, middle])
             side, t0, t1 = np.tile(side, 2), np.concatenate([t0, middle]), np.concatenate([middle, t1])
             m0, m1 = np.concatenate([m0, m]), np.concatenate([m, m1])
