@@ -47,6 +47,10 @@ ALIGNED, ABOUT = 0.3, 1e-3
 """A place of the path makes a surface where its own normal and the way to the contour differ by less, in rad: at
 facets, and at a corner. Past a convex corner the cutter touches nothing."""
 
+ROUND = 0.05
+"""An arc that keeps its distance from a corner within so many mm goes about it: arcs that CAM systems fit are off by
+less, and one that passes a corner on its tangent leaves it."""
+
 STEPS_OVER = 0.01
 """Moves beside the contour whose distances from it differ by more, in mm, are of two passes: chords and rounding of one
 differ by less."""
@@ -248,6 +252,7 @@ def _nodes(
 
     # A move makes the wall at the height that it has come down to.
     z = np.fmax(toolpath.start[rows, 2], toolpath.end[rows, 2])
+    about = _arcs_about_corners(toolpath, rows, z, feet, nominal)
 
     def at(row: Ints, u: Floats) -> _Nodes:
         nonlocal side
@@ -259,7 +264,7 @@ def _nodes(
         # The side of the material is one for the whole path.
         side = side or (1.0 if np.median(across) >= 0 else -1.0)
         # Beside a corner itself only an arc about it, whose normal it is that points there, touches.
-        touching = side * across >= np.where(corner, np.cos(ABOUT), np.cos(ALIGNED))
+        touching = side * across >= np.where(corner & ~about[row], np.cos(ABOUT), np.cos(ALIGNED))
         found = _Nodes(row, u, way, amount, side * right, touching, corner & touching)
         return _out_of_the_way(found, place, after, radius)
 
@@ -289,6 +294,22 @@ def _nodes(
     found = found.take(np.lexsort((found.u, found.row)))
     place = np.column_stack([toolpath.place(rows[found.row], found.u), z[found.row]])
     return _about_corners(found, place, feet, before, after, radius)
+
+
+def _arcs_about_corners(toolpath: Toolpath, rows: Ints, z: Floats, search: FootPointSearch, nominal: Profile) -> Bools:
+    """Arcs that keep their distance from the corners they pass; (k,)."""
+    out = np.zeros(len(rows), dtype=bool)
+    arcs = np.flatnonzero(toolpath.kind[rows] == Kind.ARC)
+    if not len(arcs):
+        return out
+    share = np.linspace(0.0, 1.0, 17)
+    places = toolpath.place(np.repeat(rows[arcs], len(share)), np.tile(share, len(arcs)))
+    feet = search.find(np.column_stack([places, np.repeat(z[arcs], len(share))]))
+    corner = ((feet.place == Place.JOINT) & is_corner(nominal, feet)).reshape(len(arcs), -1)
+    away = np.hypot(*(places - feet.foot).T).reshape(len(arcs), -1)
+    most, least = np.where(corner, away, -np.inf).max(axis=1), np.where(corner, away, np.inf).min(axis=1)
+    out[arcs] = corner.any(axis=1) & (most - least < ROUND)
+    return out
 
 
 def _along_normals(

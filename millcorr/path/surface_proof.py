@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from millcorr.commanded import CommandedSurface
 from millcorr.comparison.path_distance import PathDistance, SegmentTree
@@ -141,6 +140,8 @@ def _change_in_error(
 
 def _rounded(toolpath: Toolpath, made_by: Bools, after: WantedSurface, now: Floats) -> Bools:
     """Places that are only made by the round which a cutter leaves about a free end of its path; (n,)."""
+    from scipy.spatial import cKDTree
+
     out = np.zeros(len(now), dtype=bool)
     rows = np.flatnonzero(made_by)
     if not len(rows):

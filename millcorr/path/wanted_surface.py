@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from millcorr.comparison.path_distance import SegmentTree
 from millcorr.compensation import Correction
@@ -22,6 +21,9 @@ Ints = NDArray[np.int64]
 CHORD = 1e-4
 """The surface is drawn by chords that are off it by no more than this, in mm. Two surfaces drawn at the same places
 err alike, so that what is moved errs by far less."""
+
+BEND = 2e-5
+"""A correction is drawn by chords that are off it by no more than this, in mm: these errors do not cancel."""
 
 FINEST, COARSEST = 0.02, 0.25
 """Shortest and longest chord, mm: a correction does not bend on shorter ways, and is looked at on longer ones."""
@@ -110,7 +112,7 @@ class WantedSurface:
         while len(side):
             middle = (t0 + t1) / 2
             m = moved(middle, side)
-            bent = (np.abs(m - (m0 + m1) / 2) > CHORD) & ((t1 - t0) * profile.length[side] > 2 * FINEST)
+            bent = (np.abs(m - (m0 + m1) / 2) > BEND) & ((t1 - t0) * profile.length[side] > 2 * FINEST)
             t0, middle, t1, m0, m, m1 = (x[bent] for x in (t0, middle, t1, m0, m, m1))
             side = side[bent]
             span, t = np.concatenate([span, side]), np.concatenate([t, middle])
@@ -158,6 +160,8 @@ class WantedSurface:
 
     def corner_shift(self, corners: Floats) -> Floats:
         """How far corners of the profile, (n, 2) mm, have moved; (n, 2) mm."""
+        from scipy.spatial import cKDTree
+
         if not len(corners):
             return np.zeros((0, 2))
         _, which = cKDTree(self._corners).query(corners)

@@ -155,7 +155,8 @@ def test_transfer_function_three_times(depth: float) -> None:
     ms, carried = 0.055, 0.0
     for loop in range(3):
         left = carried + ms / (1 + ms) * (depth - carried)
-        result = again(program, nominal, radius, wave(left, 0.0, 1, 1.0), loop, 1.0, method="transfer", depth=depth)
+        measured = wave(left, 0.002, 1 + loop, float(nominal.total[0]))
+        result = again(program, nominal, radius, measured, loop, 1.0, method="transfer", depth=depth)
         d = result.deviation
         carried = float(result.correction.at(d.stretch, d.s, nominal).mean())
         assert carried == pytest.approx(-ms * depth, abs=1e-4)
