@@ -221,6 +221,7 @@ class Result:
             },
             "uncertainty": uncertainty,
             "band": None if self.separated is None else self.separated.band,
+            "band_longest_memory": None if self.separated is None else self.separated.longest_memory,
             "outliers": self.outliers(),
             "transfer": None if self.elastic is None else self.elastic.summary(self.request.settings),
             "foreseen": None if self.foreseen is None else self.foreseen.summary(),

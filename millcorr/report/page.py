@@ -335,6 +335,11 @@ def _separation(result: Result) -> str:
         f"(95 %) is {found.band:.2g} standard uncertainties wide to either side. "
         f"Filter: {escape(str(found.filter))}."
     )
+    if math.isfinite(found.longest_memory):
+        lines.append(
+            f"Uncertainty and band hold for a process that remembers less than {found.longest_memory:.2g} mm: one part "
+            "does not tell noise that is smooth over longer from form, a second part does."
+        )
     out = "<h2>What repeats and what does not</h2>" + "".join(f"<p>{line}</p>" for line in lines)
     wrong = result.outliers()
     if not wrong:

@@ -54,30 +54,39 @@ OUTLIER_SPREAD = 10.0
 IGNORED = 1e-6
 """Weight of what is certainly wrong: its own value no longer counts, its distance from the others is known."""
 
-# Median and spread, in logarithms, of what machines do: form of 10 um on 30 mm, noise of 1 um each with a memory of
-# 1 mm; weak enough for some tens of points to overrule them.
+# Lowest and highest usual value and the spread beyond them, in logarithms, of what machines do: form of 10 um on 30 mm,
+# noise of 1 um each; weak enough for some tens of points to overrule them. Memories from a millimetre to the spacing of
+# engagements are as likely: between noise that is soon forgotten under a short form and noise long remembered under a
+# long one the values decide, and where they cannot, the uncertainty holds for either.
 _PRIOR = {
-    "form": (math.log(0.010), 1.5),
-    "form_length": (math.log(30.0), 1.0),
-    "process": (math.log(0.001), 1.0),
-    "memory": (math.log(1.0), 0.7),
-    "white": (math.log(0.001), 1.5),
-    "part": (math.log(0.002), 1.5),
-    "level": (math.log(0.002), 1.5),
+    "form": (math.log(0.010), math.log(0.010), 1.5),
+    "form_length": (math.log(30.0), math.log(30.0), 1.0),
+    "process": (math.log(0.001), math.log(0.001), 1.0),
+    "memory": (math.log(0.7), math.log(6.0), 0.7),
+    "white": (math.log(0.001), math.log(0.001), 1.5),
+    "part": (math.log(0.002), math.log(0.002), 1.5),
+    "level": (math.log(0.002), math.log(0.002), 1.5),
 }
 _NAMES = tuple(_PRIOR)
 _MEMORY_OF_SEVERAL = 1.5
 _SHORTER = 3.0
+"""On one part noise is remembered over at most a third of the form's length: the spectra of longer memories and of the
+form have their bends at the same wavelengths."""
 _BARRIER = 0.15
+
+DRAWN, WIDER, NEGLIGIBLE = 32, 1.3, 0.03
+"""Sizes drawn for the uncertainty, how much wider than the likelihood's peak, and the share of the likeliest below
+which one is left out: some twenty count, enough for a tenth of the variance over the sizes."""
+
+NORMAL_95 = 1.959964
+"""Half width of the 95 % interval of the normal distribution."""
 
 _SUSPECT = 6.0
 _HALVES = (6, 2)
 _ROUNDS = 8
 _FEW = 8
 _SETTLED = 0.2
-_UNLIKELY = 0.01
-_KNOWN_BADLY = 60
-_ROUNDS_OF_START, _ROUNDS_OF_SEARCH, _HOPEFUL = 5, 12, 25.0
+_ROUNDS_OF_START, _ROUNDS_OF_SEARCH, _HOPEFUL, _MET, _FLAT = 5, 12, 25.0, 0.5, 0.01
 _MOST_PLACES = 1000
 
 
@@ -171,6 +180,7 @@ class Likelihood:
         # Points of no weight tell nothing of the white noise either.
         self.freedom = float((weight > 1e3 * IGNORED).sum()) - float((self.total > 1e3 * IGNORED).sum())
         self.bounds: dict[float, Bound] = {}
+        self.usual = {name: math.exp(low) for name, (low, _, _) in _PRIOR.items()}
         self.free = [
             name
             for name in _NAMES
@@ -179,7 +189,7 @@ class Likelihood:
         several = gathered.parts > 1
         self.prior = {n: _PRIOR[n] for n in self.free}
         if several:
-            self.prior["memory"] = (_PRIOR["memory"][0], _MEMORY_OF_SEVERAL)
+            self.prior["memory"] = (*_PRIOR["memory"][:2], _MEMORY_OF_SEVERAL)
         self.box = {
             "form": (1e-6, 3.0),
             "form_length": (SHORTEST_FORM, max(3.0 * gathered.longest, 5.0 * SHORTEST_FORM)),
@@ -192,9 +202,7 @@ class Likelihood:
 
     def sizes(self, x: Floats) -> Sizes:
         """Sizes of logarithms."""
-        values = {name: math.exp(_PRIOR[name][0]) for name in _NAMES}
-        values.update(zip(self.free, np.exp(x).tolist(), strict=True))
-        return Sizes(**values)
+        return Sizes(**self.usual | dict(zip(self.free, np.exp(x).tolist(), strict=True)))
 
     def logs(self, sizes: Sizes) -> Floats:
         """Logarithms of sizes within their bounds."""
@@ -216,13 +224,13 @@ class Likelihood:
     def __call__(self, x: Floats, bound: Bound | None = None) -> float:
         """-2 log of likelihood and prior for logarithms of the sizes, on a grid that fits their length or another."""
         sizes = self.sizes(x)
-        solved = (bound or self.bound(sizes.form_length)).solve(sizes)
-        if solved is None or not math.isfinite(solved.minus_log):
+        minus = (bound or self.bound(sizes.form_length)).minus_log(sizes)
+        if not math.isfinite(minus):
             return 1e12
-        out = solved.minus_log + self.freedom * math.log(sizes.white**2) + self.within / sizes.white**2
+        out = minus + self.freedom * math.log(sizes.white**2) + self.within / sizes.white**2
         for name, value in zip(self.free, x, strict=True):
-            centre, spread = self.prior[name]
-            out += ((value - centre) / spread) ** 2
+            low, high, spread = self.prior[name]
+            out += (max(low - value, value - high, 0.0) / spread) ** 2
         if self.gathered.parts == 1:
             over = math.log(_SHORTER * sizes.memory / sizes.form_length)
             out += (max(over, 0.0) / _BARRIER) ** 2
@@ -247,7 +255,12 @@ class Likelihood:
         limits = self.limits()
         x = np.clip(x, [a for a, _ in limits], [b for _, b in limits])
         found = minimize(
-            self.gradient, x, jac=True, method="L-BFGS-B", bounds=limits, options={"maxiter": rounds, "ftol": 1e-6}
+            self.gradient,
+            x,
+            jac=True,
+            method="L-BFGS-B",
+            bounds=limits,
+            options={"maxiter": rounds, "ftol": _FLAT / max(abs(self(x)), 1.0)},
         )
         return float(found.fun), np.asarray(found.x)
 
@@ -306,11 +319,12 @@ def _point_to_point(gathered: Gathered, mean: Floats) -> float:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Fit:
-    """Sizes found, with weights of the points and what they cost."""
+    """Sizes found, with weights of the points and what they cost, and other maxima of the likelihood."""
 
     x: Floats
     weight: Floats
     cost: float
+    others: tuple[Floats, ...] = ()
 
 
 def _noise_of_one(sizes: Sizes, gap: float) -> float:
@@ -355,6 +369,7 @@ def _judged(likelihood: Likelihood, x: Floats, weight: Floats, gap: float) -> tu
 def _settled(gathered: Gathered, weight: Floats, gap: float, x: Floats | None) -> Fit:
     """Weights and sizes renewed until they settle."""
     cost = math.inf
+    others: tuple[Floats, ...] = ()
     for turn in range(_ROUNDS):
         likelihood = Likelihood(gathered, weight)
         if x is None:
@@ -362,10 +377,16 @@ def _settled(gathered: Gathered, weight: Floats, gap: float, x: Floats | None) -
             spread = float(np.sqrt(likelihood.total @ (likelihood.mean - np.average(
                 likelihood.mean, weights=likelihood.total)) ** 2 / likelihood.total.sum()))  # fmt: skip
             found = [likelihood.minimum(start, _ROUNDS_OF_START) for start in _starts(likelihood, noise, spread)]
-            least = min(row[0] for row in found)
-            # Four rounds come within some units of the end.
-            hopeful = [row for row in found if row[0] < least + _HOPEFUL]
-            value, x = min((likelihood.minimum(row[1], _ROUNDS_OF_SEARCH) for row in hopeful), key=lambda row: row[0])
+            found.sort(key=lambda row: row[0])
+            # Some rounds come within some units of the end; starts that have met by then go on as one.
+            hopeful = [
+                row for i, row in enumerate(found)
+                if row[0] < found[0][0] + _HOPEFUL
+                and all(np.abs(row[1] - other[1]).max() > _MET for other in found[:i])
+            ]  # fmt: skip
+            ends = sorted((likelihood.minimum(row[1], _ROUNDS_OF_SEARCH) for row in hopeful), key=lambda row: row[0])
+            value, x = ends[0]
+            others = tuple(row[1] for row in ends[1:] if np.abs(row[1] - x).max() > _MET)
         else:
             value, x = likelihood.minimum(x, _ROUNDS_OF_START if turn else _ROUNDS_OF_SEARCH)
         if len(weight) < _FEW:
@@ -375,7 +396,7 @@ def _settled(gathered: Gathered, weight: Floats, gap: float, x: Floats | None) -
         renewed = np.maximum(probability, IGNORED)
         settled = float(np.abs(renewed - weight).max()) < _SETTLED
         if settled or turn == _ROUNDS - 1:
-            return Fit(x, weight, cost)
+            return Fit(x, weight, cost, others)
         weight = renewed
     raise AssertionError
 
@@ -393,7 +414,7 @@ def _fitted(observed: Observed, stretches: Stretches) -> tuple[Gathered, Fit]:
         for _ in range(2):
             probability, _, _ = _judged(Likelihood(gathered, weight), found.x, weight, gathered.spacing)
             weight = np.maximum(probability, IGNORED)
-        return gathered, Fit(found.x, weight, found.cost)
+        return gathered, replace(found, weight=weight)
     few = gathered if len(observed) <= SEARCHED else Gathered(observed, stretches, SEARCHED)
     gap = few.spacing
     begun: list[Bools] = []
@@ -448,7 +469,8 @@ class Separated:
     sizes : Sizes
         Standard deviations and lengths of form and noise.
     band : float
-        Factor on the standard uncertainty for a band that holds along the whole contour with 95 %.
+        Factor on the standard uncertainty for a band that holds along the whole contour with 95 %, as long as the
+        process remembers no more than `longest_memory`.
     levels : tuple of LevelDifference
         One a level where there are several.
     """
@@ -479,6 +501,16 @@ class Separated:
     def random_std(self) -> float:
         """Standard deviation of what does not repeat, mm: process and measurement together."""
         return math.hypot(self.sizes.process, self.sizes.white)
+
+    @property
+    def longest_memory(self) -> float:
+        """Longest memory of the process, mm, for which the uncertainty holds.
+
+        One part at one height does not tell noise remembered over more than a third of the form's length from form;
+        of several it is what they do not share. Infinite there.
+        """
+        several = np.ptp(self.observed.part) > 0 or np.ptp(self.observed.level) > 0
+        return math.inf if several else self.sizes.form_length / _SHORTER
 
     def at(self, stretch: Ints, s: Floats) -> tuple[Floats, Floats]:
         """Systematic part and its standard uncertainty at any place, mm; (m,) each.
@@ -549,7 +581,7 @@ def _places(stretches: Stretches, contours: Ints, form_length: float) -> tuple[I
     return np.concatenate(of).astype(np.int64), np.concatenate(at)
 
 
-def _whole_band(variance: Floats, along: Floats, of: Ints) -> float:
+def _whole_band(length: float) -> float:
     """Factor for 95 % along all places together, from the length of the path of the standardised error.
 
     Sun & Loader 1994, eq. 2.1: P(max |t| > k) = 2 (1 - Phi(k)) a stretch + length / pi exp(-k^2/2), both at most.
@@ -557,14 +589,15 @@ def _whole_band(variance: Floats, along: Floats, of: Ints) -> float:
     from scipy.optimize import brentq
     from scipy.special import ndtr
 
-    same = of[1:] == of[:-1]
-    cosine = along[:-1] / np.sqrt(np.maximum(variance[:-1] * variance[1:], 1e-30))
-    length = float(np.arccos(np.clip(cosine[same], -1.0, 1.0)).sum())
-
     def over(k: float) -> float:
         return 2.0 * float(ndtr(-k)) + length / math.pi * math.exp(-0.5 * k * k) - 0.05
 
     return float(brentq(over, 1.9, 10.0))
+
+
+def _turned(covariance: Floats, variance: Floats) -> float:
+    """Length of the path of a standardised error, from its covariances from place to place and its variances."""
+    return float(np.arccos(np.clip(covariance / np.maximum(variance, 1e-30), -1.0, 1.0)).sum())
 
 
 def separate(observed: Observed, stretches: Stretches, filter: Filter | None = None) -> Separated:
@@ -586,16 +619,19 @@ def separate(observed: Observed, stretches: Stretches, filter: Filter | None = N
     filter = filter or Filter("auto")
     gathered, fit = _fitted(observed, stretches)
     likelihood = Likelihood(gathered, fit.weight, NODES)
-    sizes = likelihood.sizes(fit.x)
+    peak = _peak(likelihood, fit.x)
+    sizes = likelihood.sizes(peak.x)
     bound = likelihood.bound(sizes.form_length)
     solved = bound.solve(sizes)
     assert solved is not None
     of, at = _places(stretches, gathered.contours, sizes.form_length)
     column, _ = _columns(stretches, gathered.contours, of)
     variance, along = bound.variance(solved, of, at, column)
-    band = _whole_band(variance, along, of)
-    variance = variance + _of_sizes(gathered, fit, variance, of, at, column)
-    variance = variance + _of_kind(gathered, fit, sizes, bound.mean(solved, of, at, column), of, at, column)
+    same = of[1:] == of[:-1]
+    band = _whole_band(_turned(along[:-1][same], np.sqrt(variance[:-1] * variance[1:])[same]))
+    mean = bound.mean(solved, of, at, column)
+    searched = Likelihood(gathered, fit.weight)
+    variance = _over_sizes(searched, _drawn(searched, peak, fit.others), mean, variance, of, at, column)
     out = Separated(
         observed, stretches, filter, np.zeros(0), np.zeros(0), fit.weight, sizes, band,
         _level_differences(observed, gathered, solved), (), bound, solved, gathered.contours,
@@ -607,16 +643,30 @@ def separate(observed: Observed, stretches: Stretches, filter: Filter | None = N
     return _prescribed(out, mean)
 
 
-def _of_sizes(gathered: Gathered, fit: Fit, variance: Floats, of: Ints, at: Floats, column: Ints) -> Floats:
-    """Variance of the systematic part at places because the sizes are not known exactly; to first order.
+@dataclass(frozen=True, eq=False, slots=True)
+class Peak:
+    """The likeliest sizes, in logarithms, and how well the values tell them.
 
-    Their covariance is the inverse of the curvature of the likelihood (Laplace; Rasmussen & Williams 2006, 5.2).
+    Parameters
+    ----------
+    x : (k,) float64
+    axes : (j, j) float64
+        Directions of the first j sizes, all but the offsets', in columns: in each the likelihood falls by itself.
+    spread : (j,) float64
+        Standard deviations in these directions, from the curvature (Laplace; Rasmussen & Williams 2006, 5.2).
     """
-    likelihood = Likelihood(gathered, fit.weight)
-    x, n = fit.x, len(fit.x)
-    bound = likelihood.bound(math.exp(x[1]))
+
+    x: Floats
+    axes: Floats
+    spread: Floats
+
+
+def _peak(likelihood: Likelihood, x: Floats) -> Peak:
+    """Curvature of the likelihood, and from it the last step to its maximum."""
+    n = sum(name not in ("part", "level") for name in likelihood.free)
+    bound = likelihood.bound(math.exp(x[likelihood.free.index("form_length")]))
     step = 0.1
-    unit = step * np.eye(n)
+    unit = step * np.eye(n, len(x))
     here = likelihood(x, bound)
     plus = np.array([likelihood(x + unit[i], bound) for i in range(n)])
     minus = np.array([likelihood(x - unit[i], bound) for i in range(n)])
@@ -624,60 +674,84 @@ def _of_sizes(gathered: Gathered, fit: Fit, variance: Floats, of: Ints, at: Floa
     for i in range(n):
         curve[i, i] = plus[i] - 2 * here + minus[i]
         for j in range(i):
-            curve[i, j] = curve[j, i] = likelihood(x + unit[i] + unit[j], bound) - plus[i] - plus[j] + here
-    value, vector = np.linalg.eigh(curve / (2.0 * step**2))
-    out, more = np.zeros(len(of)), np.zeros(len(of))
-    few = len(gathered.value) <= _KNOWN_BADLY
-    lower, upper = np.array(likelihood.limits()).T
+            both = likelihood(x + unit[i] + unit[j], bound) + likelihood(x - unit[i] - unit[j], bound)
+            curve[i, j] = curve[j, i] = 0.5 * (both - plus[i] - plus[j] - minus[i] - minus[j]) + here
+    value, axes = np.linalg.eigh(curve / (2.0 * step**2))
     # The priors know a logarithm to 1.5: no direction is known worse.
-    for spread, direction in zip(1.0 / np.sqrt(np.maximum(value, 1.0 / 1.5**2)), vector.T, strict=True):
-        means = []
-        for sign in (1.0, -1.0):
-            solved = bound.solve(likelihood.sizes(np.clip(x + sign * spread * direction, lower, upper)))
-            if solved is None:
-                continue
-            means.append(bound.mean(solved, of, at, column))
-            if few:
-                # Of few points the variance itself is known badly: its mean over the sizes, to second order.
-                more += 0.5 * (bound.variance(solved, of, at, column)[0] - variance)
-        if len(means) == 2:
-            out += 0.25 * (means[0] - means[1]) ** 2
-    return out + np.maximum(more, 0.0)
+    value = np.maximum(value, 1.0 / 1.5**2)
+    moved = x.copy()
+    moved[:n] -= axes @ (axes.T @ (plus - minus) / (4.0 * step) / value)
+    low, high = np.array(likelihood.limits()).T
+    moved = np.clip(moved, low, high)
+    return Peak(moved if likelihood(moved, bound) < here else x, axes, 1.0 / np.sqrt(value))
 
 
-def _of_kind(
-    gathered: Gathered, fit: Fit, sizes: Sizes, mean: Floats, of: Ints, at: Floats, column: Ints
-) -> Floats:
-    """Variance of the systematic part at places because what is taken for form may be the process of this one part.
+def _drawn(likelihood: Likelihood, peak: Peak, others: tuple[Floats, ...]) -> tuple[Floats, Floats]:
+    """Logarithms of sizes that the values allow, (m, k), and their shares, (m,).
 
-    On one part a form hardly longer than the process's memory cannot be told from it but by what is usual for both.
-    Were it process, the systematic part would be a longer form's; the difference counts with the odds of that.
+    Importance sampling (Gelman et al. 2013, 10.4): drawn evenly and the same every time (Roberts' additive
+    recurrence) from a normal distribution with the curvature of the likelihood at its maximum, a little wider, they
+    weigh as their likelihood is to the density of that distribution. Other maxima count as this one would, were it
+    their height.
     """
-    if gathered.parts * gathered.levels > 1:
-        return np.zeros(len(of))
+    from scipy.special import ndtri
 
-    def usual(name: str, value: float) -> float:
-        centre, spread = _PRIOR[name]
-        return -0.5 * ((math.log(value) - centre) / spread) ** 2 - math.log(spread)
+    n = len(peak.spread)
+    ratio = 2.0
+    for _ in range(40):
+        ratio = (1.0 + ratio) ** (1.0 / (n + 1))
+    z = ndtri((0.5 + np.arange(DRAWN)[:, None] * ratio ** -np.arange(1.0, n + 1)) % 1.0)
+    drawn = np.tile(peak.x, (DRAWN, 1))
+    drawn[:, :n] += (z * WIDER * peak.spread) @ peak.axes.T
+    low, high = np.array(likelihood.limits()).T
+    drawn = np.clip(np.concatenate([drawn, *(x[None] for x in others)]), low, high)
+    density = np.append(-0.5 * (z**2).sum(axis=1), np.full(len(others), n * math.log(WIDER) - math.log(DRAWN)))
+    logs = -0.5 * np.array([likelihood(x) for x in drawn]) - density
+    if likelihood.gathered.parts * likelihood.gathered.levels == 1:
+        # From the logarithm to the length itself, evenly likely.
+        logs += drawn[:, likelihood.free.index("memory")]
+    share = np.exp(logs - logs.max())
+    kept = np.flatnonzero(share > NEGLIGIBLE)
+    return drawn[kept], share[kept] / share[kept].sum()
 
-    odds = math.exp(
-        usual("memory", sizes.form_length) + usual("process", sizes.form)
-        - usual("form_length", sizes.form_length) - usual("form", sizes.form)
-    )  # fmt: skip
-    share = odds / (1.0 + odds)
-    if share < _UNLIKELY:
-        return np.zeros(len(of))
-    longer = _SHORTER * sizes.form_length
-    likelihood = Likelihood(gathered, fit.weight)
-    likelihood.box["form_length"] = (longer, max(likelihood.box["form_length"][1], 2.0 * longer))
-    begin = replace(sizes, form_length=max(2.0 * longer, 20.0), process=sizes.form, memory=sizes.form_length)
-    x = likelihood.minimum(likelihood.logs(begin), _ROUNDS_OF_SEARCH)[1]
-    other = likelihood.sizes(x)
-    bound = likelihood.bound(other.form_length)
-    solved = bound.solve(other)
-    if solved is None:
-        return np.zeros(len(of))
-    out: Floats = share * (mean - bound.mean(solved, of, at, column)) ** 2
+
+def _over_sizes(
+    likelihood: Likelihood,
+    drawn: tuple[Floats, Floats],
+    mean: Floats,
+    variance: Floats,
+    of: Ints,
+    at: Floats,
+    column: Ints,
+) -> Floats:
+    """Variance of the systematic part at places over all sizes that the values allow, mm2; (m,).
+
+    From mean and variance at the likeliest sizes, (m,) each. It is that of the normal distribution about that mean
+    with the same 95 % interval: what is likely at some sizes and wide at few has a variance much wider than its band.
+    """
+    from scipy.special import ndtr
+
+    logs, share = drawn
+    # The variance over the sizes is to that at the likeliest as smooth as the form: four places in its length suffice.
+    ends = np.flatnonzero(np.diff(of, prepend=-1, append=-1))
+    few = np.unique(np.concatenate([np.arange(0, len(of), 2), ends[:-1], ends[1:] - 1]))
+    off, std = np.zeros((len(logs), len(few), 1)), np.zeros((len(logs), len(few), 1))
+    for k, row in enumerate(logs):
+        sizes = likelihood.sizes(row)
+        bound = likelihood.bound(sizes.form_length)
+        solved = bound.solve(sizes)
+        assert solved is not None
+        place = of[few], at[few], column[few]
+        off[k, :, 0] = bound.mean(solved, *place) - mean[few]
+        std[k, :, 0] = np.sqrt(bound.variance(solved, *place)[0])
+    low, high = np.zeros(len(few)), 2.3 * np.sqrt(np.einsum("k,kma->m", share, off**2 + std**2))
+    # Half widths within which so much lies, by halving; by Chebyshev no more than sqrt(20) standard deviations.
+    for _ in range(12):
+        middle = 0.5 * (low + high)
+        edge = NORMAL_95 * middle[:, None] * np.array([-1.0, 1.0])
+        inside = share @ np.diff(ndtr((edge - off) / std))[:, :, 0]
+        low, high = np.where(inside < 0.95, middle, low), np.where(inside < 0.95, high, middle)
+    out: Floats = variance * np.interp(np.arange(len(of)), few, high**2 / variance[few])
     return out
 
 
@@ -700,6 +774,7 @@ def _prescribed(out: Separated, model: Floats) -> Separated:
     value = np.empty(len(observed))
     uncertainty = np.empty(len(observed))
     more: list[tuple[Floats, Floats] | None] = [None] * len(stretches.lengths)
+    turned = 0.0
     for k in np.unique(observed.stretch):
         length, closed = float(stretches.lengths[k]), bool(stretches.closed[k])
         here = np.flatnonzero(observed.stretch == k)
@@ -723,10 +798,15 @@ def _prescribed(out: Separated, model: Floats) -> Separated:
         # The filter is off the model by what noise it lets through and what form it takes away; both are errors.
         std = out.at(observed.stretch[here], observed.s[here])[1]
         uncertainty[here] = np.sqrt(std**2 + float(np.mean(difference**2)))
+        if len(course[1]) > 1:
+            # From point to point the model's error stays, what the filter adds changes.
+            along = float(np.mean(std**2) + np.mean(course[1][1:] * course[1][:-1]))
+            turned += len(course[1]) * _turned(np.array(along), np.array(np.mean(uncertainty[here] ** 2)))
     at, of, std = out._grid
     wider = np.array([0.0 if c is None else float(np.mean(c[1] ** 2)) for c in more])
     grid = (at, of, np.sqrt(std**2 + wider[of]))
-    return replace(out, systematic=value, uncertainty=uncertainty, _grid=grid, _more=tuple(more))
+    band = max(out.band, _whole_band(turned))
+    return replace(out, systematic=value, uncertainty=uncertainty, band=band, _grid=grid, _more=tuple(more))
 
 
 def _through(s: Floats, value: Floats, length: float, closed: bool) -> tuple[Floats, Floats]:

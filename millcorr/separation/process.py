@@ -232,6 +232,7 @@ class Bound:
 
     def __init__(self, layout: Layout, value: Floats, weight: Floats) -> None:
         self.layout, self.value, self.weight = layout, value, weight
+        self.offsets = [np.flatnonzero(layout.cells.kind == kind) for kind in range(3)]
         a, rows = layout.weight, layout.rows
         i, j = rows[:, :6][:, _PAIRS[0]], rows[:, :6][:, _PAIRS[1]]
         pairs = [
@@ -258,9 +259,7 @@ class Bound:
             return out
 
         total = self.shape[0] * size
-        self.data = np.stack(
-            [np.bincount(place(x, y), np.ascontiguousarray(w).ravel(), total) for x, y, w in pairs]
-        )
+        self.data = np.stack([np.bincount(place(x, y), np.ascontiguousarray(w).ravel(), total) for x, y, w in pairs])
         # Both sides of a ring of a single point are the same number of the matrix, and count twice on its diagonal.
         self.twice = np.where(p == q, 2.0, 1.0)
         self.form_place = np.concatenate([place(*lower[0]), place(*lower[1]), place(*cross), place(*start)])
@@ -335,48 +334,59 @@ class Bound:
         layout = self.layout
         rho = np.exp(-layout.gap / memory)
         left = -np.expm1(-2.0 * layout.gap / memory)
-        values = np.concatenate(
-            [rho * rho / left, 1.0 / left, -rho / left * self.twice, np.ones(len(layout.head))]
-        )
+        values = np.concatenate([rho * rho / left, 1.0 / left, -rho / left * self.twice, np.ones(len(layout.head))])
         band: Floats = np.bincount(self.memory_place, values, self.shape[0] * self.shape[1]).astype(np.float64)
         log_det = 2.0 * float(np.log(-np.expm1(-layout.ring_length / memory)).sum()) - float(np.log(left).sum())
         return band, log_det
 
-    def solve(self, sizes: Sizes) -> Solved | None:
-        """Posterior for given sizes; None where the numbers do not allow it."""
-        from scipy.linalg.lapack import dpbtrf, dpbtrs
+    def _factored(self, sizes: Sizes) -> tuple[float, Floats, Floats, Floats, Floats] | None:
+        """-2 log likelihood, factor, answers of the states, normal matrix of the constants and their mean."""
+        from scipy.linalg.lapack import dpbtrf, dpbtrs, dposv
 
         v = sizes.white**2
         prior, log_prior = self.prior(sizes.form_length, sizes.memory)
         f, c = sizes.form, sizes.process
-        band = (prior + np.array([f * f, f * c, c * c]) / v @ self.data).reshape(self.shape)
-        factor, failed = dpbtrf(band, lower=1)
+        band = (prior + np.array([f * f / v, f * c / v, c * c / v]) @ self.data).reshape(self.shape)
+        factor, failed = dpbtrf(band, lower=1, overwrite_ab=1)
         if failed:
             return None
         right = (f / v) * self.form_right + (c / v) * self.memory_right
         found = dpbtrs(factor, right, lower=1)[0]
         inner = self.normal / v - right.T @ found
-        own = np.array([0.0, 1.0 / sizes.part**2, 1.0 / sizes.level**2])[self.layout.cells.kind]
-        normal = inner[1:, 1:] + np.diag(own)
-        sign, log_normal = np.linalg.slogdet(normal)
-        if sign <= 0:
+        normal, log_own = inner[1:, 1:], 0.0
+        for kind, size in ((1, sizes.part), (2, sizes.level)):
+            columns = self.offsets[kind]
+            if len(columns):
+                normal[columns, columns] += 1.0 / size**2
+                log_own -= 2.0 * len(columns) * math.log(size)
+        root, constants, failed = dposv(normal, inner[1:, 0], lower=1)
+        if failed:
             return None
-        spread = np.linalg.inv(normal)
-        constants = spread @ inner[1:, 0]
-        state = found[:, 0] - found[:, 1:] @ constants
-        rows, a = self.layout.rows, self.layout.weight
-        left = self.value - self.layout.cells.columns @ constants
-        left = left - f * (a * state[rows[:, :6]]).sum(axis=1) - c * state[rows[:, 6]]
-        square = float((self.weight * self.value) @ left) / v
+        square = float(inner[0, 0] - inner[1:, 0] @ constants)
         minus = (
             len(self.value) * math.log(v)
             - self.log_weight
             + 2.0 * float(np.log(factor[0]).sum())
             - log_prior
-            + float(log_normal)
-            - float(np.log(own[own > 0]).sum())
+            + 2.0 * float(np.log(root.diagonal()).sum())
+            - log_own
             + square
         )
+        return minus, factor, found, normal, constants
+
+    def minus_log(self, sizes: Sizes) -> float:
+        """-2 log of the restricted likelihood for given sizes, but for a constant; infinite where numbers fail."""
+        found = self._factored(sizes)
+        return math.inf if found is None else found[0]
+
+    def solve(self, sizes: Sizes) -> Solved | None:
+        """Posterior for given sizes; None where the numbers do not allow it."""
+        made = self._factored(sizes)
+        if made is None:
+            return None
+        minus, factor, found, normal, constants = made
+        state = found[:, 0] - found[:, 1:] @ constants
+        spread = np.linalg.inv(normal).astype(np.float64, copy=False)
         return Solved(minus, factor, state, constants, spread, found[:, 1:], sizes)
 
     def residual(self, solved: Solved) -> tuple[Floats, Floats]:
