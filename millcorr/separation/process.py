@@ -24,6 +24,7 @@ ROOT = math.sqrt(5.0)
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 _NODES, _WEIGHTS = (_NODES + 1.0) / 2.0, _WEIGHTS / 2.0
 _LOWER = np.tril_indices(3)
+_EYE = np.eye(3)
 _PAIRS = np.tril_indices(6)
 
 # Value, slope and bend at both ends of the unit interval to the powers of the quintic between them.
@@ -293,41 +294,40 @@ class Bound:
         t = _NODES
         decay = np.exp(-z[:, None] * t)
         zt = z[:, None] * t
-        column = decay * np.stack(
-            [np.broadcast_to(t * t / 2, zt.shape), t - zt * t / 2, 1 - 2 * zt + zt * zt / 2]
-        )  # (3, K, 8)
-        noise = np.einsum("akt,bkt,t->kab", column, column, _WEIGHTS) * (16.0 / 3.0 * z**5)[:, None, None]
+        column = decay * np.stack([np.broadcast_to(t * t / 2, zt.shape), t - zt * t / 2, 1 - 2 * zt + zt * zt / 2])
+        column = column.transpose(1, 0, 2)  # (K, 3, 8)
+        noise = (column * _WEIGHTS) @ column.transpose(0, 2, 1) * (16.0 / 3.0 * z**5)[:, None, None]
         shift = np.zeros((len(z), 3, 3))
         shift[:, 0, 1] = shift[:, 1, 2] = 1.0
         shift[:, 2] = np.stack([-(z**3), -3 * z**2, -3 * z], axis=1)
-        nil = shift + z[:, None, None] * np.eye(3)
-        turn = np.exp(-z)[:, None, None] * (np.eye(3) + nil + 0.5 * nil @ nil)
+        nil = shift + z[:, None, None] * _EYE
+        turn = np.exp(-z)[:, None, None] * (_EYE + nil + 0.5 * nil @ nil)
         back = np.linalg.inv(noise)
         back = 0.5 * (back + back.transpose(0, 2, 1))
         first = turn.transpose(0, 2, 1) @ back @ turn
         across = back @ turn
-        begin = np.zeros((len(z), 3, 3))
-        begin[:, 0, 0], begin[:, 1, 1], begin[:, 2, 2] = 1.0, z**2 / 3, z**4
-        begin[:, 0, 2] = begin[:, 2, 0] = -(z**2) / 3
-        at_begin = np.linalg.inv(begin)
+        # Inverse of the covariance ((1, 0, -a), (0, a, 0), (-a, 0, z^4)), a = z^2 / 3, of the states at an open end.
+        a, rest = z**2 / 3, 8.0 / 9.0 * z**4
+        nil_end = np.zeros_like(z)
+        at_begin = np.stack([z**4 / rest, nil_end, 1.0 / a, a / rest, nil_end, 1.0 / rest], axis=1)
         k, open_ = layout.link_stretch, ~layout.closed
         values = np.concatenate(
             [
                 first[:, _LOWER[0], _LOWER[1]][k].ravel(),
                 back[:, _LOWER[0], _LOWER[1]][k].ravel(),
                 -across.reshape(-1, 9)[k].ravel(),
-                at_begin[:, _LOWER[0], _LOWER[1]][open_].ravel(),
+                at_begin[open_].ravel(),
             ]
         )
         total = self.shape[0] * self.shape[1]
         band: Floats = np.bincount(self.form_place, values, total).astype(np.float64)
-        log_noise, log_begin = np.linalg.slogdet(noise)[1], np.linalg.slogdet(begin)[1]
-        log_det = -float(layout.number @ log_noise) - float(log_begin[open_].sum())
+        log_begin = np.log(a[open_] * rest[open_])
+        log_det = -float(layout.number @ np.linalg.slogdet(noise)[1]) - float(log_begin.sum())
         if layout.closed.any():
             zl = (z * layout.number)[layout.closed]
             nil_l = nil[layout.closed] * layout.number[layout.closed, None, None]
-            whole = np.exp(-zl)[:, None, None] * (np.eye(3) + nil_l + 0.5 * nil_l @ nil_l)
-            log_det += 2.0 * float(np.linalg.slogdet(np.eye(3) - whole)[1].sum())
+            whole = np.exp(-zl)[:, None, None] * (_EYE + nil_l + 0.5 * nil_l @ nil_l)
+            log_det += 2.0 * float(np.linalg.slogdet(_EYE - whole)[1].sum())
         return band, log_det
 
     def _memory(self, memory: float) -> tuple[Floats, float]:
