@@ -423,7 +423,7 @@ def _fitted(observed: Observed, stretches: Stretches) -> tuple[Gathered, Fit]:
         wrong = _suspects(gathered, observed, half) if len(observed) >= _FEW else np.zeros(len(observed), dtype=bool)
         if not any(np.array_equal(wrong, other) for other in begun):
             begun.append(wrong)
-            fits.append(_settled(few, np.where(wrong, IGNORED, 1.0), gap, None))
+            fits.append(_settled(few, np.where(wrong, IGNORED, 1.0), gap, fits[0].x if fits else None))
             if not wrong.any() and fits[-1].weight.min() >= 0.5:
                 # Nothing stands out, neither beforehand nor of what was found.
                 break
