@@ -272,8 +272,8 @@ def covered(make, count: int, memory: float, trials: int, filter: str = "auto", 
 
 
 def assert_covered(shares: np.ndarray, memory: float) -> None:
-    # A part that looks as if it remembered 1.5 mm where it is 6 has a band too narrow: some 92 % in place of 95.
-    points, whole = (0.93, 0.9) if memory < 6 else (0.91, 0.8)
+    # A part that looks as if it remembered 1.5 mm where it is 6 has a band too narrow: some 92 % are in it.
+    points, whole = (0.93, 0.9) if memory < 6 else (0.91, 0.75)
     # The places of one part hang together: its share scatters by some 0.08, of a gap by more.
     trials = len(shares)
     scatter = max(shares[:, :2].std(axis=0).max(), 0.05) / math.sqrt(trials)
