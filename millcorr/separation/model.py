@@ -55,8 +55,8 @@ IGNORED = 1e-6
 """Weight of what is certainly wrong: its own value no longer counts, its distance from the others is known."""
 
 # Lowest and highest usual value and the spread beyond them, in logarithms, of what machines do: form of 10 um on 30 mm,
-# noise of 1 um each; weak enough for some tens of points to overrule them. Memories from a millimetre to the spacing of
-# engagements are as likely: between noise that is soon forgotten under a short form and noise long remembered under a
+# noise of 1 um each; weak enough for some tens of points to overrule them. Memories from 0.7 to 6 mm are as
+# likely: between noise that is soon forgotten under a short form and noise long remembered under a
 # long one the values decide, and where they cannot, the uncertainty holds for either.
 _PRIOR = {
     "form": (math.log(0.010), math.log(0.010), 1.5),
@@ -711,7 +711,8 @@ def _drawn(likelihood: Likelihood, peak: Peak, others: tuple[Floats, ...]) -> tu
     density = np.append(-0.5 * (z**2).sum(axis=1), np.full(len(others), n * math.log(WIDER) - math.log(DRAWN)))
     logs = -0.5 * np.array([likelihood(x) for x in drawn]) - density
     if likelihood.gathered.parts * likelihood.gathered.levels == 1:
-        # From the logarithm to the length itself, evenly likely.
+        # Evenly likely in mm, not in its logarithm: one part hardly tells 1.5 mm from 6, and a band too narrow costs more
+        # than one too wide.
         logs += drawn[:, likelihood.free.index("memory")]
     share = np.exp(logs - logs.max())
     kept = np.flatnonzero(share > NEGLIGIBLE)
