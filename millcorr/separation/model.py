@@ -711,8 +711,8 @@ def _drawn(likelihood: Likelihood, peak: Peak, others: tuple[Floats, ...]) -> tu
     density = np.append(-0.5 * (z**2).sum(axis=1), np.full(len(others), n * math.log(WIDER) - math.log(DRAWN)))
     logs = -0.5 * np.array([likelihood(x) for x in drawn]) - density
     if likelihood.gathered.parts * likelihood.gathered.levels == 1:
-        # Evenly likely in mm, not in its logarithm: one part hardly tells 1.5 mm from 6, and a band too narrow costs more
-        # than one too wide.
+        # Evenly likely in mm, not in its logarithm: one part hardly tells 1.5 mm from 6, and a band too narrow costs
+        # more than one too wide.
         logs += drawn[:, likelihood.free.index("memory")]
     share = np.exp(logs - logs.max())
     kept = np.flatnonzero(share > NEGLIGIBLE)
