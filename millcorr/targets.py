@@ -365,7 +365,7 @@ def local(nominal: Profile, stretch: Ints, s: Floats) -> Floats:
 def _separated(parts: Sequence[tuple[Deviation, Floats]], nominal: Profile, settings: Settings) -> Separated:
     """What repeats of values at the points of all parts, in their order, but for those without a value."""
     heights = [float(parts[0][0].z[parts[0][0].level == k].mean()) for k in np.unique(parts[0][0].level)]
-    columns: list[tuple[Ints, Floats, Floats, Ints, Ints]] = []
+    columns = []
     for number, (deviation, values) in enumerate(parts):
         level = np.zeros(len(deviation), dtype=np.int64)
         for k in np.unique(deviation.level):
@@ -380,7 +380,8 @@ def _separated(parts: Sequence[tuple[Deviation, Floats]], nominal: Profile, sett
         known = np.isfinite(values)
         s = local(nominal, deviation.stretch, deviation.s)
         part = np.full(len(deviation), number)
-        columns.append((deviation.stretch[known], s[known], values[known], part[known], level[known]))
+        column = (deviation.stretch, s, values, part, level, deviation.z)
+        columns.append(tuple(row[known] for row in column))
     observed = Observed(*(np.concatenate(column) for column in zip(*columns, strict=True)))
     return separate(observed, stretches_of(nominal), Filter.parse(settings.filter))
 

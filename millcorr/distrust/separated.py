@@ -52,7 +52,7 @@ def examine_separated(
     return (
         *_unmeasured(separated, profile, unmeasured_share),
         *_outliers(deviation, separated),
-        *_heights(deviation, separated),
+        *_heights(separated, profile),
     )
 
 
@@ -108,22 +108,35 @@ def _outliers(deviation: Deviation, separated: Separated) -> tuple[Finding, ...]
     return (Finding("outliers", text, share > MANY),)
 
 
-def _heights(deviation: Deviation, separated: Separated) -> tuple[Finding, ...]:
-    """A wall that leans is not corrected by its mean without a word."""
-    levels = [one for one in separated.levels if one.significant]
-    if len(levels) < 2:
+def _heights(separated: Separated, profile: Profile) -> tuple[Finding, ...]:
+    """A wall that leans is not corrected by its mean without a word: how much, and where the most."""
+    mean = {one.level: one.mean for one in separated.levels}
+    differing = [one.level for one in separated.levels if one.significant]
+    most, low, high, where = 0.0, 0, 0, "all along"
+    if len(differing) >= 2:
+        low, high = min(differing, key=mean.__getitem__), max(differing, key=mean.__getitem__)
+        most = mean[high] - mean[low]
+    lean = separated.lean
+    if lean is not None and lean.significant.any():
+        worst = int(np.argmax(np.where(lean.significant, np.abs(lean.difference), 0.0)))
+        there = abs(float(lean.difference[worst]))
+        if there > most + LEANING:
+            most, low, high = there, lean.low, lean.high
+            if lean.difference[worst] < 0.0:
+                low, high = high, low
+            stretch = profile.stretches()[lean.stretch[worst]]
+            contour, at = stretch.contour, stretch.begin + float(lean.s[worst])
+            if profile.contours[contour].closed:
+                at %= float(profile.total[contour])
+            x, y = profile.at(np.array([contour]), np.array([at]))[0][0]
+            where = f"at X{x:.3f} Y{y:.3f}, {(mean[high] - mean[low]) * 1000:+.1f} um on the average"
+    if most < LEANING:
         return ()
-    low, high = (f(levels, key=lambda one: one.mean) for f in (min, max))
-    apart = high.mean - low.mean
-    if apart < LEANING:
-        return ()
-
-    def z(level: int) -> float:
-        rows = deviation.level == level
-        return float(deviation.z[rows].mean()) if rows.any() else float("nan")
-
+    seen = separated.observed
+    height = seen.level if seen.z is None else seen.z
+    z = [float(height[seen.level == level].mean()) for level in (high, low)]
     text = (
-        f"the wall leans: at Z{z(high.level):g} it has {apart * 1000:.1f} um more than at Z{z(low.level):g}; one path "
-        "corrects the mean of the heights"
+        f"the wall leans: at Z{z[0]:g} it has {most * 1000:.1f} um more than at Z{z[1]:g} {where}; one path corrects "
+        "the mean of the heights: a spring pass or less overhang of the tool takes the lean away"
     )
     return (Finding("many-levels", text, False),)

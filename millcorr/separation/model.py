@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What repeats: sizes and lengths of form and noise from the data, outliers, the systematic part with its uncertainty.
 
-Measured values are ``d(s) = mu + f(s) + c(s) + e`` and the offsets of whole parts and levels: a constant for each
-contour, a form f that all parts and heights share, noise c with a short memory, anew for every part and height, and
-white noise e. The systematic part is mu + f.
+Measured values are ``d(s) = mu + f(s) + a g(s) + c(s) + e`` and the offsets of whole parts and levels: a constant for
+each contour, a form f that all parts and heights share, a lean g by which the form at the highest level differs from
+that at the lowest (a is the level's place between them, about their mean), noise c with a short memory, anew for every
+part and height, and white noise e. The systematic part is mu + f.
 """
 
 from __future__ import annotations
@@ -64,6 +65,7 @@ _PRIOR = {
     "white": (math.log(0.001), 1.5),
     "part": (math.log(0.002), 1.5),
     "level": (math.log(0.002), 1.5),
+    "lean": (math.log(0.002), 1.5),
 }
 _NAMES = tuple(_PRIOR)
 _MEMORY_OF_SEVERAL = 1.5
@@ -93,6 +95,8 @@ class Observed:
     value : (n,) float64
         mm.
     part, level : (n,) int64
+    z : (n,) float64, optional
+        Height, mm; without it the levels are equally far apart, in the order of their numbers.
     """
 
     stretch: Ints
@@ -100,9 +104,15 @@ class Observed:
     value: Floats
     part: Ints
     level: Ints
+    z: Floats | None = None
 
     def __len__(self) -> int:
         return len(self.s)
+
+    def of(self, rows: Ints) -> Observed:
+        """Some of the values."""
+        z = None if self.z is None else self.z[rows]
+        return Observed(self.stretch[rows], self.s[rows], self.value[rows], self.part[rows], self.level[rows], z)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -144,7 +154,11 @@ class Gathered:
         self.contours = contours
         self.kind = np.concatenate(kinds)
         table = np.concatenate(columns, axis=1).astype(np.float64)
-        self.cells = Cells(stretch, block[start], s, table, self.kind)
+        z = observed.level.astype(np.float64) if observed.z is None else observed.z
+        height = np.bincount(level, z) / np.bincount(level)
+        several = len(levels) > 1
+        self.across = (height - height.mean()) / np.ptp(height) if several else np.zeros(1)
+        self.cells = Cells(stretch, block[start], s, table, self.kind, self.across[level[start]])
         self.value = observed.value
         self.parts, self.levels = len(parts), len(levels)
         self.spacing = room / blocks / max(len(s), 1)
@@ -174,7 +188,7 @@ class Likelihood:
         self.free = [
             name
             for name in _NAMES
-            if not (name == "part" and gathered.parts == 1) and not (name == "level" and gathered.levels == 1)
+            if not (name == "part" and gathered.parts == 1) and not (name in ("level", "lean") and gathered.levels == 1)
         ]
         several = gathered.parts > 1
         self.prior = {n: _PRIOR[n] for n in self.free}
@@ -188,6 +202,7 @@ class Likelihood:
             "white": (WHITE_LEAST, 3.0),
             "part": (1e-5, 3.0),
             "level": (1e-5, 3.0),
+            "lean": (1e-6, 3.0),
         }
 
     def sizes(self, x: Floats) -> Sizes:
@@ -265,7 +280,7 @@ def _starts(likelihood: Likelihood, noise: float, spread: float) -> list[Floats]
         for length in some:
             sizes = Sizes(
                 max(spread, 2 * noise, 1e-4), float(length), max(process * noise, 1e-5), min(1.0, length / 4),
-                max(white * noise, 2 * WHITE_LEAST), max(noise, 1e-4), max(noise, 1e-4),
+                max(white * noise, 2 * WHITE_LEAST), max(noise, 1e-4), max(noise, 1e-4), max(noise, 1e-4),
             )  # fmt: skip
             x = likelihood.logs(sizes)
             begun.append((likelihood(x), len(begun), x))
@@ -387,8 +402,7 @@ def _fitted(observed: Observed, stretches: Stretches) -> tuple[Gathered, Fit]:
         # Sizes from a share of the points, evenly among all; then every point is judged by what they say.
         order = np.lexsort((observed.s, observed.stretch, observed.level, observed.part))
         rows = np.sort(order[:: -(-len(order) // MANY)])
-        share = Observed(*(getattr(observed, name)[rows] for name in Observed.__slots__))
-        found = _fitted(share, stretches)[1]
+        found = _fitted(observed.of(rows), stretches)[1]
         weight = np.where(_suspects(gathered, observed, max(_HALVES)), IGNORED, 1.0)
         for _ in range(2):
             probability, _, _ = _judged(Likelihood(gathered, weight), found.x, weight, gathered.spacing)
@@ -412,17 +426,19 @@ def _fitted(observed: Observed, stretches: Stretches) -> tuple[Gathered, Fit]:
     return gathered, replace(best, x=Likelihood(gathered, best.weight).minimum(best.x, _ROUNDS_OF_START)[1])
 
 
+CERTAIN = 0.0027
+"""Odds of chance below which heights are said to differ: three standard uncertainties of one number."""
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class LevelDifference:
-    """How a height differs from the mean of all heights.
+    """How a height differs from the mean of all heights, on the average along the measured contours.
 
     Parameters
     ----------
     level : int
     mean, std : float
         mm, and its standard uncertainty.
-    significant : bool
-        Whether that is more than chance (three standard uncertainties).
     """
 
     level: int
@@ -433,6 +449,36 @@ class LevelDifference:
     def significant(self) -> bool:
         """Whether the difference is more than chance: three standard uncertainties."""
         return abs(self.mean) > 3.0 * self.std
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Lean:
+    """By how much the highest level has more than the lowest, along the measured contours.
+
+    Parameters
+    ----------
+    low, high : int
+        The levels.
+    stretch : (m,) int64
+    s, difference, std : (m,) float64
+        Place, the difference there and its standard uncertainty, mm.
+    band : float
+        Factor on the standard uncertainty that chance exceeds anywhere with `CERTAIN`.
+    """
+
+    low: int
+    high: int
+    stretch: Ints
+    s: Floats
+    difference: Floats
+    std: Floats
+    band: float
+
+    @property
+    def significant(self) -> Bools:
+        """Where the difference is more than chance; (m,)."""
+        out: Bools = np.abs(self.difference) > self.band * self.std
+        return out
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -451,6 +497,8 @@ class Separated:
         Factor on the standard uncertainty for a band that holds along the whole contour with 95 %.
     levels : tuple of LevelDifference
         One a level where there are several.
+    lean : Lean or None
+        Where there are several levels.
     """
 
     observed: Observed
@@ -462,6 +510,7 @@ class Separated:
     sizes: Sizes
     band: float
     levels: tuple[LevelDifference, ...]
+    lean: Lean | None
     notes: tuple[str, ...]
     _bound: Bound
     _solved: Solved
@@ -549,8 +598,8 @@ def _places(stretches: Stretches, contours: Ints, form_length: float) -> tuple[I
     return np.concatenate(of).astype(np.int64), np.concatenate(at)
 
 
-def _whole_band(variance: Floats, along: Floats, of: Ints) -> float:
-    """Factor for 95 % along all places together, from the length of the path of the standardised error.
+def _whole_band(variance: Floats, along: Floats, of: Ints, outside: float = 0.05) -> float:
+    """Factor that chance exceeds with 5 % along all places together, from the length of the standardised error's path.
 
     Sun & Loader 1994, eq. 2.1: P(max |t| > k) = 2 (1 - Phi(k)) a stretch + length / pi exp(-k^2/2), both at most.
     """
@@ -562,7 +611,7 @@ def _whole_band(variance: Floats, along: Floats, of: Ints) -> float:
     length = float(np.arccos(np.clip(cosine[same], -1.0, 1.0)).sum())
 
     def over(k: float) -> float:
-        return 2.0 * float(ndtr(-k)) + length / math.pi * math.exp(-0.5 * k * k) - 0.05
+        return 2.0 * float(ndtr(-k)) + length / math.pi * math.exp(-0.5 * k * k) - outside
 
     return float(brentq(over, 1.9, 10.0))
 
@@ -598,7 +647,8 @@ def separate(observed: Observed, stretches: Stretches, filter: Filter | None = N
     variance = variance + _of_kind(gathered, fit, sizes, bound.mean(solved, of, at, column), of, at, column)
     out = Separated(
         observed, stretches, filter, np.zeros(0), np.zeros(0), fit.weight, sizes, band,
-        _level_differences(observed, gathered, solved), (), bound, solved, gathered.contours,
+        _level_differences(observed, gathered, bound, solved), _lean(observed, gathered, bound, solved, of, at), (),
+        bound, solved, gathered.contours,
         (at, of, np.sqrt(np.maximum(variance, 0.0))), (),
     )  # fmt: skip
     mean, std = out.at(observed.stretch, observed.s)
@@ -645,9 +695,7 @@ def _of_sizes(gathered: Gathered, fit: Fit, variance: Floats, of: Ints, at: Floa
     return out + np.maximum(more, 0.0)
 
 
-def _of_kind(
-    gathered: Gathered, fit: Fit, sizes: Sizes, mean: Floats, of: Ints, at: Floats, column: Ints
-) -> Floats:
+def _of_kind(gathered: Gathered, fit: Fit, sizes: Sizes, mean: Floats, of: Ints, at: Floats, column: Ints) -> Floats:
     """Variance of the systematic part at places because what is taken for form may be the process of this one part.
 
     On one part a form hardly longer than the process's memory cannot be told from it but by what is usual for both.
@@ -681,17 +729,44 @@ def _of_kind(
     return out
 
 
-def _level_differences(observed: Observed, gathered: Gathered, solved: Solved) -> tuple[LevelDifference, ...]:
-    rows = np.flatnonzero(gathered.kind == 2)
-    if not len(rows):
+def _level_differences(
+    observed: Observed, gathered: Gathered, bound: Bound, solved: Solved
+) -> tuple[LevelDifference, ...]:
+    kinds = np.flatnonzero(gathered.kind == 2)
+    if not len(kinds):
         return ()
-    centred = np.eye(len(rows)) - 1.0 / len(rows)
-    mean = centred @ solved.constants[rows]
-    std = np.sqrt(np.diag(centred @ solved.spread[np.ix_(rows, rows)] @ centred.T))
+    unit = np.zeros((len(kinds), len(gathered.kind)))
+    unit[:, kinds] = np.eye(len(kinds)) - 1.0 / len(kinds)
+    # The lean at all places with points, times each level's place between the outermost.
+    of, at, share = bound.layout.cells.stretch, bound.layout.cells.s, bound.weight / bound.weight.sum()
+    rows, a = bound.layout.read(of, at)
+    lean = (solved.sizes.lean * share[:, None] * a).ravel()
+    rows, lean = np.tile(rows.ravel() + 3, (len(kinds), 1)), gathered.across[:, None] * lean
+    mean = (lean * solved.state[rows]).sum(axis=1) + unit @ solved.constants
+    variance, _ = bound.variance_of(solved, rows, lean, unit)
     return tuple(
-        LevelDifference(int(level), float(m), float(u))
-        for level, m, u in zip(np.unique(observed.level), mean, std, strict=True)
+        LevelDifference(int(level), float(m), math.sqrt(max(u, 0.0)))
+        for level, m, u in zip(np.unique(observed.level), mean, variance, strict=True)
     )
+
+
+def _lean(observed: Observed, gathered: Gathered, bound: Bound, solved: Solved, of: Ints, at: Floats) -> Lean | None:
+    """The lean at places, of stretches that several heights were measured on."""
+    kinds = np.flatnonzero(gathered.kind == 2)
+    if not len(kinds):
+        return None
+    both = [k for k in np.unique(observed.stretch) if np.ptp(observed.level[observed.stretch == k])]
+    here = np.isin(of, both)
+    if not here.any():
+        return None
+    low, high = int(np.argmin(gathered.across)), int(np.argmax(gathered.across))
+    unit = np.zeros(len(gathered.kind))
+    unit[kinds[[low, high]]] = -1.0, 1.0
+    mean, variance, along = bound.lean(solved, of[here], at[here], unit)
+    band = _whole_band(variance, along, of[here], CERTAIN)
+    levels = np.unique(observed.level)
+    std = np.sqrt(np.maximum(variance, 0.0))
+    return Lean(int(levels[low]), int(levels[high]), of[here], at[here], mean, std, band)
 
 
 def _prescribed(out: Separated, model: Floats) -> Separated:
