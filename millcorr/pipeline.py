@@ -222,6 +222,7 @@ class Result:
             "uncertainty": uncertainty,
             "band": None if self.separated is None else self.separated.band,
             "outliers": self.outliers(),
+            "unmeasured": 0.0 if self.separated is None else distrust.unmeasured(self.separated, self.nominal),
             "transfer": None if self.elastic is None else self.elastic.summary(self.request.settings),
             "foreseen": None if self.foreseen is None else self.foreseen.summary(),
             "alignment": self._alignment_summary(),

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -56,37 +58,74 @@ def examine_separated(
     )
 
 
-def _unmeasured(separated: Separated, profile: Profile, most: float) -> tuple[Finding, ...]:
-    worst: tuple[float, int, float, float] | None = None
-    seen = separated.observed
-    trusted = ~separated.outlier
-    stretches = profile.stretches()
-    for contour in np.unique(separated.stretches.contour[seen.stretch]):
+@dataclass(frozen=True, slots=True)
+class Gap:
+    """Places of a contour that no sound point is near.
+
+    Parameters
+    ----------
+    contour : int
+    begin, end : float
+        mm from the contour's start; `end` may lie past its seam.
+    points : (float, float)
+        The points before and behind, or the contour's ends, mm.
+    """
+
+    contour: int
+    begin: float
+    end: float
+    points: tuple[float, float]
+
+
+def gaps(separated: Separated, profile: Profile, bridged: float = 0.0) -> tuple[Gap, ...]:
+    """Where on the measured contours the systematic part rests on no points: the form there is not that of any of them.
+
+    Parameters
+    ----------
+    separated : Separated
+    profile : Profile
+    bridged : float
+        Between points nearer than this share of the contour nothing is a gap.
+    """
+    seen, trusted = separated.observed, ~separated.outlier
+    begin = np.array([stretch.begin for stretch in profile.stretches()])
+    of = separated.stretches.contour[seen.stretch]
+    out = []
+    for contour in np.unique(of[trusted]):
         length, closed = float(profile.total[contour]), profile.contours[contour].closed
         # However smooth the form, points at one end of a contour do not speak for the other.
         reach = min(CORRELATED * separated.sizes.form_length, 0.5 * BETWEEN * length)
-        rows = trusted & (separated.stretches.contour[seen.stretch] == contour)
-        if not rows.any():
-            continue
-        begin = np.array([t.begin for t in stretches])
-        s = np.sort(np.mod(begin[seen.stretch[rows]] + seen.s[rows], length) if closed else
-                    begin[seen.stretch[rows]] + seen.s[rows])  # fmt: skip
-        if closed:
-            gap, start = np.diff(s, append=s[0] + length), s
-            open_ = np.where(gap > BETWEEN * length, np.maximum(gap - 2 * reach, 0.0), 0.0)
-        else:
-            gap, start = np.diff(s, prepend=0.0, append=length), np.append(0.0, s)
-            speaking = np.where((np.arange(len(gap)) == 0) | (np.arange(len(gap)) == len(gap) - 1), reach, 2 * reach)
-            open_ = np.where(gap > BETWEEN * length, np.maximum(gap - speaking, 0.0), 0.0)
-        share, i = float(open_.sum()) / length, int(np.argmax(gap))
-        worst = max(worst or (0.0, 0, 0.0, 0.0), (share, int(contour), float(start[i]), float(gap[i])))
-    if worst is None or worst[0] <= most:
+        rows = trusted & (of == contour)
+        s = begin[seen.stretch[rows]] + seen.s[rows]
+        s = np.sort(np.mod(s, length) if closed else s)
+        before = s if closed else np.append(0.0, s)
+        behind = np.append(s[1:], s[0] + length) if closed else np.append(s, length)
+        low, high = before + reach, behind - reach
+        if not closed:
+            low[0], high[-1] = 0.0, length
+        for i in np.flatnonzero((behind - before > bridged * length) & (high > low)):
+            ends = float(before[i]), float(behind[i])
+            out.append(Gap(int(contour), float(low[i]), float(high[i]), ends))
+    return tuple(out)
+
+
+def unmeasured(separated: Separated, profile: Profile) -> float:
+    """Largest share of a measured contour that no sound point is near, 0 to 1."""
+    shares = np.zeros(len(profile.contours))
+    for gap in gaps(separated, profile, BETWEEN):
+        shares[gap.contour] += (gap.end - gap.begin) / float(profile.total[gap.contour])
+    return float(shares.max(initial=0.0))
+
+
+def _unmeasured(separated: Separated, profile: Profile, most: float) -> tuple[Finding, ...]:
+    share = unmeasured(separated, profile)
+    if share <= most:
         return ()
-    share, contour, begin_s, wide = worst
-    ends = np.array([begin_s, begin_s + wide])
-    if profile.contours[contour].closed:
-        ends %= float(profile.total[contour])
-    (x0, y0), (x1, y1) = profile.at(np.full(2, contour), ends)[0]
+    widest = max(gaps(separated, profile, BETWEEN), key=lambda gap: gap.end - gap.begin)
+    ends = np.array(widest.points)
+    if profile.contours[widest.contour].closed:
+        ends %= float(profile.total[widest.contour])
+    (x0, y0), (x1, y1) = profile.at(np.full(2, widest.contour), ends)[0]
     text = (
         f"{100 * share:.0f} % of the contour has no measured point near, most of it between X{x0:.3f} Y{y0:.3f} and "
         f"X{x1:.3f} Y{y1:.3f}: measure there, or say with --unmeasured SHARE how much may be left to the mean"

@@ -340,8 +340,84 @@ def _noise_of_one(sizes: Sizes, gap: float) -> float:
     return max(1.0 / float((1.0 / spectrum).mean()) - sizes.white**2, 0.0)
 
 
-def _judged(likelihood: Likelihood, x: Floats, weight: Floats, gap: float) -> tuple[Floats, Floats, float]:
-    """Probability that each point is sound, (n,), its distance in standard deviations, and what the wrong ones cost."""
+def _agreed(g: Gathered, off: Floats, variance: Floats, far: Ints) -> Floats:
+    """How well other parts and heights agree with points that are far off: density of their standardised distance.
+
+    Where the nearest point of most others is far off, too, that is form of the place or chance: one as well as the
+    other, but for how unusual a form of that size is, as short as can just be told. If it is form, the point is off as
+    that one is, and the nearest sound point would be, as far as it hangs together; the rest of it is as large again.
+
+    Parameters
+    ----------
+    g : Gathered
+    off, variance : (n,) float64
+        Distance of all points from what is known without them, mm, and its variance.
+    far : (m,) int64
+        Points to look at.
+
+    Returns
+    -------
+    (m,) float64
+    """
+    stretch, s, block = g.cells.stretch[g.of], g.cells.s[g.of], g.cells.block[g.of]
+    blocks = np.unique(block)
+    # A form shorter than the distance of one part's or height's points is not seen by it at all.
+    reach = max(SHORTEST_FORM, g.spacing * len(blocks))
+    is_far = np.zeros(len(off), dtype=bool)
+    is_far[far] = True
+    partner, apart = np.full((len(blocks), len(far)), -1), np.full((len(blocks), len(far)), math.inf)
+    sound, between = np.zeros(len(far), dtype=np.int64), np.full(len(far), math.inf)
+    order = np.lexsort((s, stretch, block))
+    for rows in np.split(order, np.flatnonzero(np.diff(stretch[order]) | np.diff(block[order])) + 1):
+        k, own = stretch[rows[0]], int(np.searchsorted(blocks, block[rows[0]]))
+        here = np.flatnonzero(stretch[far] == k)
+        period = float(g.stretches.lengths[k]) if g.stretches.closed[k] else math.inf
+
+        def nearest(among: Ints, here: Ints = here, period: float = period) -> tuple[Ints, Floats]:
+            after = np.searchsorted(s[among], s[far[here]])
+            near = np.stack([among[after - 1], among[after % len(among)]])
+            distance = np.abs(s[near] - s[far[here]])
+            distance = np.minimum(distance, period - distance)
+            nearer = distance.argmin(axis=0), np.arange(len(here))
+            return near[nearer], distance[nearer]
+
+        right = rows[~is_far[rows]]
+        if len(right):
+            near, distance = nearest(right)
+            nearer = distance < between[here]
+            sound[here[nearer]], between[here[nearer]] = near[nearer], distance[nearer]
+        partner[own, here], apart[own, here] = nearest(rows)
+        apart[own, here[block[far[here]] == block[rows[0]]]] = math.inf
+    # Of those that have a point near the lower median, by how far they are off to the same side.
+    same = np.where(apart <= reach, np.sign(off[far]) * off[partner], math.inf)
+    number = (apart <= reach).sum(axis=0)
+    middle = np.argsort(same, axis=0)[np.maximum(number - 1, 0) // 2, np.arange(len(far))]
+    other, distance = partner[middle, np.arange(len(far))], apart[middle, np.arange(len(far))]
+
+    def together(distance: Floats) -> Floats:
+        z = math.sqrt(5.0) * np.where(np.isfinite(distance), distance, 1e3 * reach) / reach
+        near: Floats = (1.0 + z + z * z / 3.0) * np.exp(-z)
+        return near
+
+    def density(left: Floats, variance: Floats) -> Floats:
+        likely: Floats = np.exp(-0.5 * np.minimum(left**2 / variance, 1400.0)) / np.sqrt(2.0 * math.pi * variance)
+        return likely
+
+    usual = np.zeros(len(far))
+    for name, value in (("form", np.maximum(np.abs(off[far]), 1e-9)), ("form_length", np.full(len(far), reach))):
+        centre, spread = _PRIOR[name]
+        usual -= 0.5 * ((np.log(value) - centre) / spread) ** 2
+    rho, to_sound = together(distance), together(between)
+    follows = density(off[far] - rho * off[other], (1.0 - rho**2) * off[other] ** 2 + variance[far] + variance[other])
+    free = (1.0 - to_sound**2) * off[far] ** 2 + variance[sound]
+    spared = density(off[sound] - to_sound * off[far], free) / density(off[sound], variance[sound])
+    agreed = 0.5 * np.exp(usual) * rho**2 * follows * np.minimum(spared, 1.0) * np.sqrt(variance[far])
+    out: Floats = np.where((number > 0) & is_far[other], agreed, 0.0)
+    return out
+
+
+def _judged(likelihood: Likelihood, x: Floats, weight: Floats, gap: float) -> tuple[Floats, Bools, float]:
+    """Probability that each point is sound, (n,), if only because others agree, and what the wrong ones cost."""
     g = likelihood.gathered
     sizes = likelihood.sizes(x)
     bound = likelihood.bound(sizes.form_length)
@@ -359,12 +435,16 @@ def _judged(likelihood: Likelihood, x: Floats, weight: Floats, gap: float) -> tu
     z2 = (left * (1.0 + own * weight / v)) ** 2 / (v + own)
     sound = (1.0 - OUTLIERS) / math.sqrt(2 * math.pi) * np.exp(-0.5 * np.minimum(z2, 1400.0))
     wrong = OUTLIERS / (math.pi * OUTLIER_SPREAD * (1.0 + z2 / OUTLIER_SPREAD**2))
+    far, agreed = np.flatnonzero(sound < wrong), np.zeros(len(weight), dtype=bool)
+    if g.parts * g.levels > 1 and len(far) > 1:
+        sound[far] += _agreed(g, left * (1.0 + own * weight / v), v + own, far)
+        agreed[far] = sound[far] > wrong[far]
     probability = sound / (sound + wrong)
     out = weight < 0.5
     cost = -2.0 * float(np.log(wrong[out] / np.sqrt(v + own[out])).sum())
     # What the likelihood has counted of them is theirs alone.
     cost -= float((np.log(v + 0.0 * own[out]) - np.log(np.maximum(weight[out], IGNORED))).sum())
-    return probability, np.sqrt(z2), cost
+    return probability, agreed, cost
 
 
 def _settled(gathered: Gathered, weight: Floats, gap: float, x: Floats | None) -> Fit:
@@ -385,12 +465,15 @@ def _settled(gathered: Gathered, weight: Floats, gap: float, x: Floats | None) -
             value, x = likelihood.minimum(x, _ROUNDS_OF_START if turn else _ROUNDS_OF_SEARCH)
         if len(weight) < _FEW:
             return Fit(x, weight, value)
-        probability, _, dear = _judged(likelihood, x, weight, gap)
+        probability, agreed, dear = _judged(likelihood, x, weight, gap)
         cost = value + dear
         renewed = np.maximum(probability, IGNORED)
         settled = float(np.abs(renewed - weight).max()) < _SETTLED
         if settled or turn == _ROUNDS - 1:
             return Fit(x, weight, cost)
+        if (agreed & (weight < 0.5)).any():
+            # What others agree with is form, and the form is another than that without it.
+            x = None
         weight = renewed
     raise AssertionError
 
