@@ -43,6 +43,10 @@ _QUINTIC = np.linalg.inv(
 ).T
 _CHUNK = 256
 
+_LINK = 4.0
+"""Steps of the form's grid that neighbouring states of the noise are apart at most: over a gap it has states without
+points, or the band were as wide as the gap has nodes."""
+
 
 @dataclass(frozen=True, slots=True)
 class Sizes:
@@ -150,6 +154,7 @@ class Layout:
         self.first = np.concatenate([[0], np.cumsum(nodes)])
         of = np.repeat(np.arange(len(lengths)), nodes)
         at = (np.arange(len(of)) - self.first[of]) * self.step[of]
+        self._bridge()
         self._order(of, at)
         self._links()
         self._memory()
@@ -160,18 +165,39 @@ class Layout:
             self.reads.append((row + 3, cells.across[:, None] * weight))
         self.reads.append((self.own[:, None], np.ones((len(row), 1))))
 
+    def _bridge(self) -> None:
+        """Places of the noise with a memory: those of the points, then some in every gap between them."""
+        c = self.cells
+        order = np.lexsort((c.s, c.stretch, c.block))
+        stretch, block, s = c.stretch[order], c.block[order], c.s[order]
+        last = np.append((stretch[1:] != stretch[:-1]) | (block[1:] != block[:-1]), True)[: len(s)]
+        first = np.flatnonzero(np.append(True, last[:-1])[: len(s)])
+        # Behind the last point of a ring comes its first one.
+        behind = np.append(s[1:], 0.0)[: len(s)]
+        behind[last] = np.where(self.closed[stretch[last]], s[first] + self.lengths[stretch[last]], s[last])
+        gap = behind - s
+        more = np.maximum(np.ceil(gap / (_LINK * self.step[stretch])).astype(np.int64) - 1, 0)
+        row = np.repeat(np.arange(len(s)), more)
+        part = np.arange(len(row)) - np.repeat(np.cumsum(more) - more, more) + 1
+        between = s[row] + gap[row] * part / (more[row] + 1)
+        length = self.lengths[stretch[row]]
+        between = np.where(between >= length, between - length, between)
+        self.noise_stretch = np.concatenate([c.stretch, stretch[row]])
+        self.noise_block = np.concatenate([c.block, block[row]])
+        self.noise_s = np.concatenate([c.s, between])
+
     def _order(self, of: Ints, at: Floats) -> None:
         """Rows of the band, by stretch and place; the two halves of a ring side by side."""
-        c = self.cells
-        stretch, s = np.concatenate([of, c.stretch]), np.concatenate([at, c.s])
+        stretch, s = np.concatenate([of, self.noise_stretch]), np.concatenate([at, self.noise_s])
         length = self.lengths[stretch]
         s = np.where(self.closed[stretch], np.minimum(s, length - s), s)
         order = np.lexsort((s, stretch))
-        count = np.concatenate([np.full(len(of), 6 if self.leans else 3), np.ones(len(c.s), dtype=np.int64)])
+        count = np.concatenate([np.full(len(of), 6 if self.leans else 3), np.ones(len(self.noise_s), dtype=np.int64)])
         start = np.empty(len(order), dtype=np.int64)
         start[order] = np.cumsum(count[order]) - count[order]
         self.size = int(count.sum())
-        self.node, self.own = start[: len(of)], start[len(of) :]
+        self.node, self.noise = start[: len(of)], start[len(of) :]
+        self.own = self.noise[: len(self.cells.s)]
 
     def _links(self) -> None:
         """Neighbouring nodes of the form, and where their numbers stand."""
@@ -185,22 +211,22 @@ class Layout:
 
     def _memory(self) -> None:
         """Neighbouring points of one part and level."""
-        c = self.cells
-        key = c.stretch * (int(c.block.max(initial=0)) + 1) + c.block
-        order = np.lexsort((c.s, key))
-        key, s = key[order], c.s[order]
+        stretch, block = self.noise_stretch, self.noise_block
+        key = stretch * (int(block.max(initial=0)) + 1) + block
+        order = np.lexsort((self.noise_s, key))
+        key, s = key[order], self.noise_s[order]
         same = key[1:] == key[:-1]
         starts = np.flatnonzero(np.concatenate([[True], ~same])) if len(key) else np.zeros(0, dtype=np.int64)
         ends = np.append(starts[1:], len(key)) - 1
         self.chain_gap = [s[1:][same] - s[:-1][same]]
         chain = [(order[:-1][same], order[1:][same])]
-        ring = self.closed[c.stretch[order[starts]]]
-        self.ring_length = self.lengths[c.stretch[order[starts]]][ring]
+        ring = self.closed[stretch[order[starts]]]
+        self.ring_length = self.lengths[stretch[order[starts]]][ring]
         self.chain_gap.append(s[starts[ring]] + self.ring_length - s[ends[ring]])
         chain.append((order[ends[ring]], order[starts[ring]]))
         self.gap = np.concatenate(self.chain_gap)
-        self.pair = tuple(self.own[np.concatenate([p[i] for p in chain])] for i in (0, 1))
-        self.head = self.own[order[starts[~ring]]]
+        self.pair = tuple(self.noise[np.concatenate([p[i] for p in chain])] for i in (0, 1))
+        self.head = self.noise[order[starts[~ring]]]
 
     def _cell(self, stretch: Ints, s: Floats) -> tuple[Ints, Ints, Floats]:
         """Nodes before and after places, and how far they lie between them, 0 to 1; (n,) each."""
