@@ -103,7 +103,8 @@ class Canvas(FigureCanvasQTAgg):
             low, high = axes.get_ylim()
             told = translate("Millcorr", "outlier")
             place = plot.raw[far].clip(low, high)
-            axes.scatter(plot.x[far], place, s=40, marker="x", color=c["undercut"], label=told, zorder=4)
+            cross = {"marker": "x", "color": c["undercut"], "clip_on": False}
+            axes.scatter(plot.x[far], place, s=40, label=told, zorder=4, **cross)
             axes.set_ylim(low, high)
         axes.axhline(0, color=c["soft"], linewidth=1)
         for corner in plot.corners:
