@@ -110,7 +110,7 @@ class CutHeights:
         for end in (toolpath.start[rows], toolpath.end[rows]):
             known = end[np.isfinite(end).all(axis=1)]
             if len(known):
-                owner = profile.contour[search.find(np.ascontiguousarray(known[:, :2])).span]
+                owner = profile.contour[search.find(known).span]
                 lowest = np.full(len(bottom), np.inf)
                 np.minimum.at(lowest, owner, known[:, 2])
                 bottom = np.where(np.isfinite(lowest), np.fmin(bottom, lowest), bottom)

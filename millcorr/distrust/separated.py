@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.deviation import Deviation
-from millcorr.profile import Profile
+from millcorr.profile import Profile, Stretch
 from millcorr.separation import Separated
 
 from .findings import Finding
@@ -77,6 +77,11 @@ class Gap:
     points: tuple[float, float]
 
 
+def _stretches(separated: Separated, profile: Profile) -> list[Stretch]:
+    """Stretches that have a form: steps of a wall speak for it together, on one of them."""
+    return [t for t in profile.stretches() if t.contour in separated.stretches.contour]
+
+
 def gaps(separated: Separated, profile: Profile, bridged: float = 0.0) -> tuple[Gap, ...]:
     """Where on the measured contours the systematic part rests on no points: the form there is not that of any of them.
 
@@ -88,7 +93,7 @@ def gaps(separated: Separated, profile: Profile, bridged: float = 0.0) -> tuple[
         Between points nearer than this share of the contour nothing is a gap.
     """
     seen, trusted = separated.observed, ~separated.outlier
-    begin = np.array([stretch.begin for stretch in profile.stretches()])
+    begin = np.array([stretch.begin for stretch in _stretches(separated, profile)])
     of = separated.stretches.contour[seen.stretch]
     out = []
     for contour in np.unique(of[trusted]):
@@ -149,6 +154,9 @@ def _outliers(deviation: Deviation, separated: Separated) -> tuple[Finding, ...]
 
 def _heights(separated: Separated, profile: Profile) -> tuple[Finding, ...]:
     """A wall that leans is not corrected by its mean without a word: how much, and where the most."""
+    if any(len(wall) > 1 for wall in profile.steps):
+        # Its steps are heights with passes of their own, each corrected by its own.
+        return ()
     mean = {one.level: one.mean for one in separated.levels}
     differing = [one.level for one in separated.levels if one.significant]
     most, low, high, where = 0.0, 0, 0, "all along"
@@ -163,7 +171,7 @@ def _heights(separated: Separated, profile: Profile) -> tuple[Finding, ...]:
             most, low, high = there, lean.low, lean.high
             if lean.difference[worst] < 0.0:
                 low, high = high, low
-            stretch = profile.stretches()[lean.stretch[worst]]
+            stretch = _stretches(separated, profile)[lean.stretch[worst]]
             contour, at = stretch.contour, stretch.begin + float(lean.s[worst])
             if profile.contours[contour].closed:
                 at %= float(profile.total[contour])
