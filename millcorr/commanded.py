@@ -12,18 +12,18 @@ curve is needed to know where the surface is.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .comparison.path_distance import PathDistance
-from .deviation import REACH, Deviation
+from .deviation import REACH, Deviation, require_heights
 from .errors import InputError, LimitError
 from .footpoint import FootPointSearch, Place
 from .measurement import Measurement
-from .profile import Profile
+from .profile import SAME_HEIGHT, Profile, Step
 from .read_only import ReadOnlyArrays
 from .reconstruction import CompensatedContour
 from .regeneration import BAND
@@ -247,23 +247,25 @@ def nominal_of(
     doubt: Callable[[Profile], None] | None = None,
     *,
     resolution: float = 0.0,
-) -> tuple[Profile, int, list[CutContour]]:
+) -> tuple[Profile, list[str], list[CutContour]]:
     """The nominal profile that a program shows: the contours that made the measured points.
 
-    Where none is near, `doubt` is asked first, with all contours: it may know why, and refuse with that.
+    Of a wall in steps it has those that made points, and the steps between: they are one wall, and each is it at its
+    own heights. Where no contour is near, `doubt` is asked first, with all contours: it may know why, and refuse with
+    that.
 
     Returns
     -------
     Profile
-    others : int
-        How many other walls it cuts.
+    words : list of str
+        What it cuts beside that.
     cut : list of CutContour
         What cuts each contour of the profile.
 
     Raises
     ------
     InputError
-        If no contour of the program is near the measured points.
+        If no contour of the program is near the measured points, or they have no height and lie on a wall in steps.
     """
     found, trouble, far = _contours_near(toolpath, usable, path_radius, material_right, measurement, resolution)
     if not found and measurement is not None:
@@ -272,8 +274,9 @@ def nominal_of(
     if not found:
         raise InputError(f"{name}: {trouble[0] if trouble else 'the program cuts no contour in the XY plane'}")
     if measurement is None:
-        return Profile.from_contours([c.contour for c in found]), 0, found
-    made = _making(found, measurement)
+        return Profile.from_contours([c.contour for c in found]), [], found
+    found, rows, left = _in_steps(found, _made_points(found, measurement), path_radius)
+    made = [found[k] for k in rows]
     if not made:
         everything = Profile.from_contours([c.contour for c in found])
         if doubt is not None:
@@ -284,12 +287,22 @@ def nominal_of(
             f"{measurement.source}: the points lie typically {typical:.3f} mm off the nearest contour that {name} "
             "cuts: check --tool-diameter, --side, --points, --units, and the work frame"
         )
-    _refuse_steps(made, measurement)
+    for wall in {c.contour.step.wall for c in found if c.contour.step is not None}:
+        steps = [c.contour for c in found if c.contour.step is not None and c.contour.step.wall == wall]
+        require_heights(measurement, Profile.from_contours(steps))
     nominal = Profile.from_contours([c.contour for c in made])
-    left, bottom, right, top = nominal.bounding_box()
+    x_low, y_low, x_high, y_high = nominal.bounding_box()
     # What runs round the whole measured part clears the stock round it.
-    away = sum(x0 > left or y0 > bottom or x1 < right or y1 < top for x0, y0, x1, y1 in far)
-    return nominal, away + _elsewhere(found, made, 2 * path_radius), made
+    away = sum(x0 > x_low or y0 > y_low or x1 < x_high or y1 < y_high for x0, y0, x1, y1 in far)
+    others = away + _elsewhere(found, made, 2 * path_radius)
+    words = []
+    if left:
+        listed = ", ".join(f"Z{z:g}" for z in sorted(left, reverse=True))
+        words.append(f"steps of the wall without measured points, down to {listed}: left as they are")
+    if others:
+        contours = "another contour" if others == 1 else f"{others} other contours"
+        words.append(f"the program cuts {contours} without measured points: left as it is")
+    return nominal, words, made
 
 
 def _elsewhere(found: list[CutContour], made: list[CutContour], reach: float) -> int:
@@ -315,21 +328,112 @@ def _elsewhere(found: list[CutContour], made: list[CutContour], reach: float) ->
     return len(probes)
 
 
-def _refuse_steps(made: list[CutContour], measurement: Measurement) -> None:
-    """InputError where points were measured on several steps of a wall: each is a contour of its own."""
-    for k, one in enumerate(made):
-        profile = Profile.from_contours([one.contour])
-        places, normal = profile.at(0, np.linspace(0.0, float(profile.total[0]), 33))
-        for other in made[:k]:
-            feet = FootPointSearch(Profile.from_contours([other.contour])).find(places)
-            beside = (np.abs(feet.distance) < REACH) & ((feet.normal * normal).sum(axis=1) > 0.9)
-            if beside.mean() > 0.5:
-                apart = float(np.median(np.abs(feet.distance[beside])))
-                raise InputError(
-                    f"{measurement.source}: the points lie on steps of a wall that the program cuts at "
-                    f"Z{_deepest(other):g} and Z{_deepest(one):g}, {apart:.3f} mm apart: correct one step at a time, "
-                    "with the points of its own heights"
-                )
+def _in_steps(found: list[CutContour], count: Ints, radius: float) -> tuple[list[CutContour], list[int], list[float]]:
+    """Contours with the heights at which they are the part's, and which of them were measured.
+
+    Parameters
+    ----------
+    found : list of CutContour
+    count : (n,) int64
+        How many points each made.
+    radius : float
+        Distance in mm from contour to path.
+
+    Returns
+    -------
+    found : list of CutContour
+        Steps of a wall of which one made points know their heights, and so do walls below a rebate.
+    made : list of int
+        Which make the nominal: those that made points, and the steps between two of them.
+    left : list of float
+        Heights in mm down to which further steps are cut, above and below all that made points.
+    """
+    found, total = list(found), max(1, int(count.sum()))
+    made: list[int] = []
+    left: list[float] = []
+    seen: set[int] = set()
+
+    @cache
+    def profile(k: int) -> Profile:
+        return Profile.from_contours([found[k].contour])
+
+    for k in np.flatnonzero(count).tolist():
+        if k in seen:
+            continue
+        steps = _steps_of_wall(found, profile, k)
+        if k not in steps or len(steps) < 2:
+            made += [k] if count[k] > FEW * total else []
+            continue
+        seen |= set(steps)
+        # Of many steps each made a small share of the points; none is an outlier at another height.
+        measured = [n for n, i in enumerate(steps) if count[i] > FEW / len(steps) * total]
+        if count[steps].sum() <= FEW * total or not measured:
+            continue
+        heights = [_deepest(found[i]) for i in steps] + [np.inf]
+        for n, i in enumerate(steps):
+            step = Step(k, heights[n], heights[n + 1])
+            found[i] = replace(found[i], contour=replace(found[i].contour, step=step))
+            if measured[0] <= n <= measured[-1]:
+                made.append(i)
+            else:
+                left.append(heights[n])
+    _end_below_rebates(found, made, radius)
+    return found, sorted(made), left
+
+
+def _end_below_rebates(found: list[CutContour], made: list[int], radius: float) -> None:
+    """Say of walls of the nominal where a pass of another one above takes them away. In place.
+
+    A rebate narrower than the cutter is cut by a disc that stands over the wall below.
+    """
+    for k in made:
+        contour = found[k].contour
+        profile = Profile.from_contours([contour])
+        places, _ = profile.at(0, np.linspace(0.0, float(profile.total[0]), 33))
+        step = contour.step or Step(k, _deepest(found[k]), np.inf)
+        for other in made:
+            above = _deepest(found[other])
+            if not step.bottom + SAME_HEIGHT < above < step.top:
+                continue
+            path = found[other].path
+            away = PathDistance(path, np.arange(len(path)))(places)
+            if (away < radius - SAME_POINT).mean() > 0.5:
+                step = replace(step, top=above)
+                found[k] = replace(found[k], contour=replace(contour, step=step))
+                upper = found[other].contour
+                upper = replace(upper, step=upper.step or Step(other, above, np.inf))
+                found[other] = replace(found[other], contour=upper)
+
+
+def _steps_of_wall(found: list[CutContour], profile: Callable[[int], Profile], first: int) -> list[int]:
+    """Contours that make a wall together with one of them, each at heights of its own, from the lowest up.
+
+    They run along each other; of those that go down to a height the one deepest in the material is the wall there.
+    What others cut away again, as a roughing pass, is no step.
+    """
+
+    def over(k: int, other: int) -> float:
+        """How far one lies over another in mm, on average; NaN where it does not run along it."""
+        places, normal = profile(k).at(0, np.linspace(0.0, float(profile(k).total[0]), 33))
+        feet = FootPointSearch(profile(other)).find(places)
+        beside = (np.abs(feet.distance) < REACH) & ((feet.normal * normal).sum(axis=1) > 0.9)
+        return float(feet.distance[beside].mean()) if beside.mean() > 0.5 else np.nan
+
+    boxes = np.array([profile(k).bounding_box() for k in range(len(found))])
+    wall, new = {first}, [first]
+    while new:
+        k = new.pop()
+        near = (boxes[:, :2] < boxes[k, 2:] + REACH).all(axis=1) & (boxes[:, 2:] > boxes[k, :2] - REACH).all(axis=1)
+        for other in np.flatnonzero(near).tolist():
+            if other not in wall and np.isfinite(over(other, k)) and np.isfinite(over(k, other)):
+                wall.add(other)
+                new.append(other)
+    steps: list[int] = []
+    for k in sorted(wall, key=lambda k: _deepest(found[k])):
+        if all(not over(k, lower) >= 0.0 for lower in steps):
+            # Of two that go equally deep only the inner one is left of the wall.
+            steps = [i for i in steps if _deepest(found[i]) < _deepest(found[k]) - SAME_HEIGHT] + [k]
+    return steps
 
 
 def _contours_near(
@@ -393,8 +497,8 @@ def _different(cut: list[CutContour]) -> list[CutContour]:
     return [one for one, _, _ in kept]
 
 
-def _making(cut: list[CutContour], measurement: Measurement) -> list[CutContour]:
-    """Contours that made points: of those near a point the one that goes deepest into the material there."""
+def _made_points(cut: list[CutContour], measurement: Measurement) -> Ints:
+    """How many points each contour made, (n,): of those near a point the one that goes deepest into the material."""
     rows = np.arange(0, len(measurement), max(1, len(measurement) // SAMPLE))
     points, z = measurement.points[rows, :2], measurement.points[rows, 2]
     over = np.full((len(cut), len(rows)), -np.inf)
@@ -405,13 +509,12 @@ def _making(cut: list[CutContour], measurement: Measurement) -> list[CutContour]
         here = (np.abs(off) < REACH) & (feet.place != Place.END)
         over[k, here] = off[here]
         if measurement.has_z:
-            high[k] = z < _deepest(one) - 1e-6
+            high[k] = z < _deepest(one) - SAME_HEIGHT
     # What does not go down to a point made it only if nothing does.
     low = np.where(high, -np.inf, over)
     over = np.where(np.isfinite(low).any(axis=0), low, over)
     owner = np.where(np.isfinite(over).any(axis=0), over.argmax(axis=0), -1)
-    count = np.bincount(owner[owner >= 0], minlength=len(cut))
-    return [one for one, n in zip(cut, count, strict=True) if n > FEW * max(1, int((owner >= 0).sum()))]
+    return np.bincount(owner[owner >= 0], minlength=len(cut))
 
 
 def cut_onto_the_contour(toolpath: Toolpath, following: Bools) -> tuple[Toolpath, Ints]:
@@ -535,9 +638,9 @@ def roughing(surface: CommandedSurface, following: Bools, nominal: Profile, reso
     u = (np.arange(9) + 0.5) / 9
     which, share = np.repeat(np.arange(len(rows)), 9), np.tile(u, len(rows))
     search = FootPointSearch(nominal, margin=float(np.nanmax(surface.radius)) + 2.0)
-    feet = search.find(toolpath.place(rows[which], share))
-    own = feet.distance - surface.radius[rows[which]]
     z = np.fmax(toolpath.start[rows, 2], toolpath.end[rows, 2])[which]
+    feet = search.find(np.column_stack([toolpath.place(rows[which], share), z]))
+    own = feet.distance - surface.radius[rows[which]]
     made = surface.offset(feet.foot, feet.normal, np.nan_to_num(z, nan=np.inf))
     smooth = feet.place == Place.SMOOTH
     over = smooth & (own - made > max(ALONG * resolution, ROUGHED))

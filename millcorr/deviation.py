@@ -128,10 +128,10 @@ def deviations(
         )
     points = measurement.points[:, :2]
     search = FootPointSearch(profile, margin=max(reach, 1.0) + measurement.ball_radius)
-    feet = search.find(points, rivals=True)
+    feet = search.find(measurement.points, rivals=True)
     normals = None if measurement.normals is None else measurement.normals[:, :2]
     if normals is not None:
-        feet = search.on_the_side_of(points, normals, feet)
+        feet = search.on_the_side_of(measurement.points, normals, feet)
     value = feet.distance - measurement.ball_radius
     normal, span, t = feet.normal.copy(), feet.span.copy(), feet.t.copy()
     reasons = np.full(len(points), -1)
@@ -162,7 +162,8 @@ def deviations(
     reasons[unsure & (reasons < 0)] = 3
     if cutter_radius > 0:
         rows = np.flatnonzero(reasons < 0)
-        reasons[rows[_out_of_reach(profile, span[rows], t[rows], cutter_radius)]] = 4
+        z = measurement.points[rows, 2]
+        reasons[rows[_out_of_reach(profile, span[rows], t[rows], z, cutter_radius)]] = 4
     texts = (
         f"farther than {reach:g} mm from the profile",
         "beyond the end of the open profile",
@@ -185,7 +186,7 @@ def deviations(
         used.astype(np.int64),
         profile.contour[span],
         profile.stretch[span],
-        measurement.levels()[used],
+        _levels(measurement, profile, profile.contour[span], used),
         profile.arc_length(span, t),
         measurement.points[used, 2],
         feet.foot[used],
@@ -202,13 +203,42 @@ def is_corner(profile: Profile, feet: FootPoints) -> NDArray[np.bool_]:
     return out
 
 
-def _out_of_reach(profile: Profile, span: Ints, t: Floats, radius: float) -> NDArray[np.bool_]:
+def require_heights(measurement: Measurement, profile: Profile) -> None:
+    """InputError where points without a height lie on a wall in steps: on which of them, cannot be told."""
+    wall = next((wall for wall in profile.steps if len(wall) > 1), ())
+    if measurement.has_z or not wall:
+        return
+    down_to = ", ".join(f"Z{z:g}" for z in profile.heights(np.array(wall[::-1]))[0])
+    raise InputError(
+        f"{measurement.source}: the program cuts the wall in steps down to {down_to}, and the points have no height: "
+        "on which of them each lies cannot be told; give the file with its third coordinate"
+    )
+
+
+def _levels(measurement: Measurement, profile: Profile, contour: Ints, used: Ints) -> Ints:
+    """Height that each used point was measured at, numbered from the lowest; steps of a wall are different ones."""
+    level = measurement.levels()[used]
+    stepped = np.array([c.step is not None for c in profile.contours])
+    if not stepped.any():
+        return level
+    # A scan that goes down a wall without a break is one height to the measurement.
+    step = np.where(stepped[contour], contour, -1)
+    z = measurement.points[used, 2]
+    key, group = np.unique(np.stack([level, step], axis=1), axis=0, return_inverse=True)
+    mean = np.bincount(group.ravel(), z) / np.bincount(group.ravel())
+    rank = np.empty(len(key), dtype=np.int64)
+    rank[np.argsort(mean, kind="stable")] = np.arange(len(key))
+    out: Ints = rank[group.ravel()]
+    return out
+
+
+def _out_of_reach(profile: Profile, span: Ints, t: Floats, z: Floats, radius: float) -> NDArray[np.bool_]:
     """Places that a cutter cannot touch: hollows tighter than it, and where it would cut into another side."""
     foot, first, second = profile.evaluate(span, t)
     speed = np.hypot(*first.T)
     centre = foot + radius * np.stack([first[:, 1] / speed, -first[:, 0] / speed], axis=1)
     curvature = (first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]) / speed**3
-    room = FootPointSearch(profile, margin=radius + 1.0).find(centre).distance
+    room = FootPointSearch(profile, margin=radius + 1.0).find(np.column_stack([centre, z])).distance
     out: NDArray[np.bool_] = (room < radius - REACHED) | (1.0 + radius * curvature < 1e-6)
     return out
 

@@ -11,7 +11,7 @@ branch.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import IntEnum
 from typing import Any
 
@@ -87,7 +87,17 @@ class FootPoints:
     place: Ints
     rival: Floats
 
-    def replaced(self, rows: Ints, other: FootPoints, chosen: NDArray[np.bool_]) -> FootPoints:
+    @staticmethod
+    def none(count: int) -> FootPoints:
+        """So many rows to be replaced."""
+        number, length, flat = np.zeros(count, dtype=np.int64), np.zeros(count), np.zeros((count, 2))
+        return FootPoints(number, length, flat, flat, length, number, length)
+
+    def at(self, rows: Ints) -> FootPoints:
+        """Some of the rows."""
+        return FootPoints(*(getattr(self, name)[rows] for name in self.__slots__))
+
+    def replaced(self, rows: Ints, other: FootPoints, chosen: NDArray[np.bool_] | slice) -> FootPoints:
         """Copy in which `rows` are the chosen rows of other foot points."""
         arrays = []
         for name in self.__slots__:
@@ -138,6 +148,8 @@ class FootPointSearch:
         self._span, self._t, self._t_end = span[step], t[step], t[np.flatnonzero(step) + 1]
         self._margin = margin
         self._grid: _Grid | None = None
+        self._sections = profile.sections
+        self._searches: dict[int, tuple[FootPointSearch, Ints]] = {}
         self._make_groups()
 
     def find(self, points: Floats, *, rivals: bool = False) -> FootPoints:
@@ -146,7 +158,7 @@ class FootPointSearch:
         Parameters
         ----------
         points : (n, 2) or (n, 3) float64
-            mm; a third coordinate is ignored.
+            mm. Heights choose among the steps of a wall; without one, (NaN or no column), the nearest contour does.
         rivals : bool
             Whether `FootPoints.rival` is wanted: it takes comparing with more of the profile, several times as long
             for points far from it. Else it is inf throughout.
@@ -155,6 +167,13 @@ class FootPointSearch:
         -------
         FootPoints
         """
+        if len(self._sections.bounds) and points.shape[1] > 2:
+            feet = FootPoints.none(len(points))
+            for k, rows in self._sections.split(points):
+                search, spans = self._of_section(k)
+                found = search.find(points[rows, :2], rivals=rivals)
+                feet = feet.replaced(rows, replace(found, span=spans[found.span]), slice(None))
+            return feet
         x = np.array(points[:, 0], dtype=np.float64)
         y = np.array(points[:, 1], dtype=np.float64)
         n = len(x)
@@ -180,7 +199,7 @@ class FootPointSearch:
 
         Parameters
         ----------
-        points : (n, 2) float64
+        points : (n, 2) or (n, 3) float64
             mm.
         normals : (n, 2) float64
             Measured normals; rows of length 0 are left alone.
@@ -193,8 +212,19 @@ class FootPointSearch:
             Rows whose normal disagreed now lie on the nearest facing branch, where one was found within
             2 mm along the measured normal.
         """
+        if len(self._sections.bounds) and points.shape[1] > 2:
+            for k, rows in self._sections.split(points):
+                search, spans = self._of_section(k)
+                number = np.full(self.profile.spans, -1)
+                number[spans] = np.arange(len(spans))
+                here = feet.at(rows)
+                own = replace(here, span=number[here.span])
+                found = search.on_the_side_of(points[rows, :2], normals[rows], own)
+                feet = feet.replaced(rows, replace(found, span=spans[found.span]), slice(None))
+            return feet
         length = np.hypot(*normals.T)
         unit = normals / np.maximum(length, 1e-12)[:, None]
+        points = points[:, :2]
         wrong = np.flatnonzero((length > 0.1) & ((unit * feet.normal).sum(axis=1) < 0.5))
         for shift in (0.25, 0.5, 1.0, 2.0):
             if not len(wrong):
@@ -216,6 +246,16 @@ class FootPointSearch:
                 feet = feet.replaced(back, FootPoints(span, t, foot, normal, distance, smooth, alone), keep)
             wrong = wrong[~facing]
         return feet
+
+    def _of_section(self, number: int) -> tuple[FootPointSearch, Ints]:
+        """Search among the contours of one section, and the spans of the profile that its spans are."""
+        if number not in self._searches:
+            profile = self.profile
+            every = np.arange(len(profile.contours))
+            contours = every if number < 0 else self._sections.contours[number]
+            spans = np.flatnonzero(np.isin(profile.contour, contours))
+            self._searches[number] = FootPointSearch(profile.part(contours), self._margin), spans
+        return self._searches[number]
 
     def _newton(
         self, x: Floats, y: Floats, span: Ints, t: Floats, steps: int = 6

@@ -30,7 +30,7 @@ from .commanded import (
 )
 from .comparison.cutters import cutter_radii, nearest_group, stated_diameters
 from .compensation import Correction, dead_band
-from .deviation import Deviation, deviations, statistics
+from .deviation import Deviation, deviations, require_heights, statistics
 from .errors import DistrustError, FormatError, InputError, LimitError, UsageError
 from .footpoint import FootPointSearch
 from .largest import largest_correction
@@ -223,6 +223,7 @@ class Result:
             "band": None if self.separated is None else self.separated.band,
             "band_longest_memory": None if self.separated is None else self.separated.longest_memory,
             "outliers": self.outliers(),
+            "unmeasured": 0.0 if self.separated is None else distrust.unmeasured(self.separated, self.nominal),
             "transfer": None if self.elastic is None else self.elastic.summary(self.request.settings),
             "foreseen": None if self.foreseen is None else self.foreseen.summary(),
             "alignment": self._alignment_summary(),
@@ -688,12 +689,10 @@ def _own_contour(
             except InputError:
                 continue
         raise
-    nominal, others, cut = nominal_of(
+    nominal, words, cut = nominal_of(
         toolpath, usable, path_radius, right, measurement, program.name, doubt, resolution=program.resolution
     )
-    if others:
-        contours = "another contour" if others == 1 else f"{others} other contours"
-        warnings.append(f"the program cuts {contours} without measured points: left as it is")
+    warnings += words
     return nominal, cut
 
 
@@ -797,6 +796,7 @@ def _believed(
 ) -> tuple[Measurement, alignment.Alignment | None]:
     """The measurement, aligned if that is asked for, after looking whether it can be what it is said to be."""
     settings = request.settings
+    require_heights(measurement, nominal)
     freedom = alignment.Freedom.parse(settings.align)
     known = contact_known(measurement, nominal)
     residue = axis_residue(measurement, known, nominal)

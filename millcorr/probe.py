@@ -111,7 +111,7 @@ def contact_known(measurement: Measurement, nominal: Profile) -> Measurement:
     if probe is None or probe.directions is None:
         return known
     moved = known.points.copy()
-    normal = search.find(moved).normal if known.normals is None else _facing(search, moved, known.normals)
+    normal = search.find(moved[:, :2]).normal if known.normals is None else _facing(search, moved, known.normals)
     excess = probe.effective(np.arctan2(-normal[:, 1], -normal[:, 0])) - probe.radius
     moved[:, :2] -= excess[:, None] * normal
     return replace(known, points=moved)
@@ -158,9 +158,9 @@ def axis_signature(measurement: Measurement, nominal: Profile) -> tuple[str, str
     if measurement.axis_radii is not None or measurement.probe is not None:
         return None
     step = max(1, len(measurement) // _SAMPLE)
-    points = measurement.points[::step, :2]
     search = FootPointSearch(nominal)
-    feet = search.find(points)
+    feet = search.find(measurement.points[::step])
+    points, z = measurement.points[::step, :2], measurement.points[::step, 2]
     use = np.flatnonzero((feet.place == Place.SMOOTH) & (np.abs(feet.distance) < _ON_THE_PART))
     slope = 1.0 - np.abs(feet.normal[use]).max(axis=1)
     if len(use) < 10 or slope.std() < 0.02:
@@ -177,7 +177,8 @@ def axis_signature(measurement: Measurement, nominal: Profile) -> tuple[str, str
         clear = np.flatnonzero(reasons < 0)
         if len(clear) < max(10, len(use) // 4):
             return np.inf, 0.0
-        return _scatter(search.find(points[use][clear] - radius * travel[clear]).distance), _scatter(distance[clear])
+        taken_back = np.column_stack([points[use][clear] - radius * travel[clear], z[use][clear]])
+        return _scatter(search.find(taken_back).distance), _scatter(distance[clear])
 
     # On curved contours the line bends: search round its slope, then between the neighbours of the best.
     radii = first * np.geomspace(0.4, 2.5, 19)
@@ -221,7 +222,7 @@ def axis_residue(shifted: Measurement, known: Measurement, nominal: Profile) -> 
     if shifted.axis_radii is None:
         return None
     step = max(1, len(known) // _SAMPLE)
-    feet = FootPointSearch(nominal, margin=REACH + known.ball_radius).find(known.points[::step, :2])
+    feet = FootPointSearch(nominal, margin=REACH + known.ball_radius).find(known.points[::step])
     value = feet.distance - known.ball_radius
     use = np.flatnonzero((feet.place == Place.SMOOTH) & (np.abs(value) < _ON_THE_PART))
     slope = 1.0 - np.abs(feet.normal[use]).max(axis=1)
@@ -257,7 +258,7 @@ def _travel(measurement: Measurement, points: Floats, radius: float, search: Foo
         travel = measurement.travel
         centres = np.column_stack([points, np.zeros(n)]) - _shift(measurement, travel, measurement.axis_radii)
         if measurement.normals is None:
-            normal = search.find(centres).normal
+            normal = search.find(centres[:, :2]).normal
         else:
             normal = _facing(search, centres, measurement.normals)
         return travel, np.where(-(travel[:, :2] * normal).sum(axis=1) < GRAZING, _AWAY, -1)

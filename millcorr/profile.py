@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import comb
 from pathlib import Path
 from typing import Any
@@ -37,6 +37,29 @@ GAP = 2e-3
 _ARC_ORDER = 16
 
 
+SAME_HEIGHT = 1e-6
+"""Heights that differ by less than this, in mm, are the same."""
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """Where in height a contour is the part's: a step of a wall that is cut in steps, or a wall below a rebate.
+
+    Parameters
+    ----------
+    wall : int
+        Number of the wall that it is a step of. Steps of one wall are so near to each other that only its height tells
+        which of them a point lies on.
+    bottom, top : float
+        Heights in mm between which the part has this contour: from the lowest of its passes to that of the pass above,
+        which takes it away; infinite where there is none.
+    """
+
+    wall: int
+    bottom: float
+    top: float
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Contour:
     """One connected row of curves, each starting where the one before ends.
@@ -47,14 +70,17 @@ class Contour:
         In order, run with the material on the left.
     closed : bool
         True where the last curve ends at the start of the first.
+    step : Step, optional
+        Where the part has another contour at other heights; by default this one is its at all heights.
     """
 
     curves: tuple[NurbsCurve, ...]
     closed: bool
+    step: Step | None = None
 
     def reversed(self) -> Contour:
         """The same contour run the other way, that is with the material on the other side."""
-        return Contour(tuple(c.reversed() for c in reversed(self.curves)), self.closed)
+        return replace(self, curves=tuple(c.reversed() for c in reversed(self.curves)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,6 +102,61 @@ class Stretch:
     begin: float
     length: float
     closed: bool
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Sections:
+    """The cross-sections of a part: which contours it has at a height.
+
+    Parameters
+    ----------
+    bounds : (k,) float64
+        Heights in mm where one section ends and the next begins.
+    contours : tuple of k + 1 (m,) int64
+        Contours of every section, from the lowest up.
+    """
+
+    bounds: Floats
+    contours: tuple[Ints, ...]
+
+    @staticmethod
+    def of(contours: Sequence[Contour]) -> Sections:
+        """Sections of a part with these contours."""
+        always = [k for k, contour in enumerate(contours) if contour.step is None]
+        walls: dict[int, list[tuple[Step, int]]] = {}
+        for k, contour in enumerate(contours):
+            if contour.step is not None:
+                walls.setdefault(contour.step.wall, []).append((contour.step, k))
+        # Below its lowest step a wall goes on as that one, and above its highest where none of another wall begins.
+        rows = [sorted(steps, key=lambda row: row[0].bottom) for steps in walls.values()]
+        begins = {step.bottom for steps in rows for step, _ in steps}
+        ends = [step.bottom for steps in rows for step, _ in steps[1:]]
+        ends += [steps[-1][0].top for steps in rows if steps[-1][0].top in begins]
+        bounds = np.unique(ends)
+        chosen = []
+        for low in [-np.inf, *bounds]:
+            reached = [([row for row in steps if row[0].bottom <= low] or steps[:1])[-1] for steps in rows]
+            there = [k for step, k in reached if low < step.top or step.top not in begins]
+            chosen.append(np.array(sorted([*always, *there]), dtype=np.int64))
+        return Sections(bounds, tuple(chosen))
+
+    def at(self, z: Floats) -> Ints:
+        """Number of the section at each height in mm, (n,); -1 where the height is not known."""
+        out = np.searchsorted(self.bounds, z + SAME_HEIGHT, side="right")
+        return np.where(np.isnan(z), -1, out)
+
+    def split(self, points: Floats) -> list[tuple[int, Ints]]:
+        """Sections that points lie in, each with the rows of its points; -1 for points without a height.
+
+        Parameters
+        ----------
+        points : (n, 2) or (n, 3) float64
+            mm.
+        """
+        if points.shape[1] < 3:
+            return [(-1, np.arange(len(points)))]
+        number = self.at(points[:, 2])
+        return [(int(k), np.flatnonzero(number == k)) for k in np.unique(number)]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -212,6 +293,52 @@ class Profile(ReadOnlyArrays):
             length = float(self.length[spans].sum())
             out.append(Stretch(k, float(self.begin[start]) % float(self.total[k]), length, closed))
         return out
+
+    @property
+    def sections(self) -> Sections:
+        """Which of the contours the part has at a height."""
+        return Sections.of(self.contours)
+
+    @property
+    def steps(self) -> tuple[tuple[int, ...], ...]:
+        """Contours that are steps of one wall, from the lowest up; one row a wall."""
+        walls: dict[int, list[int]] = {}
+        for k, contour in enumerate(self.contours):
+            if contour.step is not None:
+                walls.setdefault(contour.step.wall, []).append(k)
+        return tuple(tuple(sorted(row, key=lambda k: self._step(k).bottom)) for row in walls.values())
+
+    def _step(self, contour: int) -> Step:
+        step = self.contours[contour].step
+        assert step is not None
+        return step
+
+    def heights(self, contour: Ints) -> tuple[Floats, Floats]:
+        """Heights in mm between which the part has each of some contours, (n,) each; infinite where it always does."""
+        steps = [contour.step for contour in self.contours]
+        bottom = np.array([-np.inf if step is None else step.bottom for step in steps])
+        top = np.array([np.inf if step is None else step.top for step in steps])
+        return bottom[contour], top[contour]
+
+    def part(self, contours: Ints) -> Profile:
+        """Some of the contours, in their order, as they are here."""
+        spans = np.flatnonzero(np.isin(self.contour, contours))
+        _, number = np.unique(self.contour[spans], return_inverse=True)
+        _, stretch = np.unique(self.stretch[spans], return_inverse=True)
+        return Profile(
+            tuple(self.contours[k] for k in np.unique(contours)),
+            np.ascontiguousarray(self.coefficient[:, :, spans]),
+            self.polynomial,
+            number.astype(np.int64),
+            self.curve[spans],
+            stretch.astype(np.int64),
+            self.bounds[spans],
+            self.begin[spans],
+            self.length[spans],
+            self.arc[spans],
+            self.turn[spans],
+            np.searchsorted(number, np.arange(int(number[-1]) + 2)),
+        )
 
     def reversed(self) -> Profile:
         """The same contours with the material on the other side."""
@@ -392,7 +519,10 @@ class Profile(ReadOnlyArrays):
         return {
             "unit": "mm",
             "material": "left",
-            "contours": [{"closed": c.closed, "curves": [n.as_dict() for n in c.curves]} for c in self.contours],
+            "contours": [
+                {"closed": c.closed, "curves": [n.as_dict() for n in c.curves]} | _step_as_dict(c.step)
+                for c in self.contours
+            ],
         }
 
     @staticmethod
@@ -408,7 +538,9 @@ class Profile(ReadOnlyArrays):
             if data.get("unit", "mm") != "mm" or data.get("material", "left") != "left":
                 raise InputError("profile: unit must be mm and material left")
             return Profile.from_contours(
-                Contour(tuple(NurbsCurve.from_dict(n) for n in c["curves"]), bool(c["closed"]))
+                Contour(
+                    tuple(NurbsCurve.from_dict(n) for n in c["curves"]), bool(c["closed"]), _step_from(c.get("step"))
+                )
                 for c in data["contours"]
             )
         except (KeyError, TypeError, AttributeError) as error:
@@ -423,6 +555,20 @@ class Profile(ReadOnlyArrays):
             raise FormatError(error.strerror or str(error), path) from error
         except (ValueError, UnicodeDecodeError) as error:
             raise FormatError(f"not a millcorr profile: {error}", path) from error
+
+
+def _step_as_dict(step: Step | None) -> dict[str, Any]:
+    """JSON has no infinity: a step without an end has none there."""
+    if step is None:
+        return {}
+    ends = {"bottom": step.bottom, "top": step.top}
+    return {"step": {"wall": step.wall} | {name: z for name, z in ends.items() if np.isfinite(z)}}
+
+
+def _step_from(data: dict[str, Any] | None) -> Step | None:
+    if data is None:
+        return None
+    return Step(int(data["wall"]), float(data.get("bottom", -np.inf)), float(data.get("top", np.inf)))
 
 
 def join(curves: Sequence[NurbsCurve], closed: bool | None = None) -> Contour:

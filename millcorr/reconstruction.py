@@ -359,7 +359,7 @@ class CompensatedContour:
                 new, error = self._curves_of(int(piece))
                 curves += new
                 residual = max(residual, error, float(gap[piece]))
-            contours.append(Contour(tuple(_polylines(curves)), contour.closed))
+            contours.append(Contour(tuple(_polylines(curves)), contour.closed, contour.step))
         return Profile.from_contours(contours), residual
 
     def _close_gaps(self) -> None:

@@ -15,10 +15,12 @@ from .compensation import Correction, Course, along, dead_band, refuse_swing
 from .deviation import Deviation, statistics
 from .errors import LimitError, UsageError
 from .profile import Profile, Stretch
-from .separation import Filter, Observed, Separated, Stretches, interpolated, separate
+from .separation import Filter, Observed, Separated, interpolated, separate
 from .separation.parts import LEVEL_REACH, averaged
+from .separation.steps import FormPlaces, Systematic
 from .settings import Settings
 from .transfer_function import TransferFunction, along_axis, examine, from_line, identify, line_over_depth, one_value
+from .wall_steps import in_order
 
 SUPPORTS = 24.0
 """Supports of a correction in a length of the form: its nodes are a sixth apart, with a quintic between them."""
@@ -134,8 +136,8 @@ class Target:
         Wanted displacement of the profile, mm.
     random_std : float
         Of what does not repeat, mm; NaN where it is not known.
-    separated : Separated or None
-        What repeats, anywhere on the contour; None without a measurement, or where a model carries touches on.
+    systematic : Systematic or None
+        What repeats, anywhere on the contours; None without a measurement, or where a model carries touches on.
     outlier : (n,) bool
         Points that are more probably wrong than right.
     elastic : Elastic or None
@@ -149,10 +151,15 @@ class Target:
     uncertainty: Floats
     wanted: Floats
     random_std: float
-    separated: Separated | None = None
+    systematic: Systematic | None = None
     outlier: Bools | None = None
     elastic: Elastic | None = None
     added: bool = False
+
+    @property
+    def separated(self) -> Separated | None:
+        """What repeats where the form is kept; None without a measurement."""
+        return None if self.systematic is None else self.systematic.separated
 
     @staticmethod
     def empty() -> Target:
@@ -177,7 +184,7 @@ class _Found:
     machine: Floats
     determined: Floats
     uncertainty: Floats
-    separated: Separated
+    systematic: Systematic
     weight: Floats
     random_std: float
     aim: TransferFunction | None = None
@@ -238,7 +245,7 @@ def target_of(
         found.uncertainty,
         wanted,
         found.random_std,
-        found.separated,
+        found.systematic,
         found.weight < 0.5,
         elastic,
         corrected_before,
@@ -263,7 +270,8 @@ def _at_one_depth(
     """Parts of one depth: their mean, separated; the transfer function where the settings want one."""
     first = parts[0]
     deviation, machine = first.deviation, first.machine
-    separated = _separated([(p.deviation, p.machine) for p in parts], nominal, settings)
+    systematic = _separated([(p.deviation, p.machine) for p in parts], nominal, settings)
+    separated = systematic.separated
     part_std = math.nan
     if len(parts) > 1:
         several = averaged([(p.deviation, p.machine) for p in parts], nominal)
@@ -273,11 +281,11 @@ def _at_one_depth(
             f"{part_std * 1000:.2f} um (standard deviation)"
         )
     n = len(deviation)
-    determined, uncertainty = separated.systematic[:n], separated.uncertainty[:n]
+    determined, uncertainty = (every[:n] for every in systematic.at_points)
     weight = separated.weight[:n]
     random_std = part_std if math.isfinite(part_std) else separated.random_std
     if settings.method != "transfer":
-        return _Found(machine, determined, uncertainty, separated, weight, random_std)
+        return _Found(machine, determined, uncertainty, systematic, weight, random_std)
     h, place = depth - first.offset, deviation.foot
     system = identify(determined, h, uncertainty, place)
     factor = along_axis(deviation.normal, place, settings.depth_along)
@@ -290,7 +298,7 @@ def _at_one_depth(
     if settings.transfer_function == "one":
         ms, std = one_value(aim.ms, weight, (1.0 + aim.ms) ** 2 * single / h)
         aim = TransferFunction.constant(ms, std, len(aim))
-    return _Found(machine, determined, uncertainty, separated, weight, random_std, aim, system)
+    return _Found(machine, determined, uncertainty, systematic, weight, random_std, aim, system)
 
 
 def _at_several_depths(
@@ -305,13 +313,13 @@ def _at_several_depths(
     h: Floats = np.asarray(depths)[:, None] - offsets
     line = line_over_depth(values, h)
     slope = _separated([(deviation, line.slope)], nominal, settings)
-    b, b_std, b_weight = _at_points(slope, line.slope, deviation, nominal)
+    b, b_std, b_weight = _at_points(slope, line.slope, deviation)
     middle = h.mean(axis=0)
     # All values brought to the mean depth by the slope, so that a part without a point here makes no step.
     level = np.nanmean(values - b * (h - middle), axis=0)
     levels = _separated([(deviation, level)], nominal, settings)
-    at_middle, level_std, weight = _at_points(levels, level, deviation, nominal)
-    single = slope.random_std
+    at_middle, level_std, weight = _at_points(levels, level, deviation)
+    single = slope.separated.random_std
     if math.isfinite(line.std):
         single = line.std / math.sqrt(float(np.median(line.spread[line.spread > 0])))
 
@@ -325,7 +333,7 @@ def _at_several_depths(
     factor = along_axis(deviation.normal, place, settings.depth_along)
     if settings.transfer_function == "points":
         b_at = np.where(np.isfinite(line.slope), line.slope, b)
-        aim = reading(b_at, single * ones, level, levels.random_std * ones, factor)
+        aim = reading(b_at, single * ones, level, levels.separated.random_std * ones, factor)
     elif settings.transfer_function == "one":
         mean, std = one_value(b, b_weight, single * ones)
         aim = reading(mean * ones, std * ones, at_middle, level_std, factor)
@@ -337,20 +345,10 @@ def _at_several_depths(
         "offset apart; deviations are shown as at the depth of the first"
     )
     first_depth = b * (h[0] - middle)
-    random_std = line.std if math.isfinite(line.std) else levels.random_std * math.sqrt(len(parts))
+    random_std = line.std if math.isfinite(line.std) else levels.separated.random_std * math.sqrt(len(parts))
     uncertainty = np.hypot(level_std, b_std * (h[0] - middle))
     determined = at_middle + first_depth
     return _Found(level + first_depth, determined, uncertainty, levels, weight, random_std, aim, system)
-
-
-def stretches_of(nominal: Profile) -> Stretches:
-    """Lengths of the smooth stretches of a profile, which are rings, and the contour of each."""
-    found = nominal.stretches()
-    return Stretches(
-        np.array([t.length for t in found]),
-        np.array([t.closed for t in found]),
-        np.array([t.contour for t in found], dtype=np.int64),
-    )
 
 
 def local(nominal: Profile, stretch: Ints, s: Floats) -> Floats:
@@ -362,36 +360,41 @@ def local(nominal: Profile, stretch: Ints, s: Floats) -> Floats:
     return out
 
 
-def _separated(parts: Sequence[tuple[Deviation, Floats]], nominal: Profile, settings: Settings) -> Separated:
+def _separated(parts: Sequence[tuple[Deviation, Floats]], nominal: Profile, settings: Settings) -> Systematic:
     """What repeats of values at the points of all parts, in their order, but for those without a value."""
-    heights = [float(parts[0][0].z[parts[0][0].level == k].mean()) for k in np.unique(parts[0][0].level)]
-    columns: list[tuple[Ints, Floats, Floats, Ints, Ints]] = []
+    places = FormPlaces(nominal)
+    stepped = np.array([contour.step is not None for contour in nominal.contours])
+    heights: list[tuple[int, float]] = []
+    columns: list[tuple[NDArray[Any], ...]] = []
     for number, (deviation, values) in enumerate(parts):
         level = np.zeros(len(deviation), dtype=np.int64)
         for k in np.unique(deviation.level):
             rows = deviation.level == k
-            z = float(deviation.z[rows].mean())
+            contour = int(deviation.contour[rows][0])
+            step, z = contour if stepped[contour] else -1, float(deviation.z[rows].mean())
             # The same height on another part carries another number there.
-            near = int(np.argmin(np.abs(np.array(heights) - z)))
-            if abs(heights[near] - z) >= LEVEL_REACH and number > 0:
-                heights.append(z)
-                near = len(heights) - 1
-            level[rows] = near if number > 0 else int(np.searchsorted(np.unique(deviation.level), k))
+            apart = np.array([abs(z - other) if step == same else np.inf for same, other in heights])
+            if number == 0 or not (apart < LEVEL_REACH).any():
+                heights.append((step, z))
+                level[rows] = len(heights) - 1
+            else:
+                level[rows] = int(np.argmin(apart))
         known = np.isfinite(values)
-        s = local(nominal, deviation.stretch, deviation.s)
+        stretch, s = places.of(deviation.stretch, deviation.s)
         part = np.full(len(deviation), number)
-        columns.append((deviation.stretch[known], s[known], values[known], part[known], level[known]))
-    observed = Observed(*(np.concatenate(column) for column in zip(*columns, strict=True)))
-    return separate(observed, stretches_of(nominal), Filter.parse(settings.filter))
+        row = (stretch, s, values, part, level, deviation.z, deviation.contour)
+        columns.append(tuple(column[known] for column in row))
+    *observed, contours = (np.concatenate(column) for column in zip(*columns, strict=True))
+    separated = separate(Observed(*observed), places.stretches, Filter.parse(settings.filter))
+    return Systematic.of(separated, places, contours)
 
 
-def _at_points(
-    separated: Separated, values: Floats, deviation: Deviation, nominal: Profile
-) -> tuple[Floats, Floats, Floats]:
+def _at_points(systematic: Systematic, values: Floats, deviation: Deviation) -> tuple[Floats, Floats, Floats]:
     """Systematic part, its standard uncertainty and the trust at all points, also at those without a value."""
-    mean, std = separated.at(deviation.stretch, local(nominal, deviation.stretch, deviation.s))
+    mean, std = systematic.at(deviation.stretch, deviation.s)
     known, weight = np.isfinite(values), np.zeros(len(values))
-    mean[known], std[known], weight[known] = separated.systematic, separated.uncertainty, separated.weight
+    mean[known], std[known] = systematic.at_points
+    weight[known] = systematic.separated.weight
     return mean, std, weight
 
 
@@ -424,8 +427,9 @@ def correction_through(
     LimitError
         If the correction exceeds the limit anywhere; names the place.
     """
-    separated = work.separated
-    assert separated is not None
+    systematic = work.systematic
+    assert systematic is not None
+    separated = systematic.separated
     stretches = tuple(nominal.stretches())
     d = work.deviation
     s = local(nominal, d.stretch, d.s)
@@ -440,6 +444,8 @@ def correction_through(
     sound = np.ones(len(d), dtype=bool) if work.outlier is None else ~work.outlier
     left_over = float(d.value[sound].mean()) if sound.any() else 0.0
     measured = {stretches[k].contour for k in np.unique(d.stretch)}
+    # A step between two that were measured is a part of their wall.
+    measured |= {k for wall in nominal.steps for k in wall if systematic.known[k]}
     courses = []
     left = 0
     for k, stretch in enumerate(stretches):
@@ -454,7 +460,7 @@ def correction_through(
 
         def mirrored(at: Floats, k: int = k, base: Course | None = base) -> Floats:
             own = np.zeros(len(at)) if base is None else base(at)[0]
-            mean, std = separated.at(np.full(len(at), k), at)
+            mean, std = systematic.at(np.full(len(at), k), stretches[k].begin + at)
             out = own - settings.gain * dead_band(own + mean, settings.dead_band)
             if base is None:
                 return out
@@ -480,7 +486,7 @@ def correction_through(
         courses.append(course)
     if left:
         warnings.append(f"{left} stretches of contours without a measured point are left as they are")
-    return Correction(stretches, tuple(courses))
+    return in_order(Correction(stretches, tuple(courses)), nominal)
 
 
 def _unknown(std: Floats, form: float) -> Floats:

@@ -82,7 +82,7 @@ class RigidFit:
         self.profile = profile
         self.robust = robust
         self.radius = measurement.ball_radius
-        self.points = measurement.points[:, :2]
+        self.points, self.z = measurement.points[:, :2], measurement.points[:, 2]
         self.normals = None if measurement.normals is None else measurement.normals[:, :2]
         self.search = FootPointSearch(profile, margin=5.0 + self.radius)
         self.free = np.eye(3)[:, np.flatnonzero(free)]
@@ -137,10 +137,11 @@ class RigidFit:
         transform = self.transform(q)
         points = self.points if rows is None else self.points[rows]
         xy = transform.points(points)
-        feet = self.search.find(xy, rivals=True)
+        at_height = np.column_stack([xy, self.z if rows is None else self.z[rows]])
+        feet = self.search.find(at_height, rivals=True)
         if self.normals is not None:
             normals = transform.directions(self.normals if rows is None else self.normals[rows])
-            feet = self.search.on_the_side_of(xy, normals, feet)
+            feet = self.search.on_the_side_of(at_height, normals, feet)
         return Look(feet.distance - self.radius, self.slope(q, xy, feet.normal), feet, xy)
 
     def slope(self, q: Floats, xy: Floats, normal: Floats) -> Floats:

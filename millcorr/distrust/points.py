@@ -74,7 +74,7 @@ def examine_points(
     """
     search = FootPointSearch(profile)
     step = max(1, len(measurement) // SAMPLE)
-    points = measurement.points[::step, :2]
+    points = measurement.points[::step]
     if not len(points):
         return ()
     own = _other_nominal(measurement, search, step)
@@ -92,7 +92,7 @@ def examine_points(
     size = np.abs(value)
     near, typical = float((size <= REACH).mean()), float(np.median(size))
     if near < 0.9 or scatter > LARGE:
-        wrong_frame = _wrong_frame(points, search, ball, near, typical)
+        wrong_frame = _wrong_frame(points[:, :2], search, ball, near, typical)
         if wrong_frame is not None:
             return (wrong_frame, *own)
     if abs(offset) >= CONSTANT_OFFSET and scatter <= SMALL_SCATTER * abs(offset):
@@ -110,7 +110,7 @@ def _other_nominal(measurement: Measurement, search: FootPointSearch, step: int)
     """The file's own nominal points compared with the profile."""
     if measurement.nominal is None:
         return ()
-    nominal = measurement.nominal[::step, :2]
+    nominal = measurement.nominal[::step]
     nominal = nominal[np.isfinite(nominal).all(axis=1)]
     away = float(np.median(np.abs(search.find(nominal).distance))) if len(nominal) else 0.0
     if away <= OTHER_NOMINAL:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from millcorr.deviation import is_corner
 from millcorr.footpoint import FootPointSearch, Place
-from millcorr.profile import Profile
+from millcorr.profile import SAME_HEIGHT, Profile
 from millcorr.regeneration.curve_moves import Intervals, fit_moves
 from millcorr.regeneration.leads import carry_along, own_work
 from millcorr.regeneration.moves import FIT_SHARE, Regeneration, put_together, wanted_kind
@@ -172,9 +172,11 @@ def _nodes(
 ) -> _Nodes:
     """Nodes at the ends of every move, just inside them, and as close between as the displacement bends."""
     feet = FootPointSearch(nominal, margin=radius + 2.0)
+    # A move makes the wall at the height that it has come down to.
+    z = np.fmax(toolpath.start[rows, 2], toolpath.end[rows, 2])
 
     def at(row: Ints, u: Floats) -> _Nodes:
-        place = np.ascontiguousarray(toolpath.place(rows[row], u))
+        place = np.column_stack([toolpath.place(rows[row], u), z[row]])
         return _Nodes(row, u, *_along_normals(place, feet, before, after, nominal, radius))
 
     length = np.maximum(length_in_plane(toolpath.take(rows)), 1e-9)
@@ -183,10 +185,11 @@ def _nodes(
     total = count + 3
     row = np.repeat(np.arange(len(rows)), total)
     number = np.arange(len(row)) - np.repeat(np.cumsum(total) - total, total)
-    inset = np.minimum(INSET / length, 0.1)[row]
+    away = np.minimum(_beside_corners(toolpath, rows, float(np.abs(after.moved - before.moved).max())) / length, 0.1)
     u = (number - 1) / count[row]
-    u = np.where(number == 0, 0.0, np.where(number == 1, inset, u))
-    u = np.where(number == total[row] - 1, 1.0, np.where(number == total[row] - 2, 1.0 - inset, u))
+    u = np.where(number == 0, 0.0, np.where(number == 1, np.minimum(away[0], 0.5 / count)[row], u))
+    last = 1.0 - np.minimum(away[1], 0.5 / count)[row]
+    u = np.where(number == total[row] - 1, 1.0, np.where(number == total[row] - 2, last, u))
     found = at(row, u)
     left = np.flatnonzero((found.row[1:] == found.row[:-1]) & (number[:-1] > 0) & (number[1:] < total[row[1:]] - 1))
     a, b = found.take(left), found.take(left + 1)
@@ -203,17 +206,34 @@ def _nodes(
     return found.take(np.lexsort((found.u, found.row)))
 
 
+def _beside_corners(toolpath: Toolpath, rows: Ints, most: float) -> Floats:
+    """How far from the start and the end of every move, (2, k) mm, the side past the vertex has no part in it.
+
+    Where that side comes out by so many mm at most, a disc beside an inside corner meets it until it is as far from it
+    again; what lies between is cut off by the corner.
+    """
+    this, after = _vertices(toolpath, rows)
+    ends, starts = np.ones(len(this)), np.zeros(len(after))
+    turn = _turn(toolpath.direction(rows[this], ends), toolpath.direction(rows[after], starts))
+    steep = np.where(np.abs(turn) < np.pi / 2, np.abs(np.sin(turn)), 1.0)
+    room = np.where(np.abs(turn) > SMOOTH, most / np.maximum(steep, np.sin(SMOOTH)), 0.0)
+    out = np.full((2, len(rows)), INSET)
+    out[1, this] += room
+    out[0, after] += room
+    return out
+
+
 def _along_normals(
     place: Floats, search: FootPointSearch, before: WantedSurface, after: WantedSurface, nominal: Profile, radius: float
 ) -> tuple[Floats, Floats, Bools]:
-    """Unit vectors from the contour to places of the path, how far the centre there moves along them, and corners."""
+    """Unit vectors from the contour to places (n, 3) of the path, how far the centre moves along them, and corners."""
     feet = search.find(place)
     corner = (feet.place == Place.JOINT) & is_corner(nominal, feet)
     if radius == 0:
         stretch, s = nominal.stretch[feet.span], nominal.arc_length(feet.span, feet.t)
         correction = [_interpolated(surface, stretch, s) for surface in (before, after)]
         return feet.normal, correction[1] - correction[0], corner
-    away = place - feet.foot
+    away = place[:, :2] - feet.foot
     size = np.hypot(*away.T)
     way = np.where((size > 1e-9)[:, None], away / np.maximum(size, 1e-12)[:, None], feet.normal)
     guess = radius - size
@@ -292,7 +312,9 @@ def _held(node_row: Ints, node_u: Floats, amount: Floats, touching: Bools) -> Fl
 def _vertices(toolpath: Toolpath, rows: Ints) -> tuple[Ints, Ints]:
     """Pairs of following moves (indices into `rows`) of which the second begins where the first ends; seams too."""
     start, end = toolpath.start[rows, :2], toolpath.end[rows, :2]
-    meets = np.hypot(*(start[1:] - end[:-1]).T) < 1e-6
+    # The next pass may begin where this one ends, but deeper.
+    down = np.nan_to_num(toolpath.start[rows[1:], 2] - toolpath.end[rows[:-1], 2])
+    meets = (np.hypot(*(start[1:] - end[:-1]).T) < 1e-6) & (np.abs(down) < SAME_HEIGHT)
     this = np.flatnonzero(meets)
     after = this + 1
     begin = np.concatenate([[0], np.flatnonzero(~meets) + 1])

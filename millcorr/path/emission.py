@@ -30,6 +30,10 @@ Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 
 
+STILL = 1e-9
+"""A move shorter than this along every axis, in mm, goes nowhere."""
+
+
 def emit_in_place(
     program: gcode.Program,
     following: Bools,
@@ -139,7 +143,8 @@ def _refuse_other_moves(planned: Toolpath, emitted: Toolpath, lines: Ints, toler
 
 def _nowhere(toolpath: Toolpath) -> Bools:
     """Moves that go nowhere: a reader may count them or not."""
-    still = (toolpath.start == toolpath.end) | np.isnan(toolpath.start + toolpath.end)
+    # Sums of displacements differ in their last digit where the text states one and the same place.
+    still = (np.abs(toolpath.end - toolpath.start) < STILL) | np.isnan(toolpath.start + toolpath.end)
     out: Bools = still.all(axis=1) & (toolpath.sweep == 0)
     return out
 
@@ -167,5 +172,5 @@ def compensated_profile(nominal: Profile, correction: Correction, surface: Wante
         count = np.ones(len(points), dtype=np.int64)
         count[[0, -1]] = 2
         curve = NurbsCurve(1, points, np.ones(len(points)), np.arange(float(len(points))), count)
-        contours.append(Contour((curve,), contour.closed))
+        contours.append(Contour((curve,), contour.closed, contour.step))
     return Profile.from_contours(contours), 0.0

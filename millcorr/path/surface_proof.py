@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from millcorr.commanded import CommandedSurface
 from millcorr.comparison.path_distance import PathDistance, SegmentTree
 from millcorr.errors import LimitError
+from millcorr.profile import SAME_HEIGHT
 from millcorr.regeneration.path_following import length_in_plane
 from millcorr.toolpath import Kind, Toolpath
 from millcorr.verification import Verification
@@ -17,6 +18,9 @@ from .wanted_surface import WantedSurface
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
+
+BELOW = 2 * SAME_HEIGHT
+"""So far below a height, in mm, nothing that only cuts at it has come."""
 
 REACHED = 0.01
 """A place where the program left more than this over the nominal, in mm, was never reached by the cutter: an inner
@@ -65,7 +69,7 @@ def prove_surface(
     error = np.zeros(len(wanted))
     own = np.full(len(wanted), np.inf)
     reached = np.zeros(len(wanted), dtype=bool)
-    for z in _heights(written.toolpath, made_by[1], len(wanted)):
+    for z in _heights(written.toolpath, made_by[1], after):
         was = original.only(made_by[0]).offset(before.nominal, before.normal, z)
         now = written.only(made_by[1]).offset(after.nominal, after.normal, z)
         made = np.isfinite(was) & ~after.at_corner & (was - before.moved < REACHED)
@@ -107,13 +111,17 @@ def _refuse_lost(made: Bools, now: Floats, after: WantedSurface) -> None:
         raise LimitError(f"the written program leaves no surface near X{x:.3f} Y{y:.3f} that could be proven")
 
 
-def _heights(toolpath: Toolpath, made_by: Bools, count: int) -> list[Floats | None]:
-    """Heights at which the surface is looked at: where only the deepest pass cuts, and where all that make it do."""
+def _heights(toolpath: Toolpath, made_by: Bools, surface: WantedSurface) -> list[Floats | None]:
+    """Heights at which the surface is looked at: where only the deepest pass cuts, and where all that make it do.
+
+    A step of a wall is looked at where it begins and right below the next one.
+    """
     z = toolpath.end[made_by, 2]
     known = z[np.isfinite(z)]
     if not len(known):
         return [None]
-    return [np.full(count, height) for height in sorted({float(known.min()), float(known.max())})]
+    low, high = surface.bottom, surface.top - BELOW
+    return [np.clip(height, low, high) for height in sorted({float(known.min()), float(known.max())})]
 
 
 def _refuse_gouging_others(
@@ -126,8 +134,7 @@ def _refuse_gouging_others(
     tolerance: float,
 ) -> None:
     """LimitError where another move of the written program cuts deeper into the corrected surface than before."""
-    was = original.only(~made_by[0]).offset(after.nominal, after.normal)
-    now = written.only(~made_by[1]).offset(after.nominal, after.normal)
+    was, now = _left_by_others(original, made_by[0], after), _left_by_others(written, made_by[1], after)
     # Where another move cut deeper than the contour before, as one at another height does, or a lead that is rounder
     # than an inside corner, it is not for the contour to say what it may.
     rows = np.flatnonzero(np.isfinite(own) & np.isfinite(now) & ~after.at_corner & ~(was < own - tolerance))
@@ -149,11 +156,27 @@ def _refuse_gouging_others(
     )
 
 
+def _left_by_others(surface: CommandedSurface, made_by: Bools, after: WantedSurface) -> Floats:
+    """How far the surface of all other moves lies from the nominal, mm; NaN where none comes near; (n,)."""
+    lowest = np.fmin(surface.toolpath.start[:, 2], surface.toolpath.end[:, 2])
+    out = np.full(len(after.moved), np.nan)
+    for top in np.unique(after.top):
+        # What only cuts above a step of a wall is no matter of the step.
+        rows, here = after.top == top, ~made_by & ~(lowest >= top - BELOW)
+        out[rows] = surface.only(here).offset(after.nominal[rows], after.normal[rows])
+    return out
+
+
 def _out_of_reach(after: WantedSurface, radius: float) -> Floats:
     """What the cutter has to leave over the wanted surface, mm; (n,)."""
-    centre = after.clearance(after.nominal, after.normal, radius, radius + after.moved)
+    z = np.where(np.isfinite(after.bottom), after.bottom, np.nan)
+    centre = after.clearance(np.column_stack([after.nominal, z]), after.normal, radius, radius + after.moved)
     path = after.nominal + centre[:, None] * after.normal
     a, b = after.chords.T
     joined = np.hypot(*(path[b] - path[a]).T) < 2 * radius
-    tree = SegmentTree(path[a[joined]], path[b[joined]])
-    return np.maximum(tree.distance(after.place) - radius, 0.0)
+    out = np.empty(len(path))
+    for height in np.unique(after.bottom):
+        here = after.bottom == height
+        chords = joined & here[a]
+        out[here] = SegmentTree(path[a[chords]], path[b[chords]]).distance(after.place[here]) - radius
+    return np.maximum(out, 0.0)

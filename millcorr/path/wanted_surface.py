@@ -46,6 +46,8 @@ class WantedSurface:
         Points of the profile, and of the surface, mm.
     stretch, s : (n,)
         Where they come from: smooth stretch, and arc length from the contour's start, mm.
+    bottom, top : (n,) float64
+        Heights in mm between which the part has the point's contour; infinite where it always does.
     normal : (n, 2) float64
         Normal of the profile there.
     moved : (n,) float64
@@ -66,8 +68,11 @@ class WantedSurface:
         keep = self._set_corners(profile, span, t, self.nominal)
         after = self._next(profile, span, t, keep)
         rows = np.flatnonzero(after >= 0)
-        self._tree = SegmentTree(self.place[rows], self.place[after[rows]])
         self.chords = np.stack([rows, after[rows]], axis=1)
+        self.bottom, self.top = profile.heights(profile.contour[span])
+        self._contour = profile.contour[span]
+        self._sections = profile.sections
+        self._trees: dict[int, SegmentTree] = {}
 
     @staticmethod
     def _samples(profile: Profile) -> tuple[Ints, Floats]:
@@ -116,16 +121,29 @@ class WantedSurface:
         return after
 
     def distance(self, points: Floats) -> Floats:
-        """Distance of points (n, 2) from the surface, mm."""
-        return self._tree.distance(points)
+        """Distance of points (n, 2) or (n, 3) from the surface at their heights, mm; without one from all of it."""
+        out = np.empty(len(points))
+        for k, rows in self._sections.split(points):
+            out[rows] = self._tree(k).distance(points[rows, :2])
+        return out
+
+    def _tree(self, section: int) -> SegmentTree:
+        if section not in self._trees:
+            chords = self.chords
+            if section >= 0:
+                chords = chords[np.isin(self._contour[chords[:, 0]], self._sections.contours[section])]
+            self._trees[section] = SegmentTree(self.place[chords[:, 0]], self.place[chords[:, 1]])
+        return self._trees[section]
 
     def clearance(self, origin: Floats, direction: Floats, radius: float, guess: Floats) -> Floats:
         """How far along a direction a disc's centre may come to the surface.
 
         Parameters
         ----------
-        origin, direction : (n, 2) float64
-            Places in mm, and unit vectors away from the surface.
+        origin : (n, 2) or (n, 3) float64
+            Places in mm.
+        direction : (n, 2) float64
+            Unit vectors away from the surface.
         radius : float
             mm.
         guess : (n,) float64
@@ -138,10 +156,11 @@ class WantedSurface:
         """
         t = guess.copy()
         active = np.arange(len(t))
+        way = np.pad(direction, ((0, 0), (0, origin.shape[1] - 2)))
         for _ in range(ROUNDS):
             if not len(active):
                 break
-            step = radius - self.distance(origin[active] + t[active, None] * direction[active])
+            step = radius - self.distance(origin[active] + t[active, None] * way[active])
             t[active] += step
             active = active[np.abs(step) > 1e-8]
         return t

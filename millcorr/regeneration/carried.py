@@ -150,7 +150,7 @@ def _samples(
     for number in np.unique(steps):
         t = (np.arange(number) + 0.5) / number
         points = moves.take(np.flatnonzero(steps == number)).position(t)
-        feet = FootPointSearch(profile, margin=radius + reach + 1.0).find(points[:, :, :2].reshape(-1, 2))
+        feet = FootPointSearch(profile, margin=radius + reach + 1.0).find(points.reshape(-1, 3))
         away = feet.distance - radius
         travel = np.hypot(*(np.gradient(points[:, :, i], axis=1) for i in (0, 1)))
         slope = np.abs(np.gradient(away.reshape(travel.shape), axis=1))

@@ -110,9 +110,10 @@ def follow(
         empty = np.zeros(0)
         beside = np.zeros(len(toolpath), dtype=bool)
         return Following(none, none, empty, empty, empty, empty, empty, empty, none, error, beside, np.inf)
-    points = toolpath.take(index).position(SAMPLES)[:, :, :2].reshape(-1, 2)
+    points = toolpath.take(index).position(SAMPLES).reshape(-1, 3)
     k = len(SAMPLES)
     label, sigma, off = _label(points, contour, radius, band)
+    points = points[:, :2]
     label, sigma, off = label.reshape(-1, k), sigma.reshape(-1, k), off.reshape(-1, k)
     inner = slice(1, k - 1)
     _prefer_one_piece(label, sigma, off, points.reshape(-1, k, 2), contour, radius, band)
@@ -175,6 +176,7 @@ def _label(points: Floats, contour: CompensatedContour, radius: float, band: flo
     """Piece (or joint, or NOWHERE), arc length on it, and distance off the nominal's parallel at each point."""
     profile = contour.profile
     feet = FootPointSearch(profile, margin=radius + 2.0).find(points)
+    points = points[:, :2]
     piece, sigma = contour.position_on_piece(feet.span, feet.t)
     off = feet.distance - radius
     ends = np.flatnonzero(feet.place == Place.END)

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What repeats: sizes and lengths of form and noise from the data, outliers, the systematic part with its uncertainty.
 
-Measured values are ``d(s) = mu + f(s) + c(s) + e`` and the offsets of whole parts and levels: a constant for each
-contour, a form f that all parts and heights share, noise c with a short memory, anew for every part and height, and
-white noise e. The systematic part is mu + f.
+Measured values are ``d(s) = mu + f(s) + a g(s) + c(s) + e`` and the offsets of whole parts and levels: a constant for
+each contour, a form f that all parts and heights share, a lean g by which the form at the highest level differs from
+that at the lowest (a is the level's place between them, about their mean), noise c with a short memory, anew for every
+part and height, and white noise e. The systematic part is mu + f.
 """
 
 from __future__ import annotations
@@ -64,6 +65,7 @@ _PRIOR = {
     "process": (math.log(0.001), math.log(0.001), 1.0),
     "memory": (math.log(0.7), math.log(6.0), 0.7),
     "white": (math.log(0.001), math.log(0.001), 1.5),
+    "lean": (math.log(0.002), math.log(0.002), 1.5),
     "part": (math.log(0.002), math.log(0.002), 1.5),
     "level": (math.log(0.002), math.log(0.002), 1.5),
 }
@@ -105,6 +107,8 @@ class Observed:
     value : (n,) float64
         mm.
     part, level : (n,) int64
+    z : (n,) float64, optional
+        Height, mm; without it the levels are equally far apart, in the order of their numbers.
     """
 
     stretch: Ints
@@ -112,9 +116,15 @@ class Observed:
     value: Floats
     part: Ints
     level: Ints
+    z: Floats | None = None
 
     def __len__(self) -> int:
         return len(self.s)
+
+    def of(self, rows: Ints) -> Observed:
+        """Some of the values."""
+        z = None if self.z is None else self.z[rows]
+        return Observed(self.stretch[rows], self.s[rows], self.value[rows], self.part[rows], self.level[rows], z)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -156,7 +166,11 @@ class Gathered:
         self.contours = contours
         self.kind = np.concatenate(kinds)
         table = np.concatenate(columns, axis=1).astype(np.float64)
-        self.cells = Cells(stretch, block[start], s, table, self.kind)
+        z = observed.level.astype(np.float64) if observed.z is None else observed.z
+        height = np.bincount(level, z) / np.bincount(level)
+        several = len(levels) > 1
+        self.across = (height - height.mean()) / np.ptp(height) if several else np.zeros(1)
+        self.cells = Cells(stretch, block[start], s, table, self.kind, self.across[level[start]])
         self.value = observed.value
         self.parts, self.levels = len(parts), len(levels)
         self.spacing = room / blocks / max(len(s), 1)
@@ -187,7 +201,7 @@ class Likelihood:
         self.free = [
             name
             for name in _NAMES
-            if not (name == "part" and gathered.parts == 1) and not (name == "level" and gathered.levels == 1)
+            if not (name == "part" and gathered.parts == 1) and not (name in ("level", "lean") and gathered.levels == 1)
         ]
         several = gathered.parts > 1
         self.prior = {n: _PRIOR[n] for n in self.free}
@@ -201,6 +215,7 @@ class Likelihood:
             "white": (WHITE_LEAST, 3.0),
             "part": (1e-5, 3.0),
             "level": (1e-5, 3.0),
+            "lean": (1e-6, 3.0),
         }
 
     def sizes(self, x: Floats) -> Sizes:
@@ -281,7 +296,7 @@ def _starts(likelihood: Likelihood, noise: float, spread: float) -> list[Floats]
         for length in some:
             sizes = Sizes(
                 max(spread, 2 * noise, 1e-4), float(length), max(process * noise, 1e-5), min(1.0, length / 4),
-                max(white * noise, 2 * WHITE_LEAST), max(noise, 1e-4), max(noise, 1e-4),
+                max(white * noise, 2 * WHITE_LEAST), max(noise, 1e-4), max(noise, 1e-4), max(noise, 1e-4),
             )  # fmt: skip
             x = likelihood.logs(sizes)
             begun.append((likelihood(x), len(begun), x))
@@ -342,8 +357,84 @@ def _noise_of_one(sizes: Sizes, gap: float) -> float:
     return max(1.0 / float((1.0 / spectrum).mean()) - sizes.white**2, 0.0)
 
 
-def _judged(likelihood: Likelihood, x: Floats, weight: Floats, gap: float) -> tuple[Floats, Floats, float]:
-    """Probability that each point is sound, (n,), its distance in standard deviations, and what the wrong ones cost."""
+def _agreed(g: Gathered, off: Floats, variance: Floats, far: Ints) -> Floats:
+    """How well other parts and heights agree with points that are far off: density of their standardised distance.
+
+    Where the nearest point of most others is far off, too, that is form of the place or chance: one as well as the
+    other, but for how unusual a form of that size is, as short as can just be told. If it is form, the point is off as
+    that one is, and the nearest sound point would be, as far as it hangs together; the rest of it is as large again.
+
+    Parameters
+    ----------
+    g : Gathered
+    off, variance : (n,) float64
+        Distance of all points from what is known without them, mm, and its variance.
+    far : (m,) int64
+        Points to look at.
+
+    Returns
+    -------
+    (m,) float64
+    """
+    stretch, s, block = g.cells.stretch[g.of], g.cells.s[g.of], g.cells.block[g.of]
+    blocks = np.unique(block)
+    # A form shorter than the distance of one part's or height's points is not seen by it at all.
+    reach = max(SHORTEST_FORM, g.spacing * len(blocks))
+    is_far = np.zeros(len(off), dtype=bool)
+    is_far[far] = True
+    partner, apart = np.full((len(blocks), len(far)), -1), np.full((len(blocks), len(far)), math.inf)
+    sound, between = np.zeros(len(far), dtype=np.int64), np.full(len(far), math.inf)
+    order = np.lexsort((s, stretch, block))
+    for rows in np.split(order, np.flatnonzero(np.diff(stretch[order]) | np.diff(block[order])) + 1):
+        k, own = stretch[rows[0]], int(np.searchsorted(blocks, block[rows[0]]))
+        here = np.flatnonzero(stretch[far] == k)
+        period = float(g.stretches.lengths[k]) if g.stretches.closed[k] else math.inf
+
+        def nearest(among: Ints, here: Ints = here, period: float = period) -> tuple[Ints, Floats]:
+            after = np.searchsorted(s[among], s[far[here]])
+            near = np.stack([among[after - 1], among[after % len(among)]])
+            distance = np.abs(s[near] - s[far[here]])
+            distance = np.minimum(distance, period - distance)
+            nearer = distance.argmin(axis=0), np.arange(len(here))
+            return near[nearer], distance[nearer]
+
+        right = rows[~is_far[rows]]
+        if len(right):
+            near, distance = nearest(right)
+            nearer = distance < between[here]
+            sound[here[nearer]], between[here[nearer]] = near[nearer], distance[nearer]
+        partner[own, here], apart[own, here] = nearest(rows)
+        apart[own, here[block[far[here]] == block[rows[0]]]] = math.inf
+    # Of those that have a point near the lower median, by how far they are off to the same side.
+    same = np.where(apart <= reach, np.sign(off[far]) * off[partner], math.inf)
+    number = (apart <= reach).sum(axis=0)
+    middle = np.argsort(same, axis=0)[np.maximum(number - 1, 0) // 2, np.arange(len(far))]
+    other, distance = partner[middle, np.arange(len(far))], apart[middle, np.arange(len(far))]
+
+    def together(distance: Floats) -> Floats:
+        z = math.sqrt(5.0) * np.where(np.isfinite(distance), distance, 1e3 * reach) / reach
+        near: Floats = (1.0 + z + z * z / 3.0) * np.exp(-z)
+        return near
+
+    def density(left: Floats, variance: Floats) -> Floats:
+        likely: Floats = np.exp(-0.5 * np.minimum(left**2 / variance, 1400.0)) / np.sqrt(2.0 * math.pi * variance)
+        return likely
+
+    usual = np.zeros(len(far))
+    for name, value in (("form", np.maximum(np.abs(off[far]), 1e-9)), ("form_length", np.full(len(far), reach))):
+        low, high, spread = _PRIOR[name]
+        usual -= 0.5 * (np.maximum(np.maximum(low - np.log(value), np.log(value) - high), 0.0) / spread) ** 2
+    rho, to_sound = together(distance), together(between)
+    follows = density(off[far] - rho * off[other], (1.0 - rho**2) * off[other] ** 2 + variance[far] + variance[other])
+    free = (1.0 - to_sound**2) * off[far] ** 2 + variance[sound]
+    spared = density(off[sound] - to_sound * off[far], free) / density(off[sound], variance[sound])
+    agreed = 0.5 * np.exp(usual) * rho**2 * follows * np.minimum(spared, 1.0) * np.sqrt(variance[far])
+    out: Floats = np.where((number > 0) & is_far[other], agreed, 0.0)
+    return out
+
+
+def _judged(likelihood: Likelihood, x: Floats, weight: Floats, gap: float) -> tuple[Floats, Bools, float]:
+    """Probability that each point is sound, (n,), if only because others agree, and what the wrong ones cost."""
     g = likelihood.gathered
     sizes = likelihood.sizes(x)
     bound = likelihood.bound(sizes.form_length)
@@ -361,12 +452,16 @@ def _judged(likelihood: Likelihood, x: Floats, weight: Floats, gap: float) -> tu
     z2 = (left * (1.0 + own * weight / v)) ** 2 / (v + own)
     sound = (1.0 - OUTLIERS) / math.sqrt(2 * math.pi) * np.exp(-0.5 * np.minimum(z2, 1400.0))
     wrong = OUTLIERS / (math.pi * OUTLIER_SPREAD * (1.0 + z2 / OUTLIER_SPREAD**2))
+    far, agreed = np.flatnonzero(sound < wrong), np.zeros(len(weight), dtype=bool)
+    if g.parts * g.levels > 1 and len(far) > 1:
+        sound[far] += _agreed(g, left * (1.0 + own * weight / v), v + own, far)
+        agreed[far] = sound[far] > wrong[far]
     probability = sound / (sound + wrong)
     out = weight < 0.5
     cost = -2.0 * float(np.log(wrong[out] / np.sqrt(v + own[out])).sum())
     # What the likelihood has counted of them is theirs alone.
     cost -= float((np.log(v + 0.0 * own[out]) - np.log(np.maximum(weight[out], IGNORED))).sum())
-    return probability, np.sqrt(z2), cost
+    return probability, agreed, cost
 
 
 def _settled(gathered: Gathered, weight: Floats, gap: float, x: Floats | None) -> Fit:
@@ -394,12 +489,15 @@ def _settled(gathered: Gathered, weight: Floats, gap: float, x: Floats | None) -
             value, x = likelihood.minimum(x, _ROUNDS_OF_START if turn else _ROUNDS_OF_SEARCH)
         if len(weight) < _FEW:
             return Fit(x, weight, value)
-        probability, _, dear = _judged(likelihood, x, weight, gap)
+        probability, agreed, dear = _judged(likelihood, x, weight, gap)
         cost = value + dear
         renewed = np.maximum(probability, IGNORED)
         settled = float(np.abs(renewed - weight).max()) < _SETTLED
         if settled or turn == _ROUNDS - 1:
             return Fit(x, weight, cost, others)
+        if (agreed & (weight < 0.5)).any():
+            # What others agree with is form, and the form is another than that without it.
+            x = None
         weight = renewed
     raise AssertionError
 
@@ -411,8 +509,7 @@ def _fitted(observed: Observed, stretches: Stretches) -> tuple[Gathered, Fit]:
         # Sizes from a share of the points, evenly among all; then every point is judged by what they say.
         order = np.lexsort((observed.s, observed.stretch, observed.level, observed.part))
         rows = np.sort(order[:: -(-len(order) // MANY)])
-        share = Observed(*(getattr(observed, name)[rows] for name in Observed.__slots__))
-        found = _fitted(share, stretches)[1]
+        found = _fitted(observed.of(rows), stretches)[1]
         weight = np.where(_suspects(gathered, observed, max(_HALVES)), IGNORED, 1.0)
         for _ in range(2):
             probability, _, _ = _judged(Likelihood(gathered, weight), found.x, weight, gathered.spacing)
@@ -436,17 +533,19 @@ def _fitted(observed: Observed, stretches: Stretches) -> tuple[Gathered, Fit]:
     return gathered, replace(best, x=Likelihood(gathered, best.weight).minimum(best.x, _ROUNDS_OF_START)[1])
 
 
+CERTAIN = 0.0027
+"""Odds of chance below which heights are said to differ: three standard uncertainties of one number."""
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class LevelDifference:
-    """How a height differs from the mean of all heights.
+    """How a height differs from the mean of all heights, on the average along the measured contours.
 
     Parameters
     ----------
     level : int
     mean, std : float
         mm, and its standard uncertainty.
-    significant : bool
-        Whether that is more than chance (three standard uncertainties).
     """
 
     level: int
@@ -457,6 +556,36 @@ class LevelDifference:
     def significant(self) -> bool:
         """Whether the difference is more than chance: three standard uncertainties."""
         return abs(self.mean) > 3.0 * self.std
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Lean:
+    """By how much the highest level has more than the lowest, along the measured contours.
+
+    Parameters
+    ----------
+    low, high : int
+        The levels.
+    stretch : (m,) int64
+    s, difference, std : (m,) float64
+        Place, the difference there and its standard uncertainty, mm.
+    band : float
+        Factor on the standard uncertainty that chance exceeds anywhere with `CERTAIN`.
+    """
+
+    low: int
+    high: int
+    stretch: Ints
+    s: Floats
+    difference: Floats
+    std: Floats
+    band: float
+
+    @property
+    def significant(self) -> Bools:
+        """Where the difference is more than chance; (m,)."""
+        out: Bools = np.abs(self.difference) > self.band * self.std
+        return out
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -476,6 +605,8 @@ class Separated:
         process remembers no more than `longest_memory`.
     levels : tuple of LevelDifference
         One a level where there are several.
+    lean : Lean or None
+        Where there are several levels.
     """
 
     observed: Observed
@@ -487,6 +618,7 @@ class Separated:
     sizes: Sizes
     band: float
     levels: tuple[LevelDifference, ...]
+    lean: Lean | None
     notes: tuple[str, ...]
     _bound: Bound
     _solved: Solved
@@ -584,8 +716,8 @@ def _places(stretches: Stretches, contours: Ints, form_length: float) -> tuple[I
     return np.concatenate(of).astype(np.int64), np.concatenate(at)
 
 
-def _whole_band(length: float) -> float:
-    """Factor for 95 % along all places together, from the length of the path of the standardised error.
+def _whole_band(length: float, outside: float = 0.05) -> float:
+    """Factor that chance exceeds anywhere with odds `outside`, from the length of the path of the standardised error.
 
     Sun & Loader 1994, eq. 2.1: P(max |t| > k) = 2 (1 - Phi(k)) a stretch + length / pi exp(-k^2/2), both at most.
     """
@@ -593,7 +725,7 @@ def _whole_band(length: float) -> float:
     from scipy.special import ndtr
 
     def over(k: float) -> float:
-        return 2.0 * float(ndtr(-k)) + length / math.pi * math.exp(-0.5 * k * k) - 0.05
+        return 2.0 * float(ndtr(-k)) + length / math.pi * math.exp(-0.5 * k * k) - outside
 
     return float(brentq(over, 1.9, 10.0))
 
@@ -601,6 +733,12 @@ def _whole_band(length: float) -> float:
 def _turned(covariance: Floats, variance: Floats) -> float:
     """Length of the path of a standardised error, from its covariances from place to place and its variances."""
     return float(np.arccos(np.clip(covariance / np.maximum(variance, 1e-30), -1.0, 1.0)).sum())
+
+
+def _path(variance: Floats, along: Floats, of: Ints) -> float:
+    """The same from place to place of all stretches, from variances and each place's covariance with the next."""
+    same = of[1:] == of[:-1]
+    return _turned(along[:-1][same], np.sqrt(np.maximum(variance[:-1] * variance[1:], 0.0))[same])
 
 
 def separate(observed: Observed, stretches: Stretches, filter: Filter | None = None) -> Separated:
@@ -630,14 +768,14 @@ def separate(observed: Observed, stretches: Stretches, filter: Filter | None = N
     of, at = _places(stretches, gathered.contours, sizes.form_length)
     column, _ = _columns(stretches, gathered.contours, of)
     variance, along = bound.variance(solved, of, at, column)
-    same = of[1:] == of[:-1]
-    band = _whole_band(_turned(along[:-1][same], np.sqrt(variance[:-1] * variance[1:])[same]))
+    band = _whole_band(_path(variance, along, of))
     mean = bound.mean(solved, of, at, column)
     searched = Likelihood(gathered, fit.weight)
     variance = _over_sizes(searched, _drawn(searched, peak, fit.others), mean, variance, of, at, column)
     out = Separated(
         observed, stretches, filter, np.zeros(0), np.zeros(0), fit.weight, sizes, band,
-        _level_differences(observed, gathered, solved), (), bound, solved, gathered.contours,
+        _level_differences(observed, gathered, bound, solved), _lean(observed, gathered, bound, solved, of, at), (),
+        bound, solved, gathered.contours,
         (at, of, np.sqrt(np.maximum(variance, 0.0))), (),
     )  # fmt: skip
     mean, std = out.at(observed.stretch, observed.s)
@@ -759,17 +897,44 @@ def _over_sizes(
     return out
 
 
-def _level_differences(observed: Observed, gathered: Gathered, solved: Solved) -> tuple[LevelDifference, ...]:
-    rows = np.flatnonzero(gathered.kind == 2)
-    if not len(rows):
+def _level_differences(
+    observed: Observed, gathered: Gathered, bound: Bound, solved: Solved
+) -> tuple[LevelDifference, ...]:
+    kinds = np.flatnonzero(gathered.kind == 2)
+    if not len(kinds):
         return ()
-    centred = np.eye(len(rows)) - 1.0 / len(rows)
-    mean = centred @ solved.constants[rows]
-    std = np.sqrt(np.diag(centred @ solved.spread[np.ix_(rows, rows)] @ centred.T))
+    unit = np.zeros((len(kinds), len(gathered.kind)))
+    unit[:, kinds] = np.eye(len(kinds)) - 1.0 / len(kinds)
+    # The lean at all places with points, times each level's place between the outermost.
+    of, at, share = bound.layout.cells.stretch, bound.layout.cells.s, bound.weight / bound.weight.sum()
+    rows, a = bound.layout.read(of, at)
+    lean = (solved.sizes.lean * share[:, None] * a).ravel()
+    rows, lean = np.tile(rows.ravel() + 3, (len(kinds), 1)), gathered.across[:, None] * lean
+    mean = (lean * solved.state[rows]).sum(axis=1) + unit @ solved.constants
+    variance, _ = bound.variance_of(solved, rows, lean, unit)
     return tuple(
-        LevelDifference(int(level), float(m), float(u))
-        for level, m, u in zip(np.unique(observed.level), mean, std, strict=True)
+        LevelDifference(int(level), float(m), math.sqrt(max(u, 0.0)))
+        for level, m, u in zip(np.unique(observed.level), mean, variance, strict=True)
     )
+
+
+def _lean(observed: Observed, gathered: Gathered, bound: Bound, solved: Solved, of: Ints, at: Floats) -> Lean | None:
+    """The lean at places, of stretches that several heights were measured on."""
+    kinds = np.flatnonzero(gathered.kind == 2)
+    if not len(kinds):
+        return None
+    both = [k for k in np.unique(observed.stretch) if np.ptp(observed.level[observed.stretch == k])]
+    here = np.isin(of, both)
+    if not here.any():
+        return None
+    low, high = int(np.argmin(gathered.across)), int(np.argmax(gathered.across))
+    unit = np.zeros(len(gathered.kind))
+    unit[kinds[[low, high]]] = -1.0, 1.0
+    mean, variance, along = bound.lean(solved, of[here], at[here], unit)
+    band = _whole_band(_path(variance, along, of[here]), CERTAIN)
+    levels = np.unique(observed.level)
+    std = np.sqrt(np.maximum(variance, 0.0))
+    return Lean(int(levels[low]), int(levels[high]), of[here], at[here], mean, std, band)
 
 
 def _prescribed(out: Separated, model: Floats) -> Separated:

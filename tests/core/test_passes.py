@@ -13,7 +13,7 @@ import pytest
 import shapely
 
 from millcorr import gcode, pipeline
-from millcorr.errors import InputError, LimitError
+from millcorr.errors import LimitError
 from millcorr.measurement import Measurement
 from millcorr.path import emission
 
@@ -145,12 +145,6 @@ def test_of_a_draft_in_steps_the_measured_one_moves() -> None:
     for k in (0, 1, 3, 4):
         assert parts[k].endswith(steps[k]), k
     np.testing.assert_allclose(wall(parts[2], -5.0), 0.10 - 0.015, atol=0.001)
-
-
-def test_steps_of_a_draft_measured_together_are_refused() -> None:
-    steps = [once(R + 0.05 * k, -2.0 - 2.0 * k) for k in range(3)]
-    with pytest.raises(InputError, match=r"Z-\d and Z-\d, 0\.050 mm apart: correct one step at a time"):
-        correct(program(*steps), measured(points(0.01, -1.0), points(0.02, -3.0, 0.05)))
 
 
 def test_two_laps_with_compensation_are_one_contour() -> None:

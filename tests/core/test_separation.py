@@ -46,45 +46,67 @@ def remembered(rng: np.random.Generator, s: np.ndarray, std: float, memory: floa
 
 
 @pytest.mark.parametrize("closed", [False, True])
-def test_posterior_and_likelihood_are_those_of_the_full_matrix(closed: bool) -> None:
+@pytest.mark.parametrize("leans", [False, True])
+def test_posterior_and_likelihood_are_those_of_the_full_matrix(closed: bool, leans: bool) -> None:
     rng = np.random.default_rng(0)
     n, length = 60, 100.0
     s = np.sort(rng.uniform(0, length, n))
     value = 0.02 + 0.01 * np.sin(4 * np.pi * s / length) + 0.003 * rng.standard_normal(n)
-    sizes = Sizes(0.01, 17.0, 0.002, 1.3, 0.001, 1.0, 1.0)
+    sizes = Sizes(0.01, 17.0, 0.002, 1.3, 0.001, 1.0, 0.004, 0.006)
+    level = np.arange(n) % 2 if leans else np.zeros(n, dtype=np.int64)
+    apart = level - 0.5 if leans else np.zeros(n)
+    value = value + 0.004 * apart * np.cos(s / 15)
 
     def covariance(a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         form, process = 0.0, 0.0
         for turn in range(-8, 9) if closed else (0,):
             r = np.abs(a[:, None] - b + turn * length)
             z = math.sqrt(5) * r / sizes.form_length
-            form = form + sizes.form**2 * (1 + z + z * z / 3) * np.exp(-z)
+            form = form + (1 + z + z * z / 3) * np.exp(-z)
             process = process + sizes.process**2 * np.exp(-r / sizes.memory)
         return form, process
 
     form, process = covariance(s, s)
-    whole = form + process + sizes.white**2 * np.eye(n)
+    same = level[:, None] == level
+    offsets = sizes.level**2 * same if leans else 0.0
+    lean = sizes.lean**2 * np.outer(apart, apart) * form
+    whole = sizes.form**2 * form + lean + process * same + offsets + sizes.white**2 * np.eye(n)
     back, ones = np.linalg.inv(whole), np.ones(n)
     of_mean = 1 / (ones @ back @ ones)
     mean = of_mean * (ones @ back @ value)
     minus = np.linalg.slogdet(whole)[1] - math.log(of_mean) + (value - mean) @ back @ (value - mean)
     at = np.linspace(0, 0.999 * length, 50)
-    across = covariance(at, s)[0]
-    expected = mean + across @ back @ (value - mean)
-    rest = 1 - across @ back @ ones
-    spread = covariance(at, at)[0] - across @ back @ across.T + np.outer(rest, rest) * of_mean
+    there, here = covariance(at, s)[0], covariance(at, at)[0]
+
+    def posterior(across: np.ndarray, own: np.ndarray, share: float) -> tuple[np.ndarray, np.ndarray]:
+        """Mean and covariance of what has these covariances with the values and itself, and a share of the mean."""
+        rest = share - across @ back @ ones
+        spread = own - across @ back @ across.T + np.outer(rest, rest) * of_mean
+        return share * mean + across @ back @ (value - mean), spread
 
     zero = np.zeros(n, dtype=np.int64)
-    cells = Cells(zero, zero, s, np.ones((n, 1)), np.zeros(1, dtype=np.int64))
+    columns, kind = np.ones((n, 1)), np.zeros(1, dtype=np.int64)
+    if leans:
+        columns, kind = np.column_stack([columns, level == 0, level == 1]).astype(np.float64), np.array([0, 2, 2])
+    cells = Cells(zero, level, s, columns, kind, apart)
     bound = Layout(cells, np.array([length]), np.array([closed]), 1.0).bind(value, ones)
     solved = bound.solve(sizes)
     assert solved is not None
     where = np.zeros(50, dtype=np.int64)
     assert solved.minus_log == pytest.approx(minus, abs=1e-4)
+    expected, spread = posterior(sizes.form**2 * there, sizes.form**2 * here, 1.0)
     assert bound.mean(solved, where, at, where) == pytest.approx(expected, abs=1e-8)
     variance, along = bound.variance(solved, where, at, where)
     assert variance == pytest.approx(np.diag(spread), rel=1e-5)
     assert along[:-1] == pytest.approx(np.diag(spread, 1), rel=1e-4, abs=1e-12)
+    if leans:
+        signs = 2.0 * apart
+        across = sizes.lean**2 * there * apart + sizes.level**2 * signs
+        expected, spread = posterior(across, sizes.lean**2 * here + 2 * sizes.level**2, 0.0)
+        found, variance, along = bound.lean(solved, where, at, np.array([0.0, -1.0, 1.0]))
+        assert found == pytest.approx(expected, abs=1e-8)
+        assert variance == pytest.approx(np.diag(spread), rel=1e-5)
+        assert along[:-1] == pytest.approx(np.diag(spread, 1), rel=1e-4, abs=1e-12)
 
 
 # --- error of the systematic part: the table of the method, on signals of these kinds
@@ -358,6 +380,77 @@ def test_heights_share_the_form_and_a_lean_is_seen() -> None:
     same = separated(np.tile(s, 2), np.concatenate([v - m for v, m in zip(value, (-lean / 2, lean / 2), strict=True)]),
                      200.0, True, level=level)  # fmt: skip
     assert not any(one.significant for one in same.levels)
+    assert found.lean is not None and found.lean.difference == pytest.approx(lean, abs=1 * UM)
+    assert found.lean.significant.all()
+    assert same.lean is not None and not same.lean.significant.any()
+
+
+@pytest.mark.parametrize("heights", [(-8.0, -2.0), (-8.0, -2.0, -4.0)])
+@pytest.mark.parametrize("trials", [4, slow(30)])
+def test_a_lean_is_estimated_along_the_contour(heights: tuple[float, ...], trials: int) -> None:
+    """One place yields more above than below: the difference is found there, and only there said to be certain."""
+    z = np.repeat(heights, 100)
+    level = np.repeat(np.argsort(np.argsort(heights)), 100)
+    inside, certain, elsewhere, error = [], [], [], []
+    for trial in range(trials):
+        rng = np.random.default_rng([len(heights), trial])
+        s = np.concatenate([2.0 * (np.arange(100) + rng.random()) for _ in heights])
+        shape = 0.02 + 10 * UM * np.sin(np.pi * s / 50)
+        bump = 8 * UM * np.exp(-(((s - 120) / 15) ** 2)) * (z - np.mean(heights)) / 6.0
+        observed = Observed(0 * level, s, shape + bump + UM * rng.standard_normal(len(s)), 0 * level, level, z)
+        found = separate(observed, Stretches(np.array([200.0]), np.array([True]), np.zeros(1, dtype=np.int64)))
+        lean = found.lean
+        assert lean is not None and heights[lean.low] == -8.0 and found.observed.z is z
+        true = 8 * UM * np.exp(-(((lean.s - 120) / 15) ** 2))
+        inside.append(np.mean(np.abs(lean.difference - true) < 1.96 * lean.std))
+        certain.append(lean.significant[np.abs(lean.s - 120) < 10].all())
+        elsewhere.append(lean.significant[np.abs(lean.s - 120) > 45].any())
+        error.append(rms(found.systematic - shape))
+        far = np.abs(lean.difference).argmax()
+        assert abs(lean.s[far] - 120) < 15
+    assert all(certain) and not any(elsewhere)
+    # The places of one part hang together as those of the band do.
+    assert np.mean(inside) > (0.85 if trials < 20 else 0.9)
+    assert rms(np.array(error)) < 0.4 * UM
+
+
+def narrow_bump(trial: int) -> tuple[np.ndarray, ...]:
+    """A bump of 14 um on 20 mm of a contour of 530 mm whose form is 1.3 um elsewhere, seen by three of 60 points each
+    of two heights."""
+    rng = np.random.default_rng([trial, 22])
+    places = [np.sort(rng.uniform(0, 530, 60)) for _ in range(2)]
+    s = np.concatenate([row[np.abs(row - 118) > 18] for row in places])
+    level = np.repeat([0, 1], [(np.abs(row - 118) > 18).sum() for row in places])
+    s, level = np.append(s, [116.0, 116.3, 127.0]), np.append(level, [0, 1, 1])
+    truth = 0.011 + 1.3 * UM * np.sin(2 * np.pi * s / 265) + 14 * UM * np.exp(-(((s - 119) / 10) ** 2))
+    return s, level, truth, truth + 0.5 * UM * rng.standard_normal(len(s))
+
+
+@pytest.mark.parametrize("trials", [3, slow(20)])
+def test_what_two_heights_agree_on_is_form(trials: int) -> None:
+    error = []
+    for trial in range(trials):
+        s, level, truth, value = narrow_bump(trial)
+        found = separated(s, value, 530.0, True, level=level)
+        assert not found.outlier.any()
+        error.append(rms((found.systematic - truth)[-3:]))
+    # Left out, the points of the bump would be off by some 10 um.
+    assert max(error) < 2.5 * UM
+
+
+@pytest.mark.parametrize("trials", [3, slow(20)])
+def test_outliers_of_two_heights_that_lie_close_are_none_the_less_outliers(trials: int) -> None:
+    """5 % of 200 uneven points a height are off by 30 to 300 um: some lie within half a millimetre of each other."""
+    for trial in range(trials):
+        rng = np.random.default_rng([trial, 5])
+        s = np.concatenate([np.sort(rng.uniform(0, 200, 200)) for _ in range(2)])
+        truth = 0.02 + 4 * UM * np.sin(2 * np.pi * s / 100)
+        wrong = rng.random(400) < 0.05
+        value = truth + UM * rng.standard_normal(400)
+        value += wrong * rng.choice([-1.0, 1.0], 400) * rng.uniform(0.03, 0.3, 400)
+        found = separated(s, value, 200.0, True, level=np.repeat([0, 1], 200))
+        assert found.outlier[wrong].all()
+        assert rms(found.systematic - truth) < 0.35 * UM
 
 
 # --- few points, and none that differ
