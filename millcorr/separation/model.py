@@ -8,6 +8,7 @@ white noise e. The systematic part is mu + f.
 
 from __future__ import annotations
 
+import copy
 import math
 from dataclasses import dataclass, replace
 
@@ -29,6 +30,12 @@ MANY = 20_000
 
 SEARCHED = 500
 """Places that outliers, sizes and lengths are looked for with; with all cells only the last steps are made."""
+
+MOST_PARTS = 4
+"""So many parts may have so many places each: gathered to fewer, what they share would be lost between its waves."""
+
+SEARCHED_PARTS = 3
+"""Of more parts the first ones are enough to begin from: what two share is form already. All say how large it is."""
 
 COINCIDING = 1e-3
 """Points nearer than this, in mm, are at one place: no noise with a memory tells them apart."""
@@ -104,6 +111,10 @@ class Observed:
     def __len__(self) -> int:
         return len(self.s)
 
+    def take(self, rows: Ints) -> Observed:
+        """Some of the values."""
+        return Observed(*(getattr(self, name)[rows] for name in Observed.__slots__))
+
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Stretches:
@@ -125,6 +136,7 @@ class Gathered:
         blocks = len(parts) * len(levels)
         seen = np.unique(observed.stretch)
         room = float(stretches.lengths[seen].sum()) * blocks
+        most *= min(len(parts), MOST_PARTS)
         width = COINCIDING if len(observed) <= most else max(room / most, COINCIDING)
         cells_of = np.ceil(stretches.lengths / width).astype(np.int64) + 1
         first = np.concatenate([[0], np.cumsum(cells_of)])
@@ -147,6 +159,8 @@ class Gathered:
         self.cells = Cells(stretch, block[start], s, table, self.kind)
         self.value = observed.value
         self.parts, self.levels = len(parts), len(levels)
+        self.part = part[start]
+        self.scale: Floats | None = None
         self.spacing = room / blocks / max(len(s), 1)
         self.longest = float(stretches.lengths[seen].max())
 
@@ -155,6 +169,18 @@ class Gathered:
         total: Floats = np.bincount(self.of, weight).astype(np.float64)
         mean: Floats = np.bincount(self.of, weight * self.value) / total
         return mean, total, float(weight @ (self.value - mean[self.of]) ** 2)
+
+    def counting(self, count: Floats) -> Gathered:
+        """The same where each part counts so many times, (parts,), as if all its noise were 1/sqrt(count) as large.
+
+        Its values are seen through sqrt(count): what is systematic is scaled and the noise is as it was.
+        """
+        out = copy.copy(self)
+        out.scale = np.sqrt(count)[self.part]
+        systematic = np.where(self.kind == 1, 1.0, out.scale[:, None])
+        out.cells = replace(self.cells, columns=self.cells.columns * systematic)
+        out.value = out.scale[self.of] * self.value
+        return out
 
     def step(self, form_length: float, nodes: float) -> float:
         """Distance of the form's nodes, mm: a power of the root of two, so that lengths near each other share it."""
@@ -210,6 +236,8 @@ class Likelihood:
         if step not in self.bounds:
             g = self.gathered
             layout = Layout(g.cells, g.stretches.lengths, g.stretches.closed, step)
+            if g.scale is not None:
+                layout.weight = g.scale[:, None] * layout.weight
             self.bounds[step] = layout.bind(self.mean, self.total)
         return self.bounds[step]
 
@@ -260,7 +288,11 @@ def _starts(likelihood: Likelihood, noise: float, spread: float) -> list[Floats]
     lengths = np.geomspace(low, high, count)
     out = []
     short, long = lengths[: count // 2], lengths[count // 2 :]
-    for process, white, some in ((0.3, 1.0, short), (0.3, 1.0, long), (3.0, 0.5, lengths)):
+    kinds = [(0.3, 1.0, short), (0.3, 1.0, long), (3.0, 0.5, lengths)]
+    if g.parts > 1:
+        # What parts share may look like noise along each of them.
+        kinds.append((0.3, 0.2, short))
+    for process, white, some in kinds:
         begun: list[tuple[float, int, Floats]] = []
         for length in some:
             sizes = Sizes(
@@ -380,20 +412,28 @@ def _settled(gathered: Gathered, weight: Floats, gap: float, x: Floats | None) -
     raise AssertionError
 
 
+def _weights(gathered: Gathered, observed: Observed, x: Floats) -> Floats:
+    """Trust in every point by what sizes say that were found from some of them; (n,)."""
+    weight: Floats = np.where(_suspects(gathered, observed, max(_HALVES)), IGNORED, 1.0)
+    for _ in range(2):
+        probability, _, _ = _judged(Likelihood(gathered, weight), x, weight, gathered.spacing)
+        weight = np.maximum(probability, IGNORED)
+    return weight
+
+
 def _fitted(observed: Observed, stretches: Stretches) -> tuple[Gathered, Fit]:
     """Sizes and weights of the likeliest of the ways to begin, for all points."""
     gathered = Gathered(observed, stretches, MOST_CELLS)
     if len(observed) > MANY:
         # Sizes from a share of the points, evenly among all; then every point is judged by what they say.
         order = np.lexsort((observed.s, observed.stretch, observed.level, observed.part))
-        rows = np.sort(order[:: -(-len(order) // MANY)])
-        share = Observed(*(getattr(observed, name)[rows] for name in Observed.__slots__))
-        found = _fitted(share, stretches)[1]
-        weight = np.where(_suspects(gathered, observed, max(_HALVES)), IGNORED, 1.0)
-        for _ in range(2):
-            probability, _, _ = _judged(Likelihood(gathered, weight), found.x, weight, gathered.spacing)
-            weight = np.maximum(probability, IGNORED)
-        return gathered, Fit(found.x, weight, found.cost)
+        found = _fitted(observed.take(np.sort(order[:: -(-len(order) // MANY)])), stretches)[1]
+        return gathered, replace(found, weight=_weights(gathered, observed, found.x))
+    if gathered.parts > SEARCHED_PARTS:
+        first = observed.part <= np.unique(observed.part)[SEARCHED_PARTS - 1]
+        found = _fitted(observed.take(np.flatnonzero(first)), stretches)[1]
+        weight = _weights(gathered, observed, found.x)
+        return gathered, Fit(Likelihood(gathered, weight).minimum(found.x, _ROUNDS_OF_SEARCH)[1], weight, found.cost)
     few = gathered if len(observed) <= SEARCHED else Gathered(observed, stretches, SEARCHED)
     gap = few.spacing
     begun: list[Bools] = []
@@ -567,7 +607,9 @@ def _whole_band(variance: Floats, along: Floats, of: Ints) -> float:
     return float(brentq(over, 1.9, 10.0))
 
 
-def separate(observed: Observed, stretches: Stretches, filter: Filter | None = None) -> Separated:
+def separate(
+    observed: Observed, stretches: Stretches, filter: Filter | None = None, count: Floats | None = None
+) -> Separated:
     """Split measured values into what repeats and what does not.
 
     Parameters
@@ -578,6 +620,9 @@ def separate(observed: Observed, stretches: Stretches, filter: Filter | None = N
     filter : Filter, optional
         `auto` (default): the model. With a prescribed filter the values at the points are the filter's, each part
         and level by itself, then the mean over them; in between and in gaps the model carries them on.
+    count : (parts,) float64, optional
+        How many times each part counts for the systematic part, in the order of their numbers; by default once. What
+        is form and what is noise, all parts say alike.
 
     Returns
     -------
@@ -585,7 +630,9 @@ def separate(observed: Observed, stretches: Stretches, filter: Filter | None = N
     """
     filter = filter or Filter("auto")
     gathered, fit = _fitted(observed, stretches)
-    likelihood = Likelihood(gathered, fit.weight, NODES)
+    # Weights of the noise are those of its sizes; parts that count otherwise do so for the posterior alone.
+    seen = gathered if count is None else gathered.counting(count)
+    likelihood = Likelihood(seen, fit.weight, NODES)
     sizes = likelihood.sizes(fit.x)
     bound = likelihood.bound(sizes.form_length)
     solved = bound.solve(sizes)
@@ -594,7 +641,7 @@ def separate(observed: Observed, stretches: Stretches, filter: Filter | None = N
     column, _ = _columns(stretches, gathered.contours, of)
     variance, along = bound.variance(solved, of, at, column)
     band = _whole_band(variance, along, of)
-    variance = variance + _of_sizes(gathered, fit, variance, of, at, column)
+    variance = variance + _of_sizes(gathered, seen, fit, variance, of, at, column)
     variance = variance + _of_kind(gathered, fit, sizes, bound.mean(solved, of, at, column), of, at, column)
     out = Separated(
         observed, stretches, filter, np.zeros(0), np.zeros(0), fit.weight, sizes, band,
@@ -604,10 +651,12 @@ def separate(observed: Observed, stretches: Stretches, filter: Filter | None = N
     mean, std = out.at(observed.stretch, observed.s)
     if filter.kind == "auto":
         return replace(out, systematic=mean, uncertainty=std)
-    return _prescribed(out, mean)
+    return _prescribed(out, mean, count)
 
 
-def _of_sizes(gathered: Gathered, fit: Fit, variance: Floats, of: Ints, at: Floats, column: Ints) -> Floats:
+def _of_sizes(
+    gathered: Gathered, seen: Gathered, fit: Fit, variance: Floats, of: Ints, at: Floats, column: Ints
+) -> Floats:
     """Variance of the systematic part at places because the sizes are not known exactly; to first order.
 
     Their covariance is the inverse of the curvature of the likelihood (Laplace; Rasmussen & Williams 2006, 5.2).
@@ -626,6 +675,8 @@ def _of_sizes(gathered: Gathered, fit: Fit, variance: Floats, of: Ints, at: Floa
         for j in range(i):
             curve[i, j] = curve[j, i] = likelihood(x + unit[i] + unit[j], bound) - plus[i] - plus[j] + here
     value, vector = np.linalg.eigh(curve / (2.0 * step**2))
+    if seen is not gathered:
+        bound = Likelihood(seen, fit.weight).bound(math.exp(x[1]))
     out, more = np.zeros(len(of)), np.zeros(len(of))
     few = len(gathered.value) <= _KNOWN_BADLY
     lower, upper = np.array(likelihood.limits()).T
@@ -645,9 +696,7 @@ def _of_sizes(gathered: Gathered, fit: Fit, variance: Floats, of: Ints, at: Floa
     return out + np.maximum(more, 0.0)
 
 
-def _of_kind(
-    gathered: Gathered, fit: Fit, sizes: Sizes, mean: Floats, of: Ints, at: Floats, column: Ints
-) -> Floats:
+def _of_kind(gathered: Gathered, fit: Fit, sizes: Sizes, mean: Floats, of: Ints, at: Floats, column: Ints) -> Floats:
     """Variance of the systematic part at places because what is taken for form may be the process of this one part.
 
     On one part a form hardly longer than the process's memory cannot be told from it but by what is usual for both.
@@ -694,7 +743,7 @@ def _level_differences(observed: Observed, gathered: Gathered, solved: Solved) -
     )
 
 
-def _prescribed(out: Separated, model: Floats) -> Separated:
+def _prescribed(out: Separated, model: Floats, count: Floats | None) -> Separated:
     """Values of a prescribed filter at the points; the model carries on what it differs by."""
     observed, stretches = out.observed, out.stretches
     value = np.empty(len(observed))
@@ -706,7 +755,13 @@ def _prescribed(out: Separated, model: Floats) -> Separated:
         courses = []
         blocks = observed.part[here] * (int(observed.level.max()) + 1) + observed.level[here]
         period = length if closed else None
-        for block in np.unique(blocks):
+        numbers = np.unique(blocks)
+        part = np.searchsorted(np.unique(observed.part), numbers // (int(observed.level.max()) + 1))
+        share = np.ones(len(numbers)) if count is None else count[part]
+        if not share.any():
+            # No part that counts has a point here.
+            share = np.ones(len(numbers))
+        for block in numbers:
             rows = here[blocks == block]
             made = filtered(observed.s[rows], observed.value[rows], length=length, closed=closed, filter=out.filter)
             courses.append(_through(observed.s[rows], made.determined - model[rows], length, closed))
@@ -715,7 +770,7 @@ def _prescribed(out: Separated, model: Floats) -> Separated:
         else:
             # Every part and height by itself, then their mean where the densest has its points.
             s = max(courses, key=lambda c: len(c[0]))[0]
-            more[k] = s, np.mean([_interpolated(s, c, period) for c in courses], axis=0)
+            more[k] = s, np.average([_interpolated(s, c, period) for c in courses], axis=0, weights=share)
         course = more[k]
         assert course is not None
         difference = _interpolated(observed.s[here], course, period)
