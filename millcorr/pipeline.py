@@ -29,7 +29,7 @@ from .commanded import (
     roughing,
 )
 from .comparison.cutters import cutter_radii, nearest_group, stated_diameters
-from .compensation import Correction, dead_band
+from .compensation import Correction
 from .deviation import Deviation, deviations, statistics
 from .errors import DistrustError, FormatError, InputError, LimitError, UsageError
 from .footpoint import FootPointSearch
@@ -49,7 +49,7 @@ from .regeneration.vanishing_arcs import without_vanishing_arcs
 from .separation import Separated
 from .settings import Settings as Settings
 from .setup_file import Setup
-from .targets import Elastic, Part, Target, correction_through, target_of
+from .targets import Elastic, Part, Target, correction_through, smoothed_over_parts, target_of
 from .theoretical_contour import CutContour, cutting_runs
 from .toolpath import Compensation, Kind, Toolpath
 from .verification import Verification
@@ -85,8 +85,8 @@ class Request:
         Further parts cut with the same program; the first one's deviations become the mean of all. Where they were
         cut at other depths, they tell the transfer function from a constant offset.
     smoothed : Correction, optional
-        Deviation from the nominal, mm over arc length, to take out of a program that was corrected before, in
-        place of what was measured: smoothed over the parts of a series.
+        What to take out, mm over arc length, in place of what this part shows: smoothed over the parts of a series. Of
+        a program that was corrected before the deviation from the nominal, of another one what the machine adds.
     setup : Setup, optional
         Tool, material, machine and stock, for the methods that simulate.
     nominal_is_first_program : bool
@@ -479,11 +479,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
                 seen = distrust.examine_separated(work.deviation, work.separated, nominal, settings.unmeasured_share)
                 warnings += distrust.refuse_dangerous(seen, settings.accept, sources[0])
         if request.smoothed is not None:
-            left = request.smoothed.at(work.deviation.stretch, work.deviation.s, nominal)
-            # Of a path moved by e an elastic machine leaves e / (1 + MS).
-            yields = 1.0 if work.elastic is None else 1.0 + work.elastic.transfer.ms
-            wanted = work.commanded - settings.gain * yields * dead_band(left, settings.dead_band)
-            work = replace(work, wanted=wanted)
+            work = smoothed_over_parts(work, request.smoothed, nominal, settings)
         if aim is None:
             # What was not measured stays as the program has it; errors of an uncorrected one's own go all the same.
             rest = expected.correction if expected is not None and carried and again is None else None
