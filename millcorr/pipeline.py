@@ -49,7 +49,7 @@ from .regeneration.vanishing_arcs import without_vanishing_arcs
 from .separation import Separated
 from .settings import Settings as Settings
 from .setup_file import Setup
-from .targets import Elastic, Part, Target, correction_through, smoothed_over_parts, target_of
+from .targets import Elastic, Part, Target, correction_through, smoothed_over_parts, target_of, without_facets
 from .theoretical_contour import CutContour, cutting_runs
 from .toolpath import Compensation, Kind, Toolpath
 from .verification import Verification
@@ -134,6 +134,8 @@ class Result:
         What the same machine is expected to leave at each point after the correction, mm.
     commanded : (n,) float64
         Offset of the program's own contour from the nominal at each point, mm.
+    carried : Correction or None
+        The same all along the contour, for a program that was corrected before, without facets; None for another one.
     separated : Separated or None
         What repeats, anywhere on the contour; None without a measurement of the whole contour.
     outlier : (n,) bool
@@ -170,6 +172,7 @@ class Result:
     uncertainty: Floats
     predicted: Floats
     commanded: Floats
+    carried: Correction | None
     separated: Separated | None
     outlier: NDArray[np.bool_]
     random_std: float
@@ -400,6 +403,8 @@ def correct(request: Request, *, check: bool = False) -> Result:
     first: FirstCut | None = None
     aim: Aim | None = None
     correction = Correction.none(nominal)
+    # What was not measured stays as the program has it; errors of an uncorrected one's own go all the same.
+    rest = expected.correction if expected is not None and carried and again is None else None
     if setup is not None and settings.method == "predicted":
         before = simulate(program, setup, nominal)
         request = replace(request, measurement=before.surface())
@@ -481,8 +486,6 @@ def correct(request: Request, *, check: bool = False) -> Result:
         if request.smoothed is not None:
             work = smoothed_over_parts(work, request.smoothed, nominal, settings)
         if aim is None:
-            # What was not measured stays as the program has it; errors of an uncorrected one's own go all the same.
-            rest = expected.correction if expected is not None and carried and again is None else None
             correction = correction_through(work, nominal, settings, warnings, rest)
 
     header = _header(request, noted)
@@ -539,6 +542,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
         uncertainty=work.uncertainty,
         predicted=work.predicted(applied) if foreseen is None else foreseen.left_at(work),
         commanded=work.commanded,
+        carried=None if rest is None else without_facets(rest),
         separated=work.separated,
         outlier=np.zeros(len(work.deviation), dtype=bool) if work.outlier is None else work.outlier,
         random_std=work.random_std,

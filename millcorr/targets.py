@@ -16,7 +16,7 @@ from .deviation import Deviation, statistics
 from .errors import LimitError, UsageError
 from .profile import Profile, Stretch
 from .separation import Filter, Observed, Separated, Stretches, filtered, interpolated, separate
-from .separation.parts import LEVEL_REACH, averaged
+from .separation.parts import averaged, same_levels
 from .settings import Settings
 from .transfer_function import TransferFunction, along_axis, examine, from_line, identify, line_over_depth, one_value
 
@@ -450,19 +450,14 @@ def local(nominal: Profile, stretch: Ints, s: Floats) -> Floats:
 
 def _separated(parts: Sequence[tuple[Deviation, Floats]], nominal: Profile, settings: Settings) -> Separated:
     """What repeats of values at the points of all parts, in their order, but for those without a value."""
-    heights = [float(parts[0][0].z[parts[0][0].level == k].mean()) for k in np.unique(parts[0][0].level)]
+    of = [np.unique(deviation.level, return_inverse=True) for deviation, _ in parts]
+    heights = [
+        np.array([deviation.z[deviation.level == k].mean() for k in levels])
+        for (deviation, _), (levels, _) in zip(parts, of, strict=True)
+    ]
     columns: list[tuple[Ints, Floats, Floats, Ints, Ints]] = []
-    for number, (deviation, values) in enumerate(parts):
-        level = np.zeros(len(deviation), dtype=np.int64)
-        for k in np.unique(deviation.level):
-            rows = deviation.level == k
-            z = float(deviation.z[rows].mean())
-            # The same height on another part carries another number there.
-            near = int(np.argmin(np.abs(np.array(heights) - z)))
-            if abs(heights[near] - z) >= LEVEL_REACH and number > 0:
-                heights.append(z)
-                near = len(heights) - 1
-            level[rows] = near if number > 0 else int(np.searchsorted(np.unique(deviation.level), k))
+    for number, ((deviation, values), (_, row), same) in enumerate(zip(parts, of, same_levels(heights), strict=True)):
+        level = same[row.ravel()]
         known = np.isfinite(values)
         s = local(nominal, deviation.stretch, deviation.s)
         part = np.full(len(deviation), number)
@@ -550,7 +545,7 @@ def correction_through(
                 return out
             # Far from any point what the program carries stays, but for the mean of what is left.
             stays = own - settings.gain * left_over
-            return out + (stays - out) * _unknown(std, separated.sizes.form)
+            return out + (stays - out) * unknown_share(std, separated.sizes.form)
 
         value = mirrored(places)
         if rows.any():
@@ -573,15 +568,28 @@ def correction_through(
     return Correction(stretches, tuple(courses))
 
 
-def _unknown(std: Floats, form: float) -> Floats:
-    """How little is known of the form at places: 0 where less than half of its variance is open, 1 where all is."""
-    x = np.clip(2.0 * (std / form) ** 2 - 1.0, 0.0, 1.0)
+def unknown_share(std: Floats, form: float) -> Floats:
+    """How little is known of the form at places: 0 where less than half of its variance is open, 1 where all is.
+
+    Parameters
+    ----------
+    std : (n,) float64
+        Standard uncertainty of the systematic part, mm; NaN where nothing is known of it.
+    form : float
+        Standard deviation of the form, mm.
+    """
+    x = np.clip(2.0 * (np.nan_to_num(std, nan=np.inf) / form) ** 2 - 1.0, 0.0, 1.0)
     out: Floats = x * x * (3.0 - 2.0 * x)
     return out
 
 
-def _carried(course: Course, stretch: Stretch) -> Course:
+def without_facets(carried: Correction) -> Correction:
     """What a program carries without the facets and digits of its moves, which are no correction."""
+    pairs = zip(carried.courses, carried.stretches, strict=True)
+    return Correction(carried.stretches, tuple(_carried(course, stretch) for course, stretch in pairs))
+
+
+def _carried(course: Course, stretch: Stretch) -> Course:
     count = max(math.ceil(stretch.length / CARRIED), 4)
     s = np.linspace(0.0, stretch.length, count, endpoint=not stretch.closed)
     return Course.through(s, course(s)[0], stretch.length, stretch.closed)

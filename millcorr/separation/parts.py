@@ -51,6 +51,29 @@ class Parts:
     values: Floats
 
 
+def same_levels(heights: Sequence[Floats]) -> list[Ints]:
+    """Numbers of the levels of each part, so that the same height has the same number on all.
+
+    Parameters
+    ----------
+    heights : sequence of (k,) float64
+        Of the levels of each part, mm; NaN where a height is not known.
+    """
+    known = list(heights[0].tolist())
+    out = [np.arange(len(known), dtype=np.int64)]
+    for part in heights[1:]:
+        numbers = []
+        for z in part.tolist():
+            away = np.nan_to_num(np.abs(np.array(known) - z), nan=np.inf)
+            near = int(np.argmin(away))
+            if away[near] >= LEVEL_REACH:
+                near = len(known)
+                known.append(z)
+            numbers.append(near)
+        out.append(np.array(numbers, dtype=np.int64))
+    return out
+
+
 def averaged(parts: Sequence[tuple[Deviation, Floats]], profile: Profile) -> Parts:
     """Mean over parts at the points of the first.
 

@@ -31,7 +31,9 @@ from . import history, process_control, trend
 from . import journal as journals
 from .journal import Chain, Entry, Journal
 from .places import Places, field_in_text
+from .points import Points
 from .process_control import Control, Decision
+from .smoothing import Smoothed, over_parts
 
 Floats = NDArray[np.float64]
 
@@ -213,12 +215,15 @@ def judged(
         decision: Decision | None = None
         result, smoothed = own, ""
         if control is not None:
-            decision = process_control.decide(chain.state, seen, control, uncorrected=not marks, accepted=accepted)
+            over = _smoothed(chain, own, commanded, control, bool(marks))
+            alone = not marks and over.parts == 1
+            decision = process_control.decide(over.deviation, seen, control, alone=alone, accepted=accepted)
             if decision.kind == "smoothed":
-                result = pipeline.correct(replace(request, smoothed=places.field(decision.smoothed)))
-                smoothed = field_in_text(places, decision.smoothed, [fingerprint for _, fingerprint in measured])
+                wanted = over.deviation if marks else over.machine
+                result = pipeline.correct(replace(request, smoothed=places.field(wanted)))
+                smoothed = field_in_text(places, wanted, [fingerprint for _, fingerprint in measured])
             elif decision.kind == "keep":
-                result = unchanged(own, places.field(np.nan_to_num(commanded)) if marks else None)
+                result = unchanged(own)
             _refuse_steps(control, result, bool(marks))
         entry = _entry(result, own, decision, control, (seen, commanded), places, source, measured, time)
         result, notes = _told(result, entry, chain, decision)
@@ -247,20 +252,18 @@ def corrected(
             yield Outcome(part.result, number, part.decision, part.notes)
 
 
-def unchanged(result: Result, in_force: Correction | None) -> Result:
+def unchanged(result: Result) -> Result:
     """The result of leaving the program as it is: its very bytes, no change, nothing predicted to change.
 
     Parameters
     ----------
     result : Result
         Of correcting it.
-    in_force : Correction or None
-        What the program carries already; None for an uncorrected one.
     """
     request, before = result.request, result.regeneration
     following = np.zeros(len(request.program.toolpath), dtype=bool)
     following[before.origin[before.following]] = True
-    correction = Correction.none(result.nominal) if in_force is None else in_force
+    correction = result.carried or Correction.none(result.nominal)
     compensated, residual = CompensatedContour(result.nominal, correction).to_profile()
     toolpath = request.program.toolpath
     return replace(
@@ -325,6 +328,24 @@ def _require_whole_series(settings: Settings) -> None:
         )
 
 
+def _points(own: Result) -> Points | None:
+    """Points of a result's parts; None where they were not separated, or not as deviations of one depth."""
+    one_depth = len(set(own.request.settings.depths)) < 2
+    return Points.of(own.separated, own.deviation) if own.separated is not None and one_depth else None
+
+
+def _smoothed(chain: Chain, own: Result, commanded: Floats, control: Control, corrected_before: bool) -> Smoothed:
+    """What the parts of the chain's last program show together with this one."""
+    points = _points(own)
+    if own.carried is not None:
+        commanded = chain.places.of_correction(own.carried)
+    assert points is not None and own.separated is not None, "methods that go with control separate what is measured"
+    return over_parts(
+        chain.since_correction, points, own.separated, commanded, control.weight, chain.places, own.nominal,
+        own.separated.filter, uncorrected=not corrected_before,
+    )  # fmt: skip
+
+
 def _refuse_steps(control: Control, result: Result, corrected_before: bool) -> None:
     if not result.regeneration.changed:
         return
@@ -376,6 +397,7 @@ def _entry(
         commanded,
         places.of_correction(result.correction),
         state,
+        _points(own),
     )
 
 

@@ -52,6 +52,7 @@ def entry(part: int, mean: float, *, corrected: bool, smoothed: float = math.nan
         zero,
         zero,
         zero,
+        None,
         part,
     )
 

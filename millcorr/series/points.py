@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Measured points of the parts of a series, as the journal keeps them, and parts looked at together."""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr.deviation import Deviation
+from millcorr.separation import Filter, Observed, Separated, Stretches, separate
+from millcorr.separation.parts import same_levels
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+MOST = 2000
+"""More points of an entry than these are kept as means of so many places: closer ones tell the same of a form."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Points:
+    """What the machine added at the measured points of one entry, which may be several parts of one program.
+
+    Parameters
+    ----------
+    part, stretch : (n,) int64
+        Number of the part within the entry; smooth stretch of the nominal.
+    s : (n,) float64
+        mm from the stretch's start.
+    z : (n,) float64
+        Height of the point's level, mm; NaN where it is not known.
+    value : (n,) float64
+        Measured deviation less what the program of the part commanded, mm.
+    """
+
+    part: Ints
+    stretch: Ints
+    s: Floats
+    z: Floats
+    value: Floats
+
+    @property
+    def parts(self) -> int:
+        """How many parts the entry has."""
+        return len(np.unique(self.part))
+
+    @staticmethod
+    def of(separated: Separated, deviation: Deviation) -> Points:
+        """Points that were separated; heights are told by the used points of the first part, `deviation`."""
+        seen = separated.observed
+        heights = np.full(int(seen.level.max(initial=0)) + 1, np.nan)
+        for number, level in enumerate(np.unique(deviation.level)):
+            heights[number] = deviation.z[deviation.level == level].mean()
+        part, stretch, level, s, value = seen.part, seen.stretch, seen.level, seen.s, seen.value
+        if len(s) > MOST:
+            sound = ~separated.outlier
+            blocks = np.unique(np.column_stack([part, level]), axis=0, return_inverse=True)[1].ravel()
+            lengths = separated.stretches.lengths
+            width = lengths[np.unique(stretch)].sum() * (blocks.max() + 1) / MOST
+            cell = np.column_stack([blocks, stretch, np.floor(s / width).astype(np.int64)])[sound]
+            _, first, of = np.unique(cell, axis=0, return_index=True, return_inverse=True)
+            count = np.bincount(of.ravel())
+            s, value = (np.bincount(of.ravel(), v[sound]) / count for v in (s, value))
+            part, stretch, level = (v[sound][first] for v in (part, stretch, level))
+        return Points(part, stretch, s, heights[level], value)
+
+    def packed(self) -> bytes:
+        """As bytes."""
+        rows = np.stack([np.asarray(getattr(self, name), dtype="<f8") for name in self.__slots__])
+        return zlib.compress(rows.tobytes())
+
+    @staticmethod
+    def from_packed(data: bytes) -> Points:
+        """From bytes; ValueError or zlib.error where they are damaged."""
+        rows = np.frombuffer(zlib.decompress(data), dtype="<f8").reshape(5, -1).astype(np.float64)
+        rows.flags.writeable = False
+        return Points(rows[0].astype(np.int64), rows[1].astype(np.int64), rows[2], rows[3], rows[4])
+
+
+def together(entries: Sequence[Points], count: Floats, stretches: Stretches, filter: Filter) -> Separated:
+    """What repeats over the parts of several entries.
+
+    Parameters
+    ----------
+    entries : sequence of Points
+    count : (entries,) float64
+        How many times each entry counts; see `separate`.
+    stretches : Stretches
+        Of the nominal.
+    filter : Filter
+    """
+    heights, of = zip(*(np.unique(one.z, return_inverse=True) for one in entries), strict=True)
+    level = [number[row.ravel()] for number, row in zip(same_levels(heights), of, strict=True)]
+    part: list[Ints] = []
+    each: list[float] = []
+    for one, times in zip(entries, count, strict=True):
+        part.append(one.part + len(each))
+        each += [float(times) / one.parts] * one.parts
+    stretch, s, value = (np.concatenate([getattr(one, name) for one in entries]) for name in ("stretch", "s", "value"))
+    observed = Observed(stretch, s, value, np.concatenate(part), np.concatenate(level))
+    return separate(observed, stretches, filter, np.array(each))
