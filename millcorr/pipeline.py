@@ -49,7 +49,7 @@ from .regeneration.vanishing_arcs import without_vanishing_arcs
 from .separation import Separated
 from .settings import Settings as Settings
 from .setup_file import Setup
-from .targets import Elastic, Part, Target, correction_through, smoothed_over_parts, target_of, without_facets
+from .targets import Elastic, Part, Target, carried_along, correction_through, smoothed_over_parts, target_of
 from .theoretical_contour import CutContour, cutting_runs
 from .toolpath import Compensation, Kind, Toolpath
 from .verification import Verification
@@ -135,7 +135,7 @@ class Result:
     commanded : (n,) float64
         Offset of the program's own contour from the nominal at each point, mm.
     carried : Correction or None
-        The same all along the contour, for a program that was corrected before, without facets; None for another one.
+        The same all along the contour, for a program that was corrected before; None for another one.
     separated : Separated or None
         What repeats, anywhere on the contour; None without a measurement of the whole contour.
     outlier : (n,) bool
@@ -403,6 +403,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
     first: FirstCut | None = None
     aim: Aim | None = None
     correction = Correction.none(nominal)
+    exact: Correction | None = None
     # What was not measured stays as the program has it; errors of an uncorrected one's own go all the same.
     rest = expected.correction if expected is not None and carried and again is None else None
     if setup is not None and settings.method == "predicted":
@@ -486,7 +487,8 @@ def correct(request: Request, *, check: bool = False) -> Result:
         if request.smoothed is not None:
             work = smoothed_over_parts(work, request.smoothed, nominal, settings)
         if aim is None:
-            correction = correction_through(work, nominal, settings, warnings, rest)
+            exact = None if rest is None else carried_along(rest, work, nominal)
+            correction = correction_through(work, nominal, settings, warnings, rest if work.smoothed is None else exact)
 
     header = _header(request, noted)
 
@@ -542,7 +544,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
         uncertainty=work.uncertainty,
         predicted=work.predicted(applied) if foreseen is None else foreseen.left_at(work),
         commanded=work.commanded,
-        carried=None if rest is None else without_facets(rest),
+        carried=exact,
         separated=work.separated,
         outlier=np.zeros(len(work.deviation), dtype=bool) if work.outlier is None else work.outlier,
         random_std=work.random_std,

@@ -31,6 +31,9 @@ MOST_SUPPORTS = 20_000
 CARRIED = 1.0
 """What a program carries is read every so many mm: a form is never shorter than two."""
 
+CARRIED_IN_SERIES = 0.5
+"""In a series, where part of what a program carries stays in it on purpose, so that waves of 3 mm do."""
+
 SAME = 1e-7
 """Displacements in mm that are the same."""
 
@@ -532,7 +535,7 @@ def correction_through(
         rows = d.stretch == k
         base = _carried(there, stretch) if work.added and there is not None else None
         if work.smoothed is not None:
-            courses.append(_smoothed_course(work, k, s[rows], rows, base, settings))
+            courses.append(_smoothed_course(work, k, s[rows], rows, there if work.added else None, settings))
             refuse_swing(nominal, stretch, courses[-1], settings.limit)
             continue
         places = _supports(stretch, _step(separated, s[rows], settings))
@@ -583,16 +586,36 @@ def unknown_share(std: Floats, form: float) -> Floats:
     return out
 
 
-def without_facets(carried: Correction) -> Correction:
-    """What a program carries without the facets and digits of its moves, which are no correction."""
-    pairs = zip(carried.courses, carried.stretches, strict=True)
-    return Correction(carried.stretches, tuple(_carried(course, stretch) for course, stretch in pairs))
-
-
 def _carried(course: Course, stretch: Stretch) -> Course:
+    """What a program carries without the facets and digits of its moves, which are no correction."""
     count = max(math.ceil(stretch.length / CARRIED), 4)
     s = np.linspace(0.0, stretch.length, count, endpoint=not stretch.closed)
     return Course.through(s, course(s)[0], stretch.length, stretch.closed)
+
+
+def carried_along(read: Correction, work: Target, nominal: Profile) -> Correction:
+    """What a program carries, as exact as the points are dense: read off its path, and put right at the points.
+
+    Parameters
+    ----------
+    read : Correction
+        Read off the program's path, a mean over every 2 mm.
+    work : Target
+        With the program's own offset at the points.
+    nominal : Profile
+    """
+    d = work.deviation
+    s = local(nominal, d.stretch, d.s)
+    courses = []
+    for k, (course, stretch) in enumerate(zip(read.courses, read.stretches, strict=True)):
+        rows = d.stretch == k
+        if not rows.any():
+            courses.append(course)
+            continue
+        at = _supports(stretch, CARRIED_IN_SERIES)
+        off = interpolated(s[rows], work.commanded[rows] - course(s[rows])[0], stretch.length, stretch.closed, at)
+        courses.append(Course.through(at, course(at)[0] + off, stretch.length, stretch.closed))
+    return Correction(read.stretches, tuple(courses))
 
 
 def _smoothed_course(work: Target, k: int, s: Floats, rows: Bools, base: Course | None, settings: Settings) -> Course:
@@ -601,7 +624,7 @@ def _smoothed_course(work: Target, k: int, s: Floats, rows: Bools, base: Course 
     stretch, smoothed = work.smoothed.stretches[k], work.smoothed.courses[k]
     step = float(np.diff(smoothed.breaks).min())
     if base is not None:
-        step = min(step, CARRIED)
+        step = min(step, CARRIED_IN_SERIES)
     places = _supports(stretch, step / (4.0 if settings.dead_band > 0 else 1.0))
     own = np.zeros(len(places)) if base is None else base(places)[0]
     # Without a point on a stretch the machine yields there as it does elsewhere.
