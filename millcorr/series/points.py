@@ -11,8 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.deviation import Deviation
+from millcorr.profile import Profile
 from millcorr.separation import Filter, Observed, Separated, Stretches, separate
 from millcorr.separation.parts import same_levels
+
+from .places import Places
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -33,15 +36,27 @@ class Points:
         mm from the stretch's start.
     z : (n,) float64
         Height of the point's level, mm; NaN where it is not known.
+    cos_alpha, cos_beta : (n,) float64
+        Directional cosines of the nominal there.
+    commanded : (n,) float64
+        What the program of the part commanded, mm.
     value : (n,) float64
-        Measured deviation less what the program of the part commanded, mm.
+        Measured deviation less that, mm.
     """
 
     part: Ints
     stretch: Ints
     s: Floats
     z: Floats
+    cos_alpha: Floats
+    cos_beta: Floats
+    commanded: Floats
     value: Floats
+
+    @property
+    def normal(self) -> Floats:
+        """Directional cosines, (n, 2)."""
+        return np.column_stack([self.cos_alpha, self.cos_beta])
 
     @property
     def parts(self) -> int:
@@ -49,8 +64,19 @@ class Points:
         return len(np.unique(self.part))
 
     @staticmethod
-    def of(separated: Separated, deviation: Deviation) -> Points:
-        """Points that were separated; heights are told by the used points of the first part, `deviation`."""
+    def of(separated: Separated, deviation: Deviation, nominal: Profile, places: Places, commanded: Floats) -> Points:
+        """Points that were separated.
+
+        Parameters
+        ----------
+        separated : Separated
+        deviation : Deviation
+            Used points of the first part, which tell the heights.
+        nominal : Profile
+        places : Places
+        commanded : (m,) float64
+            What the program commands at the places, mm; NaN where it is not known.
+        """
         seen = separated.observed
         heights = np.full(int(seen.level.max(initial=0)) + 1, np.nan)
         for number, level in enumerate(np.unique(deviation.level)):
@@ -66,7 +92,13 @@ class Points:
             count = np.bincount(of.ravel())
             s, value = (np.bincount(of.ravel(), v[sound]) / count for v in (s, value))
             part, stretch, level = (v[sound][first] for v in (part, stretch, level))
-        return Points(part, stretch, s, heights[level], value)
+        normal, own = np.empty((len(s), 2)), np.empty(len(s))
+        begin = np.cumsum([0, *places.counts])
+        for k in np.unique(stretch).tolist():
+            rows, t = stretch == k, places.stretches[k]
+            _, normal[rows] = nominal.at(t.contour, t.begin + s[rows])
+            own[rows] = np.interp(s[rows], places.s(k), np.nan_to_num(commanded[begin[k] : begin[k + 1]]))
+        return Points(part, stretch, s, heights[level], normal[:, 0], normal[:, 1], own, value)
 
     def packed(self) -> bytes:
         """As bytes."""
@@ -76,9 +108,9 @@ class Points:
     @staticmethod
     def from_packed(data: bytes) -> Points:
         """From bytes; ValueError or zlib.error where they are damaged."""
-        rows = np.frombuffer(zlib.decompress(data), dtype="<f8").reshape(5, -1).astype(np.float64)
+        rows = np.frombuffer(zlib.decompress(data), dtype="<f8").reshape(len(Points.__slots__), -1).astype(np.float64)
         rows.flags.writeable = False
-        return Points(rows[0].astype(np.int64), rows[1].astype(np.int64), rows[2], rows[3], rows[4])
+        return Points(rows[0].astype(np.int64), rows[1].astype(np.int64), *rows[2:])
 
 
 def together(entries: Sequence[Points], count: Floats, stretches: Stretches, filter: Filter) -> Separated:

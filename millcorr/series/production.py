@@ -328,15 +328,16 @@ def _require_whole_series(settings: Settings) -> None:
         )
 
 
-def _points(own: Result) -> Points | None:
+def _points(own: Result, places: Places, commanded: Floats) -> Points | None:
     """Points of a result's parts; None where they were not separated, or not as deviations of one depth."""
-    one_depth = len(set(own.request.settings.depths)) < 2
-    return Points.of(own.separated, own.deviation) if own.separated is not None and one_depth else None
+    if own.separated is None or len(set(own.request.settings.depths)) > 1:
+        return None
+    return Points.of(own.separated, own.deviation, own.nominal, places, commanded)
 
 
 def _smoothed(chain: Chain, own: Result, commanded: Floats, control: Control, corrected_before: bool) -> Smoothed:
     """What the parts of the chain's last program show together with this one."""
-    points = _points(own)
+    points = _points(own, chain.places, commanded)
     if own.carried is not None:
         commanded = chain.places.of_correction(own.carried)
     assert points is not None and own.separated is not None, "methods that go with control separate what is measured"
@@ -397,7 +398,7 @@ def _entry(
         commanded,
         places.of_correction(result.correction),
         state,
-        _points(own),
+        _points(own, places, commanded),
     )
 
 

@@ -51,7 +51,7 @@ def entry(output: Path, after: bytes, *, number: int = 1, before: bytes = FIRST)
         {"correction": "gain 1", "control": {"limit": 0.004}},
         {"mean": 0.001, "random_std": float("nan")},
         *fields,
-        points=Points(*np.zeros((2, 9), dtype=np.int64), *noise.normal(0, 1e-3, (3, 9))),
+        points=Points(*np.zeros((2, 9), dtype=np.int64), *noise.normal(0, 1e-3, (6, 9))),
     )
 
 

@@ -14,6 +14,7 @@ import pytest
 from millcorr import gcode, pipeline
 from millcorr.separation import Filter, Observed, Separated, separate
 from millcorr.series import history, journal, points
+from millcorr.series.form import shared_form
 from millcorr.series.journal import Entry
 from millcorr.series.places import Places
 from millcorr.series.points import Points, together
@@ -41,7 +42,11 @@ def measured(value, *, every: float = 2.0, phase: float = 0.3, stretches=(0, 1, 
     stretch, s = np.concatenate(of).astype(np.int64), np.concatenate(s)
     d = np.full(len(s), float(value)) if not callable(value) else value(stretch, s)
     zero = np.zeros(len(s), dtype=np.int64)
-    return Points(zero, stretch, s, np.full(len(s), z), d * UM)
+    normal = np.empty((len(s), 2))
+    for k in stretches:
+        rows = stretch == k
+        _, normal[rows] = NOMINAL.at(PLACES.stretches[k].contour, PLACES.stretches[k].begin + s[rows])
+    return Points(zero, stretch, s, np.full(len(s), z), *normal.T, 0.0 * s, d * UM)
 
 
 def entry(part: Points | None, state: float = 0.0) -> Entry:
@@ -160,11 +165,14 @@ def test_points_are_kept_whole_and_many_as_means_of_places() -> None:
     zero = np.zeros(n, dtype=np.int64)
     own = alone(stretch, s, value)
     deviation = dataclasses.replace(EMPTY, level=zero, z=np.full(n, -3.0))
-    kept = Points.of(own, deviation)
+    commanded = PLACES.along()[1] * UM
+    kept = Points.of(own, deviation, NOMINAL, PLACES, commanded)
     assert points.MOST / 2 < len(kept.s) <= 1.01 * points.MOST
     # Six points a place; outliers of 100 um are in none.
     off = kept.value / UM - 5 * np.sin(kept.s / 8)
     assert rms(off) < 1.4 / np.sqrt(6) and np.abs(off).max() < 5
+    assert kept.commanded == pytest.approx(kept.s * UM, abs=1e-9)
+    assert np.abs(kept.normal).max(axis=1) == pytest.approx(1.0)
     again = Points.from_packed(kept.packed())
     assert all(np.array_equal(getattr(again, name), getattr(kept, name)) for name in Points.__slots__)
     assert (again.z == -3.0).all() and not again.value.flags.writeable
@@ -176,6 +184,72 @@ EMPTY = Target.empty().deviation
 def alone(stretch, s, value) -> Separated:
     zero = np.zeros(len(s), dtype=np.int64)
     return separate(Observed(stretch, s, value, zero, zero), stretches_of(NOMINAL))
+
+
+# --- the form of the parts
+
+
+def series_of(growth, parts: int = 14, seed: int = 1, **where) -> list[Entry]:
+    """Parts of one program with waves of 50 mm whose size in um is told by their number, and noise of 1 um."""
+    rng = np.random.default_rng(seed)
+    out = []
+    for n in range(parts):
+        part = noisy(rng, waves(50.0, growth(n)), 1.0, offset=0.2, every=1.5, phase=0.1 + 0.8 * rng.random(), **where)
+        out.append(dataclasses.replace(entry(part), statistics=STATISTICS, part=n + 1))
+    return out
+
+
+STATISTICS = {name: dict.fromkeys(("mean", "place X", "place Y"), 0.0) for name in ("components", "commanded")}
+
+
+def test_a_growing_form_is_a_trend() -> None:
+    """0.3 um a part in amplitude: 0.21 um in root mean square."""
+    ((component, change),) = history.changes(series_of(lambda n: 5 + 0.3 * n))
+    assert (component, change.kind) == ("form", "trend")
+    assert change.size / UM == pytest.approx(0.3 / np.sqrt(2), abs=0.03)
+    (line, now), *_ = history.series(series_of(lambda n: 5 + 0.3 * n))
+    assert line.startswith("drift of the form by +0.2") and "not the same all along" in line and now
+
+
+def test_another_form_is_a_jump() -> None:
+    ((component, change),) = history.changes(series_of(lambda n: 4 if n < 9 else 9))
+    assert (component, change.kind, change.part) == ("form", "jump", 9)
+    assert change.size / UM == pytest.approx(5 / np.sqrt(2), abs=0.3)
+
+
+def test_equal_forms_raise_no_more_alarms_than_promised() -> None:
+    """60 series of 14 parts, half of them without any form; a quarter of 1 % for each of the 10 parts looked at."""
+    alarms = sum(bool(history.changes(series_of(lambda n, s=s: 4 * (s % 2), seed=s))) for s in range(60))
+    # 1.5 are expected; five and more in one run of a hundred.
+    assert alarms <= 5
+
+
+def test_mean_and_place_are_no_form_and_a_part_without_points_has_none() -> None:
+    entries = series_of(lambda n: 3.0, parts=3)
+    moved = entries[1].points
+    more = (20 + 15 * moved.cos_alpha - 8 * moved.cos_beta) * UM
+    moved = dataclasses.replace(moved, value=moved.value + more, commanded=-more)
+    entries = [
+        entries[0],
+        dataclasses.replace(entries[1], points=moved),
+        entries[2],
+        dataclasses.replace(entries[2], points=None),
+    ]
+    value, commanded = history.machine(entries)["form"]
+    assert value[:3] / UM == pytest.approx(3 / np.sqrt(2), abs=0.4) and np.isnan(value[3])
+    assert np.abs(commanded[:3]).max() < 1e-9
+
+
+def test_the_form_of_parts_measured_on_different_sides() -> None:
+    """Each side has waves of the same size: a part that lacks two of them shows as much of the form."""
+    rng = np.random.default_rng(2)
+    parts = [noisy(rng, waves(50.0, 6.0), 0.5, stretches=k) for k in ((0, 1, 2, 3), (0, 1), (2, 3), (0, 2))]
+    value, _ = shared_form(parts)
+    assert value / UM == pytest.approx(6 / np.sqrt(2), abs=0.5)
+    assert np.isnan(shared_form([None, None])[0]).all() and np.isnan(shared_form([None, parts[0]])[0]).tolist() == [
+        True,
+        False,
+    ]
 
 
 # --- through the whole loop
