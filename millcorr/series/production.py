@@ -25,6 +25,7 @@ from millcorr.deviation import statistics
 from millcorr.errors import InputError, UsageError
 from millcorr.pipeline import Request, Result, Settings
 from millcorr.reconstruction import CompensatedContour
+from millcorr.separation import Filter
 from millcorr.verification import verify
 
 from . import history, process_control, trend
@@ -33,7 +34,7 @@ from .journal import Chain, Entry, Journal
 from .places import Places, field_in_text
 from .points import Points
 from .process_control import Control, Decision
-from .smoothing import Smoothed, over_parts
+from .smoothing import Smoothed, form_that_stays, over_parts
 
 Floats = NDArray[np.float64]
 
@@ -227,6 +228,8 @@ def judged(
             _refuse_steps(control, result, bool(marks))
         entry = _entry(result, own, decision, control, (seen, commanded), places, source, measured, time)
         result, notes = _told(result, entry, chain, decision)
+        if control is None and request.settings.method == "mirror" and own.separated is not None:
+            result = _told_what_stays(result, entry, chain, own.separated.filter)
         yield Judged(result, decision, notes, smoothed, book, chain, entry)
 
 
@@ -412,3 +415,16 @@ def _told(result: Result, entry: Entry, chain: Chain, decision: Decision | None)
     elif decision is not None:
         said = (f"corrected: {decision.reason}",)
     return replace(result, warnings=result.warnings + lines, advice=said + result.advice), said
+
+
+def _told_what_stays(result: Result, entry: Entry, chain: Chain, filter: Filter) -> Result:
+    """The result with a word on a form that single parts do not show, where nothing smooths over them."""
+    stays = form_that_stays(chain.entries, entry.points, entry.correction, chain.places, result.nominal, filter)
+    if stays is None:
+        return result
+    size, scatter, parts = stays
+    line = (
+        f"the last {parts} parts share a form of up to {size * 1000:.1f} um that none of them shows alone (they scatter "
+        f"by {scatter * 1000:.1f} um): it stays in the next part; --control ewma:{parts} --control-limit MM takes it out"
+    )
+    return replace(result, warnings=(*result.warnings, line))

@@ -31,6 +31,14 @@ PARTS = 8
 smoothed up to them. Form and noise are told apart by three."""
 
 
+LEAST_PARTS = 3
+"""Fewer parts of a series that is not smoothed are not looked at together."""
+
+NOTICEABLE = 2.0
+"""A form that stays is worth a word where it is more than so many times what the points of a part scatter by: below,
+full corrections by single parts mill as much into the next one."""
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Smoothed:
     """What the parts of one program show together, at the places; mm.
@@ -110,3 +118,43 @@ def over_parts(
         rest = 0.0
     z = np.where(measured, rest * begun + (1.0 - rest) * deviation, begun)
     return Smoothed(z, np.where(measured, machine, 0.0), len(former) + 1)
+
+
+def form_that_stays(
+    former: Sequence[Entry], points: Points | None, applied: Floats, places: Places, nominal: Profile, filter: Filter
+) -> tuple[float, float, int] | None:
+    """The form that the last parts share and the program for the next one leaves, though every part was corrected.
+
+    Parameters
+    ----------
+    former : sequence of Entry
+        All parts before, whatever their programs.
+    points : Points or None
+        Of this part.
+    applied : (n,) float64
+        Sum of all corrections in force for the next part at the places, mm.
+    places : Places
+    nominal : Profile
+    filter : Filter
+
+    Returns
+    -------
+    (float, float, int) or None
+        Its largest distance from its mean, mm; standard deviation of what parts do not share, mm; number of parts.
+        None where it is within the band of what is known of it, or not worth a word.
+    """
+    known = [entry.points for entry in former[-(PARTS - 1) :] if entry.points is not None]
+    if points is None or len(known) + 1 < LEAST_PARTS:
+        return None
+    found = together([*known, points], np.ones(len(known) + 1), stretches_of(nominal), filter)
+    stretch, s = places.along()
+    machine, std = found.at(stretch, s)
+    near = unknown_share(std, found.sizes.form) < 1.0
+    if not near.any():
+        return None
+    left = (machine + applied)[near]
+    left = np.abs(left - left.mean())
+    largest = int(np.argmax(left - found.band * std[near]))
+    if left[largest] <= found.band * std[near][largest] or left.max() <= NOTICEABLE * found.random_std:
+        return None
+    return float(left.max()), found.random_std, len(known) + 1

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 import sqlite3
 from contextlib import closing
 from pathlib import Path
@@ -285,6 +286,30 @@ def test_a_persisting_form_is_corrected_and_stays_so(tmp_path: Path) -> None:
     # The waves are all that part 1 leaves; three quarters of them are smoothed from two parts.
     assert left[0] == pytest.approx(size / np.sqrt(2), abs=0.5)
     assert left[-1] < 0.5 * left[0]
+
+
+@pytest.mark.parametrize("size", [7.0, 0.0])
+def test_without_control_a_form_that_stays_is_told(tmp_path: Path, size: float) -> None:
+    """Every part corrects its mean alone: waves of 7 um stay in all of them; without waves there is nothing to tell."""
+    rng = np.random.default_rng(8)
+    shop = Shop(tmp_path, filter="auto")
+    carried = 0.0
+    for _ in range(4):
+
+        def deviation(k, s, carried=carried):
+            return (12 + size * np.sin(2 * np.pi * s / 5)) * UM + carried + 1.4 * UM * rng.standard_normal(len(s))
+
+        outcome = shop.next(shop.measure(deviation, spacing=1.25))
+        carried = float(np.mean([c.coefficient[0].mean() for c in outcome.result.correction.courses]))
+    told = [w for w in outcome.result.warnings if "share a form" in w]
+    assert len(told) == (1 if size else 0)
+    if told:
+        found = re.match(
+            r"the last 4 parts share a form of up to ([\d.]+) um .*scatter by ([\d.]+) um.*ewma:4", told[0]
+        )
+        assert (
+            found and float(found[1]) == pytest.approx(size, abs=2.5) and float(found[2]) == pytest.approx(1.4, abs=0.3)
+        )
 
 
 def test_a_side_without_points_loses_the_smoothed_mean_and_keeps_its_correction(tmp_path: Path) -> None:
