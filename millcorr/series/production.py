@@ -424,7 +424,8 @@ def _told_what_stays(result: Result, entry: Entry, chain: Chain, filter: Filter)
         return result
     size, scatter, parts = stays
     line = (
-        f"the last {parts} parts share a form of up to {size * 1000:.1f} um that none of them shows alone (they scatter "
-        f"by {scatter * 1000:.1f} um): it stays in the next part; --control ewma:{parts} --control-limit MM takes it out"
+        f"the last {parts} parts share a form of up to {size * 1000:.1f} um that none of them shows alone (they "
+        f"scatter by {scatter * 1000:.1f} um): it stays in the next part; --control ewma:{parts} --control-limit MM "
+        "takes it out"
     )
     return replace(result, warnings=(*result.warnings, line))

@@ -302,6 +302,30 @@ def test_slow_waves_of_every_part_are_no_form(seed: int) -> None:
     assert np.mean(np.abs(found.systematic[:150]) < 2 * found.uncertainty[:150]) > 0.9
 
 
+@pytest.mark.parametrize("count", [None, (0.25, 0.5, 1.0)])
+@pytest.mark.parametrize("trials", [6, slow(60)])
+def test_the_band_of_several_parts_covers_what_it_says(count: tuple[float, ...] | None, trials: int) -> None:
+    """Three parts with offsets of 1 um and remembered noise; that of parts that count less is taken for larger."""
+    inside = []
+    stretches = Stretches(np.array([200.0]), np.array([True]), np.zeros(1, dtype=np.int64))
+    at, zero = np.linspace(0, 200, 400, endpoint=False), np.zeros(450, dtype=np.int64)
+    for trial in range(trials):
+        rng = np.random.default_rng([31, trial])
+        phase, size = rng.uniform(0, 6, 4), UM * rng.uniform(1, 5, 4)
+
+        def form(s: np.ndarray, phase=phase, size=size) -> np.ndarray:
+            return (size * np.sin(np.pi * np.array([1, 2, 3, 12]) * s[:, None] / 100 + phase)).sum(axis=1)
+
+        s = [np.sort((np.arange(150) + rng.random()) * 200 / 150) for _ in range(3)]
+        value = [form(x) + remembered(rng, x, 1.5 * UM, 2.0) + UM * rng.standard_normal(150) for x in s]
+        value = np.concatenate([v + UM * rng.standard_normal() for v in value])
+        observed = Observed(zero, np.concatenate(s), value, np.repeat(np.arange(3), 150), zero)
+        found = separate(observed, stretches, count=None if count is None else np.array(count))
+        mean, std = found.at(np.zeros(400, dtype=np.int64), at)
+        inside.append(float(np.mean(np.abs(mean - form(at)) < 1.96 * std)))
+    assert np.mean(inside) > (0.85 if trials < 20 else 0.92)
+
+
 def test_parts_that_count_otherwise_are_the_full_matrix_with_their_noise_so_much_larger() -> None:
     rng = np.random.default_rng(11)
     count = np.array([0.2, 0.5, 1.0])
