@@ -16,7 +16,7 @@ from .deviation import Deviation, statistics
 from .errors import LimitError, UsageError
 from .profile import Profile, Stretch
 from .separation import Filter, Observed, Separated, Stretches, filtered, interpolated, separate
-from .separation.parts import averaged, same_levels
+from .separation.parts import LEVEL_REACH, averaged
 from .settings import Settings
 from .transfer_function import TransferFunction, along_axis, examine, from_line, identify, line_over_depth, one_value
 
@@ -453,14 +453,19 @@ def local(nominal: Profile, stretch: Ints, s: Floats) -> Floats:
 
 def _separated(parts: Sequence[tuple[Deviation, Floats]], nominal: Profile, settings: Settings) -> Separated:
     """What repeats of values at the points of all parts, in their order, but for those without a value."""
-    of = [np.unique(deviation.level, return_inverse=True) for deviation, _ in parts]
-    heights = [
-        np.array([deviation.z[deviation.level == k].mean() for k in levels])
-        for (deviation, _), (levels, _) in zip(parts, of, strict=True)
-    ]
+    heights = [float(parts[0][0].z[parts[0][0].level == k].mean()) for k in np.unique(parts[0][0].level)]
     columns: list[tuple[Ints, Floats, Floats, Ints, Ints]] = []
-    for number, ((deviation, values), (_, row), same) in enumerate(zip(parts, of, same_levels(heights), strict=True)):
-        level = same[row.ravel()]
+    for number, (deviation, values) in enumerate(parts):
+        level = np.zeros(len(deviation), dtype=np.int64)
+        for k in np.unique(deviation.level):
+            rows = deviation.level == k
+            z = float(deviation.z[rows].mean())
+            # The same height on another part carries another number there.
+            near = int(np.argmin(np.abs(np.array(heights) - z)))
+            if abs(heights[near] - z) >= LEVEL_REACH and number > 0:
+                heights.append(z)
+                near = len(heights) - 1
+            level[rows] = near if number > 0 else int(np.searchsorted(np.unique(deviation.level), k))
         known = np.isfinite(values)
         s = local(nominal, deviation.stretch, deviation.s)
         part = np.full(len(deviation), number)
