@@ -61,7 +61,7 @@ def posteriors(result: Result) -> tuple[Posterior, ...]:
         Empty where nothing was measured, or where more than the model went into the result: parts cut at several
         depths.
     """
-    found, d, profile = result.separated, result.deviation, result.nominal
+    found, d, profile = result.systematic, result.deviation, result.nominal
     if found is None or not len(d):
         return ()
     stretches = profile.stretches()
@@ -74,7 +74,7 @@ def posteriors(result: Result) -> tuple[Posterior, ...]:
         return ()
     # What the program carries of its own is known at the points.
     own = result.filtered - mean
-    bare = gaps(found, profile)
+    bare = gaps(found.separated, profile)
     out = []
     for k, stretch in enumerate(stretches):
         if stretch.contour not in d.contour:
@@ -94,7 +94,7 @@ def posteriors(result: Result) -> tuple[Posterior, ...]:
                 past = place - gap.begin
                 past = np.mod(past, total) if profile.contours[stretch.contour].closed else past
                 without |= (past >= 0.0) & (past <= gap.end - gap.begin)
-        out.append(Posterior(k, s, value, uncertain, found.band, without))
+        out.append(Posterior(k, s, value, uncertain, found.separated.band, without))
     return tuple(out)
 
 

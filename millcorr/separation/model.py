@@ -9,6 +9,7 @@ part and height, and white noise e. The systematic part is mu + f.
 
 from __future__ import annotations
 
+import copy
 import math
 from dataclasses import dataclass, replace
 
@@ -30,6 +31,12 @@ MANY = 20_000
 
 SEARCHED = 500
 """Places that outliers, sizes and lengths are looked for with; with all cells only the last steps are made."""
+
+MOST_PARTS = 4
+"""So many parts may have so many places each: gathered to fewer, what they share would be lost between its waves."""
+
+SEARCHED_PARTS = 3
+"""Of more parts the first ones are enough to begin from: what two share is form already. All say how large it is."""
 
 COINCIDING = 1e-3
 """Points nearer than this, in mm, are at one place: no noise with a memory tells them apart."""
@@ -121,7 +128,7 @@ class Observed:
     def __len__(self) -> int:
         return len(self.s)
 
-    def of(self, rows: Ints) -> Observed:
+    def take(self, rows: Ints) -> Observed:
         """Some of the values."""
         z = None if self.z is None else self.z[rows]
         return Observed(self.stretch[rows], self.s[rows], self.value[rows], self.part[rows], self.level[rows], z)
@@ -147,6 +154,7 @@ class Gathered:
         blocks = len(parts) * len(levels)
         seen = np.unique(observed.stretch)
         room = float(stretches.lengths[seen].sum()) * blocks
+        most *= min(len(parts), MOST_PARTS)
         width = COINCIDING if len(observed) <= most else max(room / most, COINCIDING)
         cells_of = np.ceil(stretches.lengths / width).astype(np.int64) + 1
         first = np.concatenate([[0], np.cumsum(cells_of)])
@@ -170,9 +178,10 @@ class Gathered:
         height = np.bincount(level, z) / np.bincount(level)
         several = len(levels) > 1
         self.across = (height - height.mean()) / np.ptp(height) if several else np.zeros(1)
-        self.cells = Cells(stretch, block[start], s, table, self.kind, self.across[level[start]])
+        self.cells = Cells(stretch, block[start], s, table, self.kind, self.across[level[start]], np.ones(len(s)))
         self.value = observed.value
         self.parts, self.levels = len(parts), len(levels)
+        self.part = part[start]
         self.spacing = room / blocks / max(len(s), 1)
         self.longest = float(stretches.lengths[seen].max())
 
@@ -181,6 +190,18 @@ class Gathered:
         total: Floats = np.bincount(self.of, weight).astype(np.float64)
         mean: Floats = np.bincount(self.of, weight * self.value) / total
         return mean, total, float(weight @ (self.value - mean[self.of]) ** 2)
+
+    def counting(self, count: Floats) -> Gathered:
+        """The same where each part counts so many times, (parts,), as if all its noise were 1/sqrt(count) as large.
+
+        Its values are seen through sqrt(count): what is systematic is scaled and the noise is as it was.
+        """
+        out = copy.copy(self)
+        scale = np.sqrt(count)[self.part]
+        systematic = np.where(self.kind == 1, 1.0, scale[:, None])
+        out.cells = replace(self.cells, columns=self.cells.columns * systematic, scale=scale)
+        out.value = scale[self.of] * self.value
+        return out
 
     def step(self, form_length: float, nodes: float) -> float:
         """Distance of the form's nodes, mm: a power of the root of two, so that lengths near each other share it."""
@@ -291,7 +312,11 @@ def _starts(likelihood: Likelihood, noise: float, spread: float) -> list[Floats]
     lengths = np.geomspace(low, high, count)
     out = []
     short, long = lengths[: count // 2], lengths[count // 2 :]
-    for process, white, some in ((0.3, 1.0, short), (0.3, 1.0, long), (3.0, 0.5, lengths)):
+    kinds = [(0.3, 1.0, short), (0.3, 1.0, long), (3.0, 0.5, lengths)]
+    if g.parts > 1:
+        # What parts share may look like noise along each of them.
+        kinds.append((0.3, 0.2, short))
+    for process, white, some in kinds:
         begun: list[tuple[float, int, Floats]] = []
         for length in some:
             sizes = Sizes(
@@ -502,19 +527,38 @@ def _settled(gathered: Gathered, weight: Floats, gap: float, x: Floats | None) -
     raise AssertionError
 
 
+def _weights(gathered: Gathered, observed: Observed, x: Floats) -> Floats:
+    """Trust in every point by what sizes say that were found from some of them; (n,)."""
+    weight: Floats = np.where(_suspects(gathered, observed, max(_HALVES)), IGNORED, 1.0)
+    for _ in range(2):
+        probability, _, _ = _judged(Likelihood(gathered, weight), x, weight, gathered.spacing)
+        weight = np.maximum(probability, IGNORED)
+    return weight
+
+
+def _carried(few: Gathered, found: Fit, all_points: Gathered) -> Fit:
+    """What some of the points say, for all of them: of those a part or height may be missing."""
+    begin, go_on = Likelihood(few, found.weight), Likelihood(all_points, np.ones(len(all_points.value)))
+    x, *others = (go_on.logs(begin.sizes(x)) for x in (found.x, *found.others))
+    return replace(found, x=x, others=tuple(others))
+
+
 def _fitted(observed: Observed, stretches: Stretches) -> tuple[Gathered, Fit]:
     """Sizes and weights of the likeliest of the ways to begin, for all points."""
     gathered = Gathered(observed, stretches, MOST_CELLS)
     if len(observed) > MANY:
         # Sizes from a share of the points, evenly among all; then every point is judged by what they say.
         order = np.lexsort((observed.s, observed.stretch, observed.level, observed.part))
-        rows = np.sort(order[:: -(-len(order) // MANY)])
-        found = _fitted(observed.of(rows), stretches)[1]
-        weight = np.where(_suspects(gathered, observed, max(_HALVES)), IGNORED, 1.0)
-        for _ in range(2):
-            probability, _, _ = _judged(Likelihood(gathered, weight), found.x, weight, gathered.spacing)
-            weight = np.maximum(probability, IGNORED)
-        return gathered, replace(found, weight=weight)
+        few, found = _fitted(observed.take(np.sort(order[:: -(-len(order) // MANY)])), stretches)
+        found = _carried(few, found, gathered)
+        return gathered, replace(found, weight=_weights(gathered, observed, found.x))
+    if gathered.parts > SEARCHED_PARTS:
+        first = observed.part <= np.unique(observed.part)[SEARCHED_PARTS - 1]
+        few, found = _fitted(observed.take(np.flatnonzero(first)), stretches)
+        found = _carried(few, found, gathered)
+        weight = _weights(gathered, observed, found.x)
+        x = Likelihood(gathered, weight).minimum(found.x, _ROUNDS_OF_SEARCH)[1]
+        return gathered, replace(found, x=x, weight=weight)
     few = gathered if len(observed) <= SEARCHED else Gathered(observed, stretches, SEARCHED)
     gap = few.spacing
     begun: list[Bools] = []
@@ -741,7 +785,9 @@ def _path(variance: Floats, along: Floats, of: Ints) -> float:
     return _turned(along[:-1][same], np.sqrt(np.maximum(variance[:-1] * variance[1:], 0.0))[same])
 
 
-def separate(observed: Observed, stretches: Stretches, filter: Filter | None = None) -> Separated:
+def separate(
+    observed: Observed, stretches: Stretches, filter: Filter | None = None, count: Floats | None = None
+) -> Separated:
     """Split measured values into what repeats and what does not.
 
     Parameters
@@ -752,6 +798,9 @@ def separate(observed: Observed, stretches: Stretches, filter: Filter | None = N
     filter : Filter, optional
         `auto` (default): the model. With a prescribed filter the values at the points are the filter's, each part
         and level by itself, then the mean over them; in between and in gaps the model carries them on.
+    count : (parts,) float64, optional
+        How many times each part counts for the systematic part, in the order of their numbers; by default once. What
+        is form and what is noise, all parts say alike.
 
     Returns
     -------
@@ -759,19 +808,22 @@ def separate(observed: Observed, stretches: Stretches, filter: Filter | None = N
     """
     filter = filter or Filter("auto")
     gathered, fit = _fitted(observed, stretches)
-    likelihood = Likelihood(gathered, fit.weight, NODES)
-    peak = _peak(likelihood, fit.x)
-    sizes = likelihood.sizes(peak.x)
-    bound = likelihood.bound(sizes.form_length)
+    fine, coarse = Likelihood(gathered, fit.weight, NODES), Likelihood(gathered, fit.weight)
+    peak = _peak(fine, fit.x)
+    drawn = _drawn(coarse, peak, fit.others)
+    if count is not None:
+        # What the sizes are, all parts say alike; parts that count otherwise do so for the posterior alone.
+        seen = gathered.counting(count)
+        fine, coarse = Likelihood(seen, fit.weight, NODES), Likelihood(seen, fit.weight)
+    sizes = fine.sizes(peak.x)
+    bound = fine.bound(sizes.form_length)
     solved = bound.solve(sizes)
     assert solved is not None
     of, at = _places(stretches, gathered.contours, sizes.form_length)
     column, _ = _columns(stretches, gathered.contours, of)
     variance, along = bound.variance(solved, of, at, column)
     band = _whole_band(_path(variance, along, of))
-    mean = bound.mean(solved, of, at, column)
-    searched = Likelihood(gathered, fit.weight)
-    variance = _over_sizes(searched, _drawn(searched, peak, fit.others), mean, variance, of, at, column)
+    variance = _over_sizes(coarse, drawn, bound.mean(solved, of, at, column), variance, of, at, column)
     out = Separated(
         observed, stretches, filter, np.zeros(0), np.zeros(0), fit.weight, sizes, band,
         _level_differences(observed, gathered, bound, solved), _lean(observed, gathered, bound, solved, of, at), (),
@@ -781,7 +833,7 @@ def separate(observed: Observed, stretches: Stretches, filter: Filter | None = N
     mean, std = out.at(observed.stretch, observed.s)
     if filter.kind == "auto":
         return replace(out, systematic=mean, uncertainty=std)
-    return _prescribed(out, mean)
+    return _prescribed(out, mean, count)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -937,7 +989,7 @@ def _lean(observed: Observed, gathered: Gathered, bound: Bound, solved: Solved, 
     return Lean(int(levels[low]), int(levels[high]), of[here], at[here], mean, std, band)
 
 
-def _prescribed(out: Separated, model: Floats) -> Separated:
+def _prescribed(out: Separated, model: Floats, count: Floats | None) -> Separated:
     """Values of a prescribed filter at the points; the model carries on what it differs by."""
     observed, stretches = out.observed, out.stretches
     value = np.empty(len(observed))
@@ -950,7 +1002,13 @@ def _prescribed(out: Separated, model: Floats) -> Separated:
         courses = []
         blocks = observed.part[here] * (int(observed.level.max()) + 1) + observed.level[here]
         period = length if closed else None
-        for block in np.unique(blocks):
+        numbers = np.unique(blocks)
+        part = np.searchsorted(np.unique(observed.part), numbers // (int(observed.level.max()) + 1))
+        share = np.ones(len(numbers)) if count is None else count[part]
+        if not share.any():
+            # No part that counts has a point here.
+            share = np.ones(len(numbers))
+        for block in numbers:
             rows = here[blocks == block]
             made = filtered(observed.s[rows], observed.value[rows], length=length, closed=closed, filter=out.filter)
             courses.append(_through(observed.s[rows], made.determined - model[rows], length, closed))
@@ -959,7 +1017,7 @@ def _prescribed(out: Separated, model: Floats) -> Separated:
         else:
             # Every part and height by itself, then their mean where the densest has its points.
             s = max(courses, key=lambda c: len(c[0]))[0]
-            more[k] = s, np.mean([_interpolated(s, c, period) for c in courses], axis=0)
+            more[k] = s, np.average([_interpolated(s, c, period) for c in courses], axis=0, weights=share)
         course = more[k]
         assert course is not None
         difference = _interpolated(observed.s[here], course, period)

@@ -94,6 +94,8 @@ class Cells:
     across : (n,) float64
         How far each place is above the mean of the levels, in units of the distance of the highest from the lowest; 0
         everywhere where there is one.
+    scale : (n,) float64
+        How many times as large as it is the systematic part is seen at each place; the noise is seen as it is.
     """
 
     stretch: Ints
@@ -102,6 +104,7 @@ class Cells:
     columns: Floats
     kind: Ints
     across: Floats
+    scale: Floats
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -160,6 +163,7 @@ class Layout:
         self._links()
         self._memory()
         row, weight = self.read(cells.stretch, cells.s)
+        weight = cells.scale[:, None] * weight
         # What a place is read from: the form, the lean where there is one, its noise with a memory.
         self.reads = [(row, weight)]
         if self.leans:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.stats import binom
 
-from millcorr.separation import Filter, Observed, Separated, Stretches, separate
+from millcorr.separation import Filter, Observed, Separated, Stretches, filtered, separate
 from millcorr.separation.process import Cells, Layout, Sizes
 from tests.core.sweeps import slow
 
@@ -88,7 +88,7 @@ def test_posterior_and_likelihood_are_those_of_the_full_matrix(closed: bool, lea
     columns, kind = np.ones((n, 1)), np.zeros(1, dtype=np.int64)
     if leans:
         columns, kind = np.column_stack([columns, level == 0, level == 1]).astype(np.float64), np.array([0, 2, 2])
-    cells = Cells(zero, level, s, columns, kind, apart)
+    cells = Cells(zero, level, s, columns, kind, apart, ones)
     bound = Layout(cells, np.array([length]), np.array([closed]), 1.0).bind(value, ones)
     solved = bound.solve(sizes)
     assert solved is not None
@@ -365,6 +365,103 @@ def test_what_parts_share_is_systematic() -> None:
     assert found.uncertainty.mean() > 0.4 * UM
 
 
+@pytest.mark.parametrize(("count", "parts", "size"), [(40, 2, 7), (200, 4, 6), slow(200, 25, 7)])
+@pytest.mark.parametrize("shape", ["steps", "waves of 4 mm", "waves of 6 mm"])
+def test_a_form_that_no_part_proves_is_found_over_parts(count: int, parts: int, size: float, shape: str) -> None:
+    """Along each part it looks like noise of its size; what parts scatter by, 1.4 um, says that it is none."""
+    rng = np.random.default_rng([count, parts])
+    s = np.arange(count) * 300.0 / count
+    truth = size * UM * np.sin(2 * np.pi * s * (75 if "4" in shape else 50) / 300)
+    if shape == "steps":
+        truth = size * UM * rng.choice([-1.0, 1.0], count)
+    value = [truth + 2 * UM * rng.standard_normal() + 1.4 * UM * rng.standard_normal(count) for _ in range(parts)]
+    found = separated(np.tile(s, parts), np.concatenate(value), 300.0, True, part=np.repeat(np.arange(parts), count))
+    left = found.systematic[:count] - truth
+    # What the mean of the parts is off by itself, and a tenth more for what is not known beforehand.
+    assert rms(left - left.mean()) < 1.1 * 1.4 * UM / math.sqrt(parts)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_slow_waves_of_every_part_are_no_form(seed: int) -> None:
+    """Noise with a memory of 15 mm, anew on each part: on one part form, over parts none."""
+    rng = np.random.default_rng(seed)
+    s = np.arange(150.0) * 2.0
+    parts = [remembered(rng, s, 3 * UM, 15.0) + UM * rng.standard_normal(150) for _ in range(5)]
+    found = separated(np.tile(s, 5), np.concatenate(parts), 300.0, False, part=np.repeat(np.arange(5), 150))
+    mean = np.mean(parts, axis=0)
+    assert found.sizes.process > 2 * UM and found.sizes.memory > 5
+    # The mean of the parts has 1.4 um of them.
+    assert rms(found.systematic[:150]) < 0.75 * rms(mean)
+    assert np.mean(np.abs(found.systematic[:150]) < 2 * found.uncertainty[:150]) > 0.9
+
+
+@pytest.mark.parametrize("count", [None, (0.25, 0.5, 1.0)])
+@pytest.mark.parametrize("trials", [6, slow(60)])
+def test_the_band_of_several_parts_covers_what_it_says(count: tuple[float, ...] | None, trials: int) -> None:
+    """Three parts with offsets of 1 um and remembered noise; that of parts that count less is taken for larger."""
+    inside = []
+    stretches = Stretches(np.array([200.0]), np.array([True]), np.zeros(1, dtype=np.int64))
+    at, zero = np.linspace(0, 200, 400, endpoint=False), np.zeros(450, dtype=np.int64)
+    for trial in range(trials):
+        rng = np.random.default_rng([31, trial])
+        phase, size = rng.uniform(0, 6, 4), UM * rng.uniform(1, 5, 4)
+
+        def form(s: np.ndarray, phase=phase, size=size) -> np.ndarray:
+            return (size * np.sin(np.pi * np.array([1, 2, 3, 12]) * s[:, None] / 100 + phase)).sum(axis=1)
+
+        s = [np.sort((np.arange(150) + rng.random()) * 200 / 150) for _ in range(3)]
+        value = [form(x) + remembered(rng, x, 1.5 * UM, 2.0) + UM * rng.standard_normal(150) for x in s]
+        value = np.concatenate([v + UM * rng.standard_normal() for v in value])
+        observed = Observed(zero, np.concatenate(s), value, np.repeat(np.arange(3), 150), zero)
+        found = separate(observed, stretches, count=None if count is None else np.array(count))
+        mean, std = found.at(np.zeros(400, dtype=np.int64), at)
+        inside.append(float(np.mean(np.abs(mean - form(at)) < 1.96 * std)))
+    assert np.mean(inside) > (0.85 if trials < 20 else 0.92)
+
+
+def test_parts_that_count_otherwise_are_the_full_matrix_with_their_noise_so_much_larger() -> None:
+    rng = np.random.default_rng(11)
+    count = np.array([0.2, 0.5, 1.0])
+    s = [np.sort(rng.uniform(0, 120, 50)) for _ in count]
+    value = [
+        5 * UM * np.sin(2 * np.pi * x / 40) + 2 * UM * rng.standard_normal() + UM * rng.standard_normal(50) for x in s
+    ]
+    value[0] += 10 * UM
+    part, s, value = np.repeat(np.arange(3), 50), np.concatenate(s), np.concatenate(value)
+    zero = np.zeros(150, dtype=np.int64)
+    stretches = Stretches(np.array([120.0]), np.array([False]), zero[:1])
+    observed = Observed(zero, s, value, part, zero)
+    found = separate(observed, stretches, count=count)
+    plain = separate(observed, stretches)
+    assert found.sizes == plain.sizes and np.array_equal(found.weight, plain.weight)
+    z = found.sizes
+    r = np.abs(s[:, None] - s)
+    x = math.sqrt(5) * r / z.form_length
+    form = z.form**2 * (1 + x + x * x / 3) * np.exp(-x)
+    same = part[:, None] == part
+    noise = same * (z.process**2 * np.exp(-r / z.memory) + z.part**2) + np.diag(z.white**2 / found.weight)
+    back = np.linalg.inv(form + noise / np.sqrt(count[part][:, None] * count[part]))
+    ones = np.ones(150)
+    mean = (ones @ back @ value) / (ones @ back @ ones)
+    assert found.systematic == pytest.approx(mean + form @ back @ (value - mean), abs=2e-3 * UM)
+    # The first part lies 10 um off: it counts a tenth of the mean and not a third.
+    assert plain.systematic.mean() - found.systematic.mean() > UM
+
+
+@pytest.mark.parametrize("filter", ["none", "mean:5", "gauss:8"])
+def test_parts_count_in_a_prescribed_filter(filter: str) -> None:
+    """The mean of what the filter makes of each part, at places that all have."""
+    rng = np.random.default_rng(12)
+    s, count = np.arange(60.0), np.array([0.25, 0.75])
+    value = [8 * UM * rng.standard_normal(60) for _ in count]
+    zero = np.zeros(120, dtype=np.int64)
+    observed = Observed(zero, np.tile(s, 2), np.concatenate(value), np.repeat([0, 1], 60), zero)
+    stretches = Stretches(np.array([60.0]), np.array([True]), zero[:1])
+    found = separate(observed, stretches, Filter.parse(filter), count=count)
+    made = [filtered(s, v, length=60.0, closed=True, filter=Filter.parse(filter)).determined for v in value]
+    assert found.systematic[:60] == pytest.approx(0.25 * made[0] + 0.75 * made[1], abs=1e-9)
+
+
 def test_heights_share_the_form_and_a_lean_is_seen() -> None:
     rng = np.random.default_rng(6)
     s = np.arange(0.0, 200.0, 2.0)
@@ -506,8 +603,6 @@ def test_the_same_again_is_the_same() -> None:
 
 @pytest.mark.parametrize("filter", ["none", "mean:5", "gauss:8", "robust:12"])
 def test_a_prescribed_filter_is_what_it_is_and_the_model_carries_it_on(filter: str) -> None:
-    from millcorr.separation import filtered
-
     rng = np.random.default_rng(7)
     s = np.sort(rng.uniform(0, 100, 120))
     truth = 5 * UM * np.sin(2 * np.pi * s / 40)
