@@ -48,6 +48,7 @@ def remembered(rng: np.random.Generator, s: np.ndarray, std: float, memory: floa
 @pytest.mark.parametrize("closed", [False, True])
 @pytest.mark.parametrize("leans", [False, True])
 def test_posterior_and_likelihood_are_those_of_the_full_matrix(closed: bool, leans: bool) -> None:
+    """Also where what is systematic is seen larger or smaller than it is, as of parts that count more than others."""
     rng = np.random.default_rng(0)
     n, length = 60, 100.0
     s = np.sort(rng.uniform(0, length, n))
@@ -56,6 +57,7 @@ def test_posterior_and_likelihood_are_those_of_the_full_matrix(closed: bool, lea
     level = np.arange(n) % 2 if leans else np.zeros(n, dtype=np.int64)
     apart = level - 0.5 if leans else np.zeros(n)
     value = value + 0.004 * apart * np.cos(s / 15)
+    scale, ones = np.array([1.0, 0.6, 1.7])[np.arange(n) % 3], np.ones(n)
 
     def covariance(a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         form, process = 0.0, 0.0
@@ -69,26 +71,28 @@ def test_posterior_and_likelihood_are_those_of_the_full_matrix(closed: bool, lea
     form, process = covariance(s, s)
     same = level[:, None] == level
     offsets = sizes.level**2 * same if leans else 0.0
-    lean = sizes.lean**2 * np.outer(apart, apart) * form
-    whole = sizes.form**2 * form + lean + process * same + offsets + sizes.white**2 * np.eye(n)
-    back, ones = np.linalg.inv(whole), np.ones(n)
-    of_mean = 1 / (ones @ back @ ones)
-    mean = of_mean * (ones @ back @ value)
-    minus = np.linalg.slogdet(whole)[1] - math.log(of_mean) + (value - mean) @ back @ (value - mean)
+    systematic = sizes.form**2 * form + sizes.lean**2 * np.outer(apart, apart) * form + offsets
+    whole = np.outer(scale, scale) * systematic + process * same + sizes.white**2 * np.eye(n)
+    back = np.linalg.inv(whole)
+    of_mean = 1 / (scale @ back @ scale)
+    mean = of_mean * (scale @ back @ value)
+    left = value - mean * scale
+    minus = np.linalg.slogdet(whole)[1] - math.log(of_mean) + left @ back @ left
     at = np.linspace(0, 0.999 * length, 50)
     there, here = covariance(at, s)[0], covariance(at, at)[0]
 
     def posterior(across: np.ndarray, own: np.ndarray, share: float) -> tuple[np.ndarray, np.ndarray]:
         """Mean and covariance of what has these covariances with the values and itself, and a share of the mean."""
-        rest = share - across @ back @ ones
+        across = across * scale
+        rest = share - across @ back @ scale
         spread = own - across @ back @ across.T + np.outer(rest, rest) * of_mean
-        return share * mean + across @ back @ (value - mean), spread
+        return share * mean + across @ back @ left, spread
 
     zero = np.zeros(n, dtype=np.int64)
     columns, kind = np.ones((n, 1)), np.zeros(1, dtype=np.int64)
     if leans:
         columns, kind = np.column_stack([columns, level == 0, level == 1]).astype(np.float64), np.array([0, 2, 2])
-    cells = Cells(zero, level, s, columns, kind, apart, ones)
+    cells = Cells(zero, level, s, scale[:, None] * columns, kind, apart, scale)
     bound = Layout(cells, np.array([length]), np.array([closed]), 1.0).bind(value, ones)
     solved = bound.solve(sizes)
     assert solved is not None
@@ -379,6 +383,19 @@ def test_a_form_that_no_part_proves_is_found_over_parts(count: int, parts: int, 
     left = found.systematic[:count] - truth
     # What the mean of the parts is off by itself, and a tenth more for what is not known beforehand.
     assert rms(left - left.mean()) < 1.1 * 1.4 * UM / math.sqrt(parts)
+
+
+def test_a_height_that_only_the_last_of_many_parts_has() -> None:
+    """Sizes are looked for on the first parts, which say nothing of heights; all of them say how they differ."""
+    rng = np.random.default_rng(8)
+    s, parts = np.arange(60) * 5.0, 5
+    part, level = np.repeat([*range(parts), parts - 1], 60), np.repeat([0] * parts + [1], 60)
+    form, place = 10 * UM * np.sin(2 * np.pi * s / 100), np.tile(s, parts + 1)
+    value = np.tile(form, parts + 1) + 6 * UM * level + UM * rng.standard_normal(60 * (parts + 1))
+    found = separated(place, value, 300.0, True, part=part, level=level)
+    low, high = found.levels
+    # Sixty points a height on one part, each good to 1 um.
+    assert high.mean - low.mean == pytest.approx(6 * UM, abs=3 * UM * math.sqrt(2 / 60))
 
 
 @pytest.mark.parametrize("seed", range(3))
