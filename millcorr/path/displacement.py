@@ -185,7 +185,8 @@ def _nodes(
     total = count + 3
     row = np.repeat(np.arange(len(rows)), total)
     number = np.arange(len(row)) - np.repeat(np.cumsum(total) - total, total)
-    away = np.minimum(_beside_corners(toolpath, rows, max(float((after.moved - before.moved).max()), 0.0)) / length, 0.1)
+    out = max(float((after.moved - before.moved).max()), 0.0)
+    away = np.minimum(_beside_corners(toolpath, rows, out) / length, 0.1)
     u = (number - 1) / count[row]
     u = np.where(number == 0, 0.0, np.where(number == 1, np.minimum(away[0], 0.5 / count)[row], u))
     last = 1.0 - np.minimum(away[1], 0.5 / count)[row]
