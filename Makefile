@@ -24,7 +24,7 @@ test:
 
 benchmarks:
 	@tools/setup test
-	@$(PYTHON) -m pip install --quiet --disable-pip-version-check open3d pyarrow || echo 'without Open3D and pyarrow: their rows are left out'
+	@$(PYTHON) -m pip install --quiet --disable-pip-version-check open3d pyarrow scikit-learn || echo 'without Open3D, pyarrow, scikit-learn: their rows are left out'
 	@set -e; for script in benchmarks/*.py; do echo "== $$script"; PYTHONPATH=. $(PYTHON) "$$script"; done
 
 exhaustive:

@@ -29,7 +29,7 @@ from .commanded import (
     roughing,
 )
 from .comparison.cutters import cutter_radii, nearest_group, stated_diameters
-from .compensation import Correction, dead_band
+from .compensation import Correction
 from .deviation import Deviation, deviations, require_heights, statistics
 from .errors import DistrustError, FormatError, InputError, LimitError, UsageError
 from .footpoint import FootPointSearch
@@ -46,9 +46,10 @@ from .reconstruction import CompensatedContour
 from .regeneration import Regeneration
 from .regeneration.vanishing_arcs import without_vanishing_arcs
 from .separation import Separated
+from .separation.steps import Systematic
 from .settings import Settings as Settings
 from .setup_file import Setup
-from .targets import Elastic, Part, Target, correction_through, target_of
+from .targets import Elastic, Part, Target, carried_along, correction_through, smoothed_over_parts, target_of
 from .theoretical_contour import CutContour, cutting_runs
 from .toolpath import Compensation, Kind, Toolpath
 from .verification import Verification
@@ -84,8 +85,8 @@ class Request:
         Further parts cut with the same program; the first one's deviations become the mean of all. Where they were
         cut at other depths, they tell the transfer function from a constant offset.
     smoothed : Correction, optional
-        Deviation from the nominal, mm over arc length, to take out of a program that was corrected before, in
-        place of what was measured: smoothed over the parts of a series.
+        What to take out, mm over arc length, in place of what this part shows: smoothed over the parts of a series. Of
+        a program that was corrected before the deviation from the nominal, of another one what the machine adds.
     setup : Setup, optional
         Tool, material, machine and stock, for the methods that simulate.
     nominal_is_first_program : bool
@@ -133,8 +134,10 @@ class Result:
         What the same machine is expected to leave at each point after the correction, mm.
     commanded : (n,) float64
         Offset of the program's own contour from the nominal at each point, mm.
-    separated : Separated or None
-        What repeats, anywhere on the contour; None without a measurement of the whole contour.
+    carried : Correction or None
+        The same all along the contour, for a program that was corrected before; None for another one.
+    systematic : Systematic or None
+        What repeats, anywhere on the contours; None without a measurement of the whole contour.
     outlier : (n,) bool
         Points that are more probably wrong than right; the model and robust filters leave them out.
     random_std : float
@@ -169,7 +172,8 @@ class Result:
     uncertainty: Floats
     predicted: Floats
     commanded: Floats
-    separated: Separated | None
+    carried: Correction | None
+    systematic: Systematic | None
     outlier: NDArray[np.bool_]
     random_std: float
     elastic: Elastic | None
@@ -189,6 +193,11 @@ class Result:
         elastic = self.elastic
         own = self.uncertainty if elastic is None else elastic.transfer.correction_std(elastic.next_depth)
         return self.request.settings.gain * own
+
+    @property
+    def separated(self) -> Separated | None:
+        """What repeats where the form is kept; None without a measurement of the whole contour."""
+        return None if self.systematic is None else self.systematic.separated
 
     def summary(self) -> dict[str, Any]:
         """The contents of report.json."""
@@ -220,7 +229,9 @@ class Result:
             },
             "uncertainty": uncertainty,
             "band": None if self.separated is None else self.separated.band,
+            "band_longest_memory": None if self.separated is None else self.separated.longest_memory,
             "outliers": self.outliers(),
+            "unmeasured": 0.0 if self.separated is None else distrust.unmeasured(self.separated, self.nominal),
             "transfer": None if self.elastic is None else self.elastic.summary(self.request.settings),
             "foreseen": None if self.foreseen is None else self.foreseen.summary(),
             "alignment": self._alignment_summary(),
@@ -405,6 +416,9 @@ def correct(request: Request, *, check: bool = False) -> Result:
     first: FirstCut | None = None
     aim: Aim | None = None
     correction = Correction.none(nominal)
+    exact: Correction | None = None
+    # What was not measured stays as the program has it; errors of an uncorrected one's own go all the same.
+    rest = expected.correction if expected is not None and carried and again is None else None
     if setup is not None and settings.method == "predicted":
         before = simulate(program, setup, nominal)
         request = replace(request, measurement=before.surface())
@@ -484,15 +498,10 @@ def correct(request: Request, *, check: bool = False) -> Result:
                 seen = distrust.examine_separated(work.deviation, work.separated, nominal, settings.unmeasured_share)
                 warnings += distrust.refuse_dangerous(seen, settings.accept, sources[0])
         if request.smoothed is not None:
-            left = request.smoothed.at(work.deviation.stretch, work.deviation.s, nominal)
-            # Of a path moved by e an elastic machine leaves e / (1 + MS).
-            yields = 1.0 if work.elastic is None else 1.0 + work.elastic.transfer.ms
-            wanted = work.commanded - settings.gain * yields * dead_band(left, settings.dead_band)
-            work = replace(work, wanted=wanted)
+            work = smoothed_over_parts(work, request.smoothed, nominal, settings)
         if aim is None:
-            # What was not measured stays as the program has it; errors of an uncorrected one's own go all the same.
-            rest = expected.correction if expected is not None and carried and again is None else None
-            correction = correction_through(work, nominal, settings, warnings, rest)
+            exact = None if rest is None else carried_along(rest, work, nominal)
+            correction = correction_through(work, nominal, settings, warnings, rest if work.smoothed is None else exact)
 
     header = _header(request, noted)
 
@@ -539,7 +548,8 @@ def correct(request: Request, *, check: bool = False) -> Result:
         uncertainty=work.uncertainty,
         predicted=work.predicted(applied) if foreseen is None else foreseen.left_at(work),
         commanded=work.commanded,
-        separated=work.separated,
+        carried=exact,
+        systematic=work.systematic,
         outlier=np.zeros(len(work.deviation), dtype=bool) if work.outlier is None else work.outlier,
         random_std=work.random_std,
         elastic=work.elastic,

@@ -15,9 +15,9 @@ from .compensation import Correction, Course, along, dead_band, refuse_swing
 from .deviation import Deviation, statistics
 from .errors import LimitError, UsageError
 from .profile import Profile, Stretch
-from .separation import Filter, Observed, Separated, interpolated, separate
-from .separation.parts import LEVEL_REACH, averaged
-from .separation.steps import FormPlaces, Systematic
+from .separation import Filter, Observed, Separated, filtered, interpolated
+from .separation.parts import averaged, same_levels
+from .separation.steps import Systematic, steps_of
 from .settings import Settings
 from .transfer_function import TransferFunction, along_axis, examine, from_line, identify, line_over_depth, one_value
 from .wall_steps import in_order
@@ -32,6 +32,9 @@ MOST_SUPPORTS = 20_000
 
 CARRIED = 1.0
 """What a program carries is read every so many mm: a form is never shorter than two."""
+
+CARRIED_IN_SERIES = 0.5
+"""In a series, where part of what a program carries stays in it on purpose, so that waves of 3 mm do."""
 
 SAME = 1e-7
 """Displacements in mm that are the same."""
@@ -143,6 +146,8 @@ class Target:
     elastic : Elastic or None
     added : bool
         Whether the wanted displacement is added to what the program carries already.
+    smoothed : Correction or None
+        What a series takes out in place of the part's own; see `smoothed_over_parts`.
     """
 
     deviation: Deviation
@@ -155,6 +160,7 @@ class Target:
     outlier: Bools | None = None
     elastic: Elastic | None = None
     added: bool = False
+    smoothed: Correction | None = None
 
     @property
     def separated(self) -> Separated | None:
@@ -168,6 +174,11 @@ class Target:
         flat = np.zeros((0, 2))
         deviation = Deviation(none, none, none, none, zero, zero, flat, flat, zero, ())
         return Target(deviation, zero, zero, zero, zero, float("nan"))
+
+    @property
+    def yields(self) -> Floats:
+        """How much farther the path moves than what is left changes, 1 + MS; (n,)."""
+        return np.ones(len(self.deviation)) if self.elastic is None else 1.0 + self.elastic.transfer.ms
 
     def predicted(self, applied: Floats) -> Floats:
         """What the same machine is expected to leave after a correction of `applied` mm, with the random part; (n,)."""
@@ -184,7 +195,7 @@ class _Found:
     machine: Floats
     determined: Floats
     uncertainty: Floats
-    systematic: Systematic
+    systematic: Systematic | None
     weight: Floats
     random_std: float
     aim: TransferFunction | None = None
@@ -218,20 +229,94 @@ def target_of(
         If depths are missing, do not fit the parts, or make no transfer function.
     """
     depths = settings.each("depth", len(parts))
-    first = parts[0]
     if len(set(depths)) > 1:
         found = _at_several_depths(parts, depths, nominal, settings, warnings)
     else:
-        found = _at_one_depth(parts, depths[0], nominal, settings, corrected_before, warnings)
+        found = _at_one_depth(parts, depths[0], nominal, settings, warnings)
+    return _target(found, parts, depths, settings, corrected_before, warnings)
+
+
+def target_without_noise(
+    part: Part, nominal: Profile, settings: Settings, corrected_before: bool, warnings: list[str]
+) -> Target:
+    """Target of a surface that a model says: all of it repeats, but for what a chosen filter takes away.
+
+    Parameters
+    ----------
+    part : Part
+    nominal : Profile
+    settings : Settings
+        With one depth at most.
+    corrected_before : bool
+    warnings : list of str
+        Findings are appended.
+
+    Returns
+    -------
+    Target
+        Without uncertainty: a model gives none.
+
+    Raises
+    ------
+    InputError, RefusedError
+        If the depth makes no transfer function.
+    """
+    depths = settings.each("depth", 1)
+    d, determined = part.deviation, part.machine
+    filter = Filter.parse(settings.filter)
+    if filter.kind not in ("auto", "none"):
+        determined = part.machine.copy()
+        stretches = nominal.stretches()
+        for k, level in np.unique(np.column_stack([d.stretch, d.level]), axis=0):
+            rows = (d.stretch == k) & (d.level == level)
+            t = stretches[k]
+            s = local(nominal, d.stretch[rows], d.s[rows])
+            made = filtered(s, part.machine[rows], length=t.length, closed=t.closed, filter=filter)
+            determined[rows] = made.determined
+    unknown, trust = np.full(len(d), math.nan), np.ones(len(d))
+    found = _Found(part.machine, determined, unknown, None, trust, math.nan)
+    if settings.method == "transfer":
+        found = _with_transfer(found, part, depths[0], math.nan, settings)
+    return _target(found, [part], depths, settings, corrected_before, warnings)
+
+
+def smoothed_over_parts(work: Target, smoothed: Correction, nominal: Profile, settings: Settings) -> Target:
+    """The target with what a series has smoothed over its parts in place of what this part shows.
+
+    Parameters
+    ----------
+    work : Target
+    smoothed : Correction
+        What is to come out of the part, mm over arc length: of a program that carries a correction the deviation from
+        the nominal, of another one what the machine adds.
+    nominal : Profile
+    settings : Settings
+    """
+    base = work.commanded if work.added else np.zeros(len(work.deviation))
+    left = smoothed.at(work.deviation.stretch, work.deviation.s, nominal)
+    wanted = base - settings.gain * work.yields * dead_band(left, settings.dead_band)
+    return replace(work, wanted=wanted, smoothed=smoothed)
+
+
+def _target(
+    found: _Found,
+    parts: list[Part],
+    depths: tuple[float, ...],
+    settings: Settings,
+    corrected_before: bool,
+    warnings: list[str],
+) -> Target:
+    """Where to move the profile by what was found."""
+    first = parts[0]
     deviation, offset = first.deviation, first.offset
     if found.machine is not first.machine:
         deviation = replace(deviation, value=offset + found.machine)
-    filtered = offset + found.determined
+    whole = offset + found.determined
     elastic: Elastic | None = None
     aim, yields = -found.determined, np.ones(len(offset))
     if found.aim is not None and found.system is not None:
         warnings += examine(found.aim, deviation.foot)
-        stock = np.broadcast_to(_next_depth(parts, depths, settings, filtered), filtered.shape)
+        stock = np.broadcast_to(_next_depth(parts, depths, settings, whole), whole.shape)
         elastic = Elastic(found.aim, found.system, stock, settings.depths, settings.transfer_function)
         aim, yields = found.aim.correction(stock), 1.0 + found.aim.ms
     # A path put e over the nominal leaves (e - aim) / (1 + MS): 0 at the aim. Without a transfer function MS is 0.
@@ -241,7 +326,7 @@ def target_of(
     return Target(
         deviation,
         offset,
-        filtered,
+        whole,
         found.uncertainty,
         wanted,
         found.random_std,
@@ -264,9 +349,7 @@ def _next_depth(parts: list[Part], depths: tuple[float, ...], settings: Settings
     return allowance + filtered if allowance > 0 else depths[0]
 
 
-def _at_one_depth(
-    parts: list[Part], depth: float, nominal: Profile, settings: Settings, corrected_before: bool, warnings: list[str]
-) -> _Found:
+def _at_one_depth(parts: list[Part], depth: float, nominal: Profile, settings: Settings, warnings: list[str]) -> _Found:
     """Parts of one depth: their mean, separated; the transfer function where the settings want one."""
     first = parts[0]
     deviation, machine = first.deviation, first.machine
@@ -284,21 +367,27 @@ def _at_one_depth(
     determined, uncertainty = (every[:n] for every in systematic.at_points)
     weight = separated.weight[:n]
     random_std = part_std if math.isfinite(part_std) else separated.random_std
+    found = _Found(machine, determined, uncertainty, systematic, weight, random_std)
     if settings.method != "transfer":
-        return _Found(machine, determined, uncertainty, systematic, weight, random_std)
-    h, place = depth - first.offset, deviation.foot
-    system = identify(determined, h, uncertainty, place)
-    factor = along_axis(deviation.normal, place, settings.depth_along)
+        return found
     # A point of the mean of parts is as uncertain as their spread lets it be.
-    single = factor * (part_std / math.sqrt(len(parts)) if math.isfinite(part_std) else separated.random_std)
+    single = part_std / math.sqrt(len(parts)) if math.isfinite(part_std) else separated.random_std
+    return _with_transfer(found, first, depth, single, settings)
+
+
+def _with_transfer(found: _Found, part: Part, depth: float, single: float, settings: Settings) -> _Found:
+    """What was found at one depth with the transfer function that the settings want; `single` of one point, mm."""
+    h, place = depth - part.offset, part.deviation.foot
+    system = identify(found.determined, h, found.uncertainty, place)
+    factor = along_axis(part.deviation.normal, place, settings.depth_along)
     if settings.transfer_function == "points":
-        aim = identify(factor * machine, h, single, place)
+        aim = identify(factor * found.machine, h, factor * single, place)
     else:
-        aim = identify(factor * determined, h, factor * uncertainty, place)
+        aim = identify(factor * found.determined, h, factor * found.uncertainty, place)
     if settings.transfer_function == "one":
-        ms, std = one_value(aim.ms, weight, (1.0 + aim.ms) ** 2 * single / h)
+        ms, std = one_value(aim.ms, found.weight, (1.0 + aim.ms) ** 2 * factor * single / h)
         aim = TransferFunction.constant(ms, std, len(aim))
-    return _Found(machine, determined, uncertainty, systematic, weight, random_std, aim, system)
+    return replace(found, aim=aim, system=system)
 
 
 def _at_several_depths(
@@ -313,12 +402,12 @@ def _at_several_depths(
     h: Floats = np.asarray(depths)[:, None] - offsets
     line = line_over_depth(values, h)
     slope = _separated([(deviation, line.slope)], nominal, settings)
-    b, b_std, b_weight = _at_points(slope, line.slope, deviation)
+    b, b_std, b_weight = _at_points(slope, line.slope, deviation, nominal)
     middle = h.mean(axis=0)
     # All values brought to the mean depth by the slope, so that a part without a point here makes no step.
     level = np.nanmean(values - b * (h - middle), axis=0)
     levels = _separated([(deviation, level)], nominal, settings)
-    at_middle, level_std, weight = _at_points(levels, level, deviation)
+    at_middle, level_std, weight = _at_points(levels, level, deviation, nominal)
     single = slope.separated.random_std
     if math.isfinite(line.std):
         single = line.std / math.sqrt(float(np.median(line.spread[line.spread > 0])))
@@ -362,36 +451,27 @@ def local(nominal: Profile, stretch: Ints, s: Floats) -> Floats:
 
 def _separated(parts: Sequence[tuple[Deviation, Floats]], nominal: Profile, settings: Settings) -> Systematic:
     """What repeats of values at the points of all parts, in their order, but for those without a value."""
-    places = FormPlaces(nominal)
-    stepped = np.array([contour.step is not None for contour in nominal.contours])
-    heights: list[tuple[int, float]] = []
+    own = [np.unique(d.level, return_index=True, return_inverse=True) for d, _ in parts]
+    levels = same_levels(
+        [
+            (steps_of(nominal)[d.contour[first]], np.bincount(of, d.z) / np.bincount(of))
+            for (d, _), (_, first, of) in zip(parts, own, strict=True)
+        ]
+    )
     columns: list[tuple[NDArray[Any], ...]] = []
-    for number, (deviation, values) in enumerate(parts):
-        level = np.zeros(len(deviation), dtype=np.int64)
-        for k in np.unique(deviation.level):
-            rows = deviation.level == k
-            contour = int(deviation.contour[rows][0])
-            step, z = contour if stepped[contour] else -1, float(deviation.z[rows].mean())
-            # The same height on another part carries another number there.
-            apart = np.array([abs(z - other) if step == same else np.inf for same, other in heights])
-            if number == 0 or not (apart < LEVEL_REACH).any():
-                heights.append((step, z))
-                level[rows] = len(heights) - 1
-            else:
-                level[rows] = int(np.argmin(apart))
-        known = np.isfinite(values)
-        stretch, s = places.of(deviation.stretch, deviation.s)
-        part = np.full(len(deviation), number)
-        row = (stretch, s, values, part, level, deviation.contour)
+    for number, ((d, values), (_, _, of), level) in enumerate(zip(parts, own, levels, strict=True)):
+        s, known = local(nominal, d.stretch, d.s), np.isfinite(values)
+        row = (d.stretch, s, values, np.full(len(d), number), level[of], d.z)
         columns.append(tuple(column[known] for column in row))
-    *observed, contours = (np.concatenate(column) for column in zip(*columns, strict=True))
-    separated = separate(Observed(*observed), places.stretches, Filter.parse(settings.filter))
-    return Systematic.of(separated, places, contours)
+    measured = Observed(*(np.concatenate(column) for column in zip(*columns, strict=True)))
+    return Systematic.of(measured, nominal, Filter.parse(settings.filter))
 
 
-def _at_points(systematic: Systematic, values: Floats, deviation: Deviation) -> tuple[Floats, Floats, Floats]:
+def _at_points(
+    systematic: Systematic, values: Floats, deviation: Deviation, nominal: Profile
+) -> tuple[Floats, Floats, Floats]:
     """Systematic part, its standard uncertainty and the trust at all points, also at those without a value."""
-    mean, std = systematic.at(deviation.stretch, deviation.s)
+    mean, std = systematic.at(deviation.stretch, local(nominal, deviation.stretch, deviation.s))
     known, weight = np.isfinite(values), np.zeros(len(values))
     mean[known], std[known] = systematic.at_points
     weight[known] = systematic.separated.weight
@@ -456,25 +536,29 @@ def correction_through(
             continue
         rows = d.stretch == k
         base = _carried(there, stretch) if work.added and there is not None else None
-        places = _supports(separated, stretch, s[rows], settings)
+        if work.smoothed is not None:
+            courses.append(_smoothed_course(work, k, s[rows], rows, there if work.added else None, settings))
+            refuse_swing(nominal, stretch, courses[-1], settings.limit)
+            continue
+        places = _supports(stretch, _step(separated, s[rows], settings))
 
         def mirrored(at: Floats, k: int = k, base: Course | None = base) -> Floats:
             own = np.zeros(len(at)) if base is None else base(at)[0]
-            mean, std = systematic.at(np.full(len(at), k), stretches[k].begin + at)
+            mean, std = systematic.at(np.full(len(at), k), at)
             out = own - settings.gain * dead_band(own + mean, settings.dead_band)
             if base is None:
                 return out
             # Far from any point what the program carries stays, but for the mean of what is left.
             stays = own - settings.gain * left_over
-            return out + (stays - out) * _unknown(std, separated.sizes.form)
+            return out + (stays - out) * unknown_share(std, separated.sizes.form)
 
         value = mirrored(places)
         if rows.any():
-            # What a series wants otherwise at the points; a transfer function is no matter of what is mirrored.
+            # What is wanted otherwise at the points; a transfer function is no matter of what is mirrored.
             if work.elastic is not None:
                 value, plain = np.zeros(len(places)), np.zeros(int(rows.sum()))
             elif work.added:
-                # From the same offsets as what is wanted: facets and digits of the moves are no wish of a series.
+                # From the same offsets as what is wanted: nobody wishes for facets and digits of the moves.
                 plain = work.commanded[rows] - settings.gain * dead_band(work.filtered[rows], settings.dead_band)
             else:
                 plain = mirrored(s[rows])
@@ -489,9 +573,17 @@ def correction_through(
     return in_order(Correction(stretches, tuple(courses)), nominal)
 
 
-def _unknown(std: Floats, form: float) -> Floats:
-    """How little is known of the form at places: 0 where less than half of its variance is open, 1 where all is."""
-    x = np.clip(2.0 * (std / form) ** 2 - 1.0, 0.0, 1.0)
+def unknown_share(std: Floats, form: float) -> Floats:
+    """How little is known of the form at places: 0 where less than half of its variance is open, 1 where all is.
+
+    Parameters
+    ----------
+    std : (n,) float64
+        Standard uncertainty of the systematic part, mm; NaN where nothing is known of it.
+    form : float
+        Standard deviation of the form, mm.
+    """
+    x = np.clip(2.0 * (np.nan_to_num(std, nan=np.inf) / form) ** 2 - 1.0, 0.0, 1.0)
     out: Floats = x * x * (3.0 - 2.0 * x)
     return out
 
@@ -503,14 +595,61 @@ def _carried(course: Course, stretch: Stretch) -> Course:
     return Course.through(s, course(s)[0], stretch.length, stretch.closed)
 
 
-def _supports(separated: Separated, stretch: Stretch, s: Floats, settings: Settings) -> Floats:
-    """Places that a cubic spline through follows the correction to 0.05 um, mm from the stretch's start."""
+def carried_along(read: Correction, work: Target, nominal: Profile) -> Correction:
+    """What a program carries, as exact as the points are dense: read off its path, and put right at the points.
+
+    Parameters
+    ----------
+    read : Correction
+        Read off the program's path, a mean over every 2 mm.
+    work : Target
+        With the program's own offset at the points.
+    nominal : Profile
+    """
+    d = work.deviation
+    s = local(nominal, d.stretch, d.s)
+    courses = []
+    for k, (course, stretch) in enumerate(zip(read.courses, read.stretches, strict=True)):
+        rows = d.stretch == k
+        if not rows.any():
+            courses.append(course)
+            continue
+        at = _supports(stretch, CARRIED_IN_SERIES)
+        off = interpolated(s[rows], work.commanded[rows] - course(s[rows])[0], stretch.length, stretch.closed, at)
+        courses.append(Course.through(at, course(at)[0] + off, stretch.length, stretch.closed))
+    return Correction(read.stretches, tuple(courses))
+
+
+def _smoothed_course(work: Target, k: int, s: Floats, rows: Bools, base: Course | None, settings: Settings) -> Course:
+    """Correction along a stretch by what a series has smoothed, which is known all along it."""
+    assert work.smoothed is not None
+    stretch, smoothed = work.smoothed.stretches[k], work.smoothed.courses[k]
+    step = float(np.diff(smoothed.breaks).min())
+    if base is not None:
+        step = min(step, CARRIED_IN_SERIES)
+    places = _supports(stretch, step / (4.0 if settings.dead_band > 0 else 1.0))
+    own = np.zeros(len(places)) if base is None else base(places)[0]
+    # Without a point on a stretch the machine yields there as it does elsewhere.
+    yields = np.full(len(places), work.yields.mean())
+    if rows.any():
+        yields = interpolated(s, work.yields[rows], stretch.length, stretch.closed, places)
+    value = own - settings.gain * yields * dead_band(smoothed(places)[0], settings.dead_band)
+    return Course.through(places, value, stretch.length, stretch.closed)
+
+
+def _step(separated: Separated, s: Floats, settings: Settings) -> float:
+    """Distance in mm of places that a cubic spline through follows the correction to 0.05 um."""
     step = separated.sizes.form_length / SUPPORTS
     if settings.dead_band > 0:
         step /= 4.0
     if separated.filter.kind != "auto" and len(s) > 1:
         # A prescribed filter has a value of its own at every point.
         step = min(step, max(float(np.median(np.diff(np.sort(s)))), 0.05) / 3.0)
+    return step
+
+
+def _supports(stretch: Stretch, step: float) -> Floats:
+    """Places on a stretch no farther apart than a step, mm from its start."""
     count = min(max(math.ceil(stretch.length / step), 8), MOST_SUPPORTS)
     even = np.linspace(0.0, stretch.length, count, endpoint=not stretch.closed)
     if not stretch.closed and stretch.length > 6 * LEVEL:

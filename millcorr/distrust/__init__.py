@@ -10,20 +10,23 @@ from .file import examine_file, resolution
 from .findings import NAMES, Finding, named, refuse_dangerous
 from .parts import examine_parts, examine_program
 from .points import SAMPLE, examine_points
-from .separated import examine_separated
+from .separated import Gap, examine_separated, gaps, unmeasured
 
 __all__ = [
     "NAMES",
     "SAMPLE",
     "CutHeights",
     "Finding",
+    "Gap",
     "examine_deviations",
     "examine_file",
     "examine_parts",
     "examine_points",
     "examine_program",
     "examine_separated",
+    "gaps",
     "named",
     "refuse_dangerous",
     "resolution",
+    "unmeasured",
 ]

@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.deviation import Deviation
-from millcorr.profile import Profile
+from millcorr.profile import Profile, Stretch
 from millcorr.separation import Separated
 
 from .findings import Finding
@@ -52,42 +54,83 @@ def examine_separated(
     return (
         *_unmeasured(separated, profile, unmeasured_share),
         *_outliers(deviation, separated),
-        *_heights(deviation, separated, profile),
+        *_heights(separated, profile),
     )
 
 
-def _unmeasured(separated: Separated, profile: Profile, most: float) -> tuple[Finding, ...]:
-    worst: tuple[float, int, float, float] | None = None
-    seen = separated.observed
-    trusted = ~separated.outlier
-    # Steps of a wall speak for it together, on one of them.
-    stretches = [t for t in profile.stretches() if t.contour in separated.stretches.contour]
-    for contour in np.unique(separated.stretches.contour[seen.stretch]):
+@dataclass(frozen=True, slots=True)
+class Gap:
+    """Places of a contour that no sound point is near.
+
+    Parameters
+    ----------
+    contour : int
+    begin, end : float
+        mm from the contour's start; `end` may lie past its seam.
+    points : (float, float)
+        The points before and behind, or the contour's ends, mm.
+    """
+
+    contour: int
+    begin: float
+    end: float
+    points: tuple[float, float]
+
+
+def _stretches(separated: Separated, profile: Profile) -> list[Stretch]:
+    """Stretches that have a form: steps of a wall speak for it together, on one of them."""
+    return [t for t in profile.stretches() if t.contour in separated.stretches.contour]
+
+
+def gaps(separated: Separated, profile: Profile, bridged: float = 0.0) -> tuple[Gap, ...]:
+    """Where on the measured contours the systematic part rests on no points: the form there is not that of any of them.
+
+    Parameters
+    ----------
+    separated : Separated
+    profile : Profile
+    bridged : float
+        Between points nearer than this share of the contour nothing is a gap.
+    """
+    seen, trusted = separated.observed, ~separated.outlier
+    begin = np.array([stretch.begin for stretch in _stretches(separated, profile)])
+    of = separated.stretches.contour[seen.stretch]
+    out = []
+    for contour in np.unique(of[trusted]):
         length, closed = float(profile.total[contour]), profile.contours[contour].closed
         # However smooth the form, points at one end of a contour do not speak for the other.
         reach = min(CORRELATED * separated.sizes.form_length, 0.5 * BETWEEN * length)
-        rows = trusted & (separated.stretches.contour[seen.stretch] == contour)
-        if not rows.any():
-            continue
-        begin = np.array([t.begin for t in stretches])
-        s = np.sort(np.mod(begin[seen.stretch[rows]] + seen.s[rows], length) if closed else
-                    begin[seen.stretch[rows]] + seen.s[rows])  # fmt: skip
-        if closed:
-            gap, start = np.diff(s, append=s[0] + length), s
-            open_ = np.where(gap > BETWEEN * length, np.maximum(gap - 2 * reach, 0.0), 0.0)
-        else:
-            gap, start = np.diff(s, prepend=0.0, append=length), np.append(0.0, s)
-            speaking = np.where((np.arange(len(gap)) == 0) | (np.arange(len(gap)) == len(gap) - 1), reach, 2 * reach)
-            open_ = np.where(gap > BETWEEN * length, np.maximum(gap - speaking, 0.0), 0.0)
-        share, i = float(open_.sum()) / length, int(np.argmax(gap))
-        worst = max(worst or (0.0, 0, 0.0, 0.0), (share, int(contour), float(start[i]), float(gap[i])))
-    if worst is None or worst[0] <= most:
+        rows = trusted & (of == contour)
+        s = begin[seen.stretch[rows]] + seen.s[rows]
+        s = np.sort(np.mod(s, length) if closed else s)
+        before = s if closed else np.append(0.0, s)
+        behind = np.append(s[1:], s[0] + length) if closed else np.append(s, length)
+        low, high = before + reach, behind - reach
+        if not closed:
+            low[0], high[-1] = 0.0, length
+        for i in np.flatnonzero((behind - before > bridged * length) & (high > low)):
+            ends = float(before[i]), float(behind[i])
+            out.append(Gap(int(contour), float(low[i]), float(high[i]), ends))
+    return tuple(out)
+
+
+def unmeasured(separated: Separated, profile: Profile) -> float:
+    """Largest share of a measured contour that no sound point is near, 0 to 1."""
+    shares = np.zeros(len(profile.contours))
+    for gap in gaps(separated, profile, BETWEEN):
+        shares[gap.contour] += (gap.end - gap.begin) / float(profile.total[gap.contour])
+    return float(shares.max(initial=0.0))
+
+
+def _unmeasured(separated: Separated, profile: Profile, most: float) -> tuple[Finding, ...]:
+    share = unmeasured(separated, profile)
+    if share <= most:
         return ()
-    share, contour, begin_s, wide = worst
-    ends = np.array([begin_s, begin_s + wide])
-    if profile.contours[contour].closed:
-        ends %= float(profile.total[contour])
-    (x0, y0), (x1, y1) = profile.at(np.full(2, contour), ends)[0]
+    widest = max(gaps(separated, profile, BETWEEN), key=lambda gap: gap.end - gap.begin)
+    ends = np.array(widest.points)
+    if profile.contours[widest.contour].closed:
+        ends %= float(profile.total[widest.contour])
+    (x0, y0), (x1, y1) = profile.at(np.full(2, widest.contour), ends)[0]
     text = (
         f"{100 * share:.0f} % of the contour has no measured point near, most of it between X{x0:.3f} Y{y0:.3f} and "
         f"X{x1:.3f} Y{y1:.3f}: measure there, or say with --unmeasured SHARE how much may be left to the mean"
@@ -109,24 +152,38 @@ def _outliers(deviation: Deviation, separated: Separated) -> tuple[Finding, ...]
     return (Finding("outliers", text, share > MANY),)
 
 
-def _heights(deviation: Deviation, separated: Separated, profile: Profile) -> tuple[Finding, ...]:
-    """A wall that leans is not corrected by its mean without a word; its steps are, each by its own."""
-    of_steps = np.isin(deviation.contour, [k for wall in profile.steps if len(wall) > 1 for k in wall])
-    stepped = set(np.unique(deviation.level[of_steps]).tolist())
-    levels = [one for one in separated.levels if one.significant and one.level not in stepped]
-    if len(levels) < 2:
+def _heights(separated: Separated, profile: Profile) -> tuple[Finding, ...]:
+    """A wall that leans is not corrected by its mean without a word: how much, and where the most."""
+    if any(len(wall) > 1 for wall in profile.steps):
+        # Its steps are heights with passes of their own, each corrected by its own.
         return ()
-    low, high = (f(levels, key=lambda one: one.mean) for f in (min, max))
-    apart = high.mean - low.mean
-    if apart < LEANING:
+    mean = {one.level: one.mean for one in separated.levels}
+    differing = [one.level for one in separated.levels if one.significant]
+    most, low, high, where = 0.0, 0, 0, "all along"
+    if len(differing) >= 2:
+        low, high = min(differing, key=mean.__getitem__), max(differing, key=mean.__getitem__)
+        most = mean[high] - mean[low]
+    lean = separated.lean
+    if lean is not None and lean.significant.any():
+        worst = int(np.argmax(np.where(lean.significant, np.abs(lean.difference), 0.0)))
+        there = abs(float(lean.difference[worst]))
+        if there > most + LEANING:
+            most, low, high = there, lean.low, lean.high
+            if lean.difference[worst] < 0.0:
+                low, high = high, low
+            stretch = _stretches(separated, profile)[lean.stretch[worst]]
+            contour, at = stretch.contour, stretch.begin + float(lean.s[worst])
+            if profile.contours[contour].closed:
+                at %= float(profile.total[contour])
+            x, y = profile.at(np.array([contour]), np.array([at]))[0][0]
+            where = f"at X{x:.3f} Y{y:.3f}, {(mean[high] - mean[low]) * 1000:+.1f} um on the average"
+    if most < LEANING:
         return ()
-
-    def z(level: int) -> float:
-        rows = deviation.level == level
-        return float(deviation.z[rows].mean()) if rows.any() else float("nan")
-
+    seen = separated.observed
+    height = seen.level if seen.z is None else seen.z
+    z = [float(height[seen.level == level].mean()) for level in (high, low)]
     text = (
-        f"the wall leans: at Z{z(high.level):g} it has {apart * 1000:.1f} um more than at Z{z(low.level):g}; one path "
-        "corrects the mean of the heights"
+        f"the wall leans: at Z{z[0]:g} it has {most * 1000:.1f} um more than at Z{z[1]:g} {where}; one path corrects "
+        "the mean of the heights: a spring pass or less overhang of the tool takes the lean away"
     )
     return (Finding("many-levels", text, False),)

@@ -82,16 +82,30 @@ class Canvas(FigureCanvasQTAgg):
         size = 6 if len(plot.rows) < 1000 else 2
         told = translate("Millcorr", "uncertainty, k = {:g}").format(plot.coverage)
         for course in plot.courses:
+            axes.fill_between(course.x, course.whole_low, course.whole_high, color=c["ink"], alpha=0.08, linewidth=0)
             axes.fill_between(course.x, course.low, course.high, color=c["ink"], alpha=0.16, linewidth=0, label=told)
             told = ""
         x = plot.x[plot.rows]
         axes.scatter(x, plot.raw[plot.rows], s=size, color=c["raw"], label=translate("Millcorr", "measured"), zorder=2)
         expected = translate("Millcorr", "expected next")
         axes.scatter(x, plot.predicted[plot.rows], s=size, color=c["predicted"], label=expected, zorder=2)
-        told = translate("Millcorr", "determined part")
+        looks = {
+            False: (c["ink"], "-", translate("Millcorr", "determined part")),
+            True: (c["undercut"], ":", translate("Millcorr", "no points near")),
+        }
         for course in plot.courses:
-            axes.plot(course.x, course.value, color=c["ink"], linewidth=1.6, label=told, zorder=3)
-            told = ""
+            colour, line, told = looks[course.bare]
+            axes.plot(course.x, course.value, color=colour, linestyle=line, linewidth=1.6, label=told, zorder=3)
+            looks[course.bare] = colour, line, ""
+        far = plot.outliers
+        if len(far):
+            # They do not set the scale: those beyond it stand at its edge.
+            low, high = axes.get_ylim()
+            told = translate("Millcorr", "outlier")
+            place = plot.raw[far].clip(low, high)
+            cross = {"marker": "x", "color": c["undercut"], "clip_on": False}
+            axes.scatter(plot.x[far], place, s=40, label=told, zorder=4, **cross)
+            axes.set_ylim(low, high)
         axes.axhline(0, color=c["soft"], linewidth=1)
         for corner in plot.corners:
             axes.axvline(corner, color=c["soft"], linewidth=0.8, linestyle=":")

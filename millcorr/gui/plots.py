@@ -16,6 +16,7 @@ from millcorr.app import candidates, correction
 from millcorr.errors import MillcorrError
 from millcorr.report import history as report_history
 from millcorr.report import plots as report_plots
+from millcorr.report.posterior import posteriors
 from millcorr.scene import plots as plot_arrays
 
 from .line_set import LineLayer
@@ -179,7 +180,13 @@ class Plots(QtWidgets.QDockWidget):
             "along",
             self.along,
             lambda: report_plots.along_contour(
-                result.nominal, d, result.filtered, result.predicted, result.uncertainty
+                result.nominal,
+                d,
+                result.filtered,
+                result.predicted,
+                result.uncertainty,
+                posteriors(result),
+                result.outlier,
             ),
         )
         self.pages["distribution"].draw(

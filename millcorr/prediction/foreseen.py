@@ -27,7 +27,7 @@ from millcorr.profile import Profile
 from millcorr.separation.parts import averaged
 from millcorr.settings import Settings
 from millcorr.setup_file import Setup
-from millcorr.targets import Elastic, Part, Target, target_of
+from millcorr.targets import Elastic, Part, Target, target_without_noise
 from millcorr.transfer_function import TransferFunction
 
 from .combined_control import AxisTransfer, Machine, identify, identify_machine
@@ -142,13 +142,11 @@ def predicted_target(
     """
     depth = setup.stock.allowance_mm
     chosen = replace(settings, method="mirror", iterate=None)
-    if settings.filter == "auto":
-        chosen = replace(chosen, filter="none")
     machine = part.machine
     if depth is not None and depth > 0 and machine.min(initial=0.0) >= 0 and machine.max() <= LEAST_DEPTH * depth:
         chosen = replace(chosen, method="transfer", depth=(depth,))
     noted: list[str] = []
-    work = target_of([part], nominal, chosen, corrected_before, noted)
+    work = target_without_noise(part, nominal, chosen, corrected_before, noted)
     warnings += [note for note in noted if note not in warnings]
     return work
 
@@ -156,8 +154,7 @@ def predicted_target(
 def aim_of(work: Target) -> Aim:
     """Aim through the points of a target."""
     d = work.deviation
-    yields = np.ones(len(d)) if work.elastic is None else 1.0 + work.elastic.transfer.ms
-    return Aim(d.contour, d.stretch, d.s, work.wanted, yields)
+    return Aim(d.contour, d.stretch, d.s, work.wanted, work.yields)
 
 
 def foresee(

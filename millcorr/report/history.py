@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from millcorr.series import history, trend
+from millcorr.series import history
 from millcorr.series.journal import Chain, Entry
 from millcorr.whole_file import write_together
 
@@ -26,7 +26,7 @@ FILES = ("history.html", "history.csv")
 
 HEIGHT = 190.0
 
-_SHAPES = {"mean": ("filtered", 0), "place X": ("excess", 1), "place Y": ("undercut", 2)}
+_SHAPES = {"mean": ("filtered", 0), "place X": ("excess", 1), "place Y": ("undercut", 2), "form": ("predicted", 3)}
 """Class and marker of each component."""
 
 
@@ -143,12 +143,12 @@ def deviations(entries: Sequence[Entry]) -> Plot:
 
 
 def machine(entries: Sequence[Entry]) -> Plot:
-    """What the machine does without the corrections: mean and place of the part, with trends and jumps."""
+    """What the machine does without the corrections: mean, place and form of the part, with trends and jumps."""
     canvas = Canvas(WIDTH, HEIGHT + 68, "What the machine does")
     canvas.legend(56, 14, [(name, [(css, MARKERS[shape])]) for name, (css, shape) in _SHAPES.items()])
     x = _parts_axis(entries)
     part = np.array([e.part for e in entries], dtype=np.float64)
-    value = {n: np.array([e.statistics["components"][n] for e in entries]) * UM for n in trend.COMPONENTS}
+    value = {name: own * UM for name, (own, _) in history.machine(entries).items()}
     shown = np.concatenate(list(value.values()))
     y = value_axis(shown[np.isfinite(shown)], 30 + HEIGHT, 30.0)
     frame(canvas, x, y, "part", f"deviation / {MICRO}")
@@ -165,7 +165,8 @@ def machine(entries: Sequence[Entry]) -> Plot:
     return Plot(
         str(canvas),
         "Measured deviation less what the program commands, so that corrections do not show: mean along the contour, "
-        "and displacement of the part. Dotted uprights: jumps.",
+        "displacement of the part, and the root mean square of the form that the parts share, as much of it as each "
+        "shows. Dotted uprights: jumps.",
     )
 
 

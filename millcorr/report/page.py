@@ -34,6 +34,7 @@ from .html import (
     um,
 )
 from .plots import COVERAGE, MICRO, Plot, along_contour, histogram
+from .posterior import posteriors
 from .transfer import transfer_section
 from .verdict import what_to_do
 from .view import on_contour, path_and_contour
@@ -302,7 +303,9 @@ def _plots(result: Result) -> list[str]:
     scatter = math.nan if nothing_measured(result) else result.random_std
     parts = []
     if len(d):
-        plot = along_contour(result.nominal, d, result.filtered, result.predicted, result.uncertainty)
+        plot = along_contour(
+            result.nominal, d, result.filtered, result.predicted, result.uncertainty, posteriors(result), result.outlier
+        )
         parts.append("<h2>Deviation along the contour</h2>" + figure(plot))
     within, why = near_zero(result)
     rejected = None
@@ -335,6 +338,11 @@ def _separation(result: Result) -> str:
         f"(95 %) is {found.band:.2g} standard uncertainties wide to either side. "
         f"Filter: {escape(str(found.filter))}."
     )
+    if math.isfinite(found.longest_memory):
+        lines.append(
+            f"Uncertainty and band hold for a process that remembers less than {found.longest_memory:.2g} mm: one part "
+            "does not tell noise that is smooth over longer from form, a second part does."
+        )
     out = "<h2>What repeats and what does not</h2>" + "".join(f"<p>{line}</p>" for line in lines)
     wrong = result.outliers()
     if not wrong:

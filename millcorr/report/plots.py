@@ -18,6 +18,7 @@ from millcorr.compensation import GAP_SPACINGS, along
 from millcorr.deviation import Deviation
 from millcorr.profile import CORNER_ANGLE, Profile, Stretch
 
+from .posterior import Posterior, runs
 from .svg import MARKERS, Axis, Canvas, bars, columns, markers, number, polyline, round_step
 
 Floats = NDArray[np.float64]
@@ -35,6 +36,8 @@ MOST_PANELS = 8
 
 COVERAGE = 2.0
 """Coverage factor k of the drawn band: about 95 %."""
+
+_CROSS = "m-3.5-3.5l7 7m-7 0l7-7"
 
 COLOURS = {
     "light": {
@@ -76,6 +79,9 @@ STYLE = """
 .plot .raw{stroke:var(--raw);stroke-width:1}
 .plot .predicted{stroke:var(--predicted);stroke-width:1}
 .plot .band{fill:var(--ink);fill-opacity:.16}
+.plot .whole{fill:var(--ink);fill-opacity:.08}
+.plot .outlier{stroke:var(--undercut);stroke-width:1.6}
+.plot .bare{stroke:var(--undercut);stroke-width:1.8;stroke-dasharray:2 3}
 .plot .raw-columns{stroke:var(--raw);stroke-width:1;opacity:.55}
 .plot .predicted-columns{stroke:var(--predicted);stroke-width:1;opacity:.5}
 .plot .filtered{stroke:var(--ink);stroke-width:1.8;stroke-linejoin:round}
@@ -125,7 +131,13 @@ def standalone(plot: Plot, theme: str = "light") -> str:
 
 
 def along_contour(
-    profile: Profile, deviation: Deviation, filtered: Floats, predicted: Floats, uncertainty: Floats | None = None
+    profile: Profile,
+    deviation: Deviation,
+    filtered: Floats,
+    predicted: Floats,
+    uncertainty: Floats | None = None,
+    posterior: Sequence[Posterior] = (),
+    outlier: Bools | None = None,
 ) -> Plot:
     """Deviations over arc length: points, determined part with its uncertainty, prediction; a panel for every contour.
 
@@ -140,7 +152,13 @@ def along_contour(
     uncertainty : (n,) float64, optional
         Standard uncertainty of the determined part in mm; a band of twice as much on either side is drawn where it
         is a number.
+    posterior : sequence of Posterior
+        The determined part between the points, in gaps and on sides without a point, too, in place of lines through
+        the points.
+    outlier : (n,) bool, optional
+        Points to mark; they do not set the scale.
     """
+    wrong = np.zeros(len(deviation), dtype=bool) if outlier is None else outlier
     half = np.full(len(deviation), np.nan) if uncertainty is None else COVERAGE * uncertainty
     contours = groups(deviation.contour)
     shown = contours
@@ -149,15 +167,16 @@ def along_contour(
         shown = [contours[i] for i in sorted(np.argsort(worst)[-MOST_PANELS:].tolist())]
     levels = levels_of(deviation)
     height = 250.0 if len(shown) == 1 else 175.0
-    top = 30 if len(levels) == 1 else 48
+    second = len(levels) > 1 or bool(wrong.any()) or any(row.bare.any() for row in posterior)
+    top = 48 if second else 30
     canvas = Canvas(WIDTH, top - 6 + len(shown) * (height + 44), "Deviation along the contour")
     dense = max(len(rows) for _, rows in shown) > MOST_MARKERS
     banded = bool(np.isfinite(half).any())
-    _along_legend(canvas, levels, dense, banded)
+    _along_legend(canvas, levels, dense, banded, posterior, bool(wrong.any()))
     for i, (k, rows) in enumerate(shown):
         title = f"contour {k + 1}" if len(profile.contours) > 1 else ""
         panel = _Panel(canvas, top + i * (height + 44), height, title, f"along{k}")
-        panel.draw(profile, k, deviation, rows, filtered, half, predicted, levels)
+        panel.draw(profile, k, deviation, rows, filtered, half, predicted, levels, wrong, posterior)
     words = [
         f"Deviation in {MICRO} over the arc length of the nominal, from its start; above zero material is left, "
         "below too much is gone."
@@ -165,8 +184,20 @@ def along_contour(
     if banded:
         words.append(
             f"Band: the determined part with its expanded uncertainty (k = {COVERAGE:g}, about 95 %), "
-            f"up to \N{PLUS-MINUS SIGN}{np.nanmax(half) * UM:.2f} {MICRO}."
+            f"up to \N{PLUS-MINUS SIGN}{np.nanmax(half) * UM:.2f} {MICRO}"
+            f"{' at the points' if posterior else ''}."
         )
+    if posterior:
+        words.append("The lighter band holds along the whole contour together, with 95 %.")
+    bare = [row for row in posterior if row.bare.any()]
+    if bare:
+        widest = max(float(COVERAGE * row.std[row.bare].max()) for row in bare)
+        words.append(
+            "Where the line is dashed the correction rests on no points: it goes on as the form does, then back to "
+            f"the mean, known to \N{PLUS-MINUS SIGN}{widest * UM:.1f} {MICRO} (k = {COVERAGE:g}) at the worst."
+        )
+    if wrong.any():
+        words.append("Crosses are outliers, left out; at the edge of the plot they lie beyond it.")
     if dense:
         words.append("Where points are dense, each column of pixels shows the range from the smallest to the largest.")
     if len(shown) < len(contours):
@@ -199,7 +230,14 @@ def groups(key: Ints) -> list[tuple[int, Ints]]:
     return [(int(key[rows[0]]), rows) for rows in parts if len(rows)]
 
 
-def _along_legend(canvas: Canvas, levels: list[tuple[int, float]], dense: bool, banded: bool) -> None:
+def _along_legend(
+    canvas: Canvas,
+    levels: list[tuple[int, float]],
+    dense: bool,
+    banded: bool,
+    posterior: Sequence[Posterior],
+    wrong: bool,
+) -> None:
     mark = "m-4-4v8m2-10v9m2-6v8m2-9v9m2-8v8" if dense else MARKERS[0]
     suffix = "-columns" if dense else ""
     entries = [
@@ -210,13 +248,21 @@ def _along_legend(canvas: Canvas, levels: list[tuple[int, float]], dense: bool, 
     if banded:
         entries.insert(2, (f"its uncertainty, k = {COVERAGE:g}", [("band", "m-9-4h18v8h-18z")]))
     canvas.legend(56, 14, entries)
+    entries = []
+    if any(row.bare.any() for row in posterior):
+        entries.append(("no points near", [("bare", "m-9 0h18")]))
+    if wrong:
+        entries.append(("outlier", [("outlier", _CROSS)]))
     if len(levels) > 1:
         # More do not fit; the table by level has them.
-        entries = [
-            (f"Z {number(round(z, 3))}", [(f"filtered dash{i % 4}", "m-12 0h24"), *_level_mark(i, dense)])
-            for i, (_, z) in enumerate(levels[:8])
+        entries += [
+            (
+                f"Z {number(round(z, 3))}",
+                [*([] if posterior else [(f"filtered dash{i % 4}", "m-12 0h24")]), *_level_mark(i, dense)],
+            )
+            for i, (_, z) in enumerate(levels[: 8 - 2 * len(entries)])
         ]
-        canvas.legend(56, 32, entries)
+    canvas.legend(56, 32, entries)
 
 
 def _level_mark(level: int, dense: bool) -> list[tuple[str, str]]:
@@ -243,15 +289,21 @@ class _Panel:
         half: Floats,
         predicted: Floats,
         levels: list[tuple[int, float]],
+        wrong: Bools,
+        posterior: Sequence[Posterior],
     ) -> None:
+        stretches = profile.stretches()
+        posterior = [row for row in posterior if stretches[row.stretch].contour == contour]
         canvas, bottom = self.canvas, self.top + self.height
         total = float(profile.total[contour])
         x = Axis(0.0, total, 56.0, WIDTH - 12.0)
         edge = np.nan_to_num(half[rows])
-        values = (
-            np.concatenate([deviation.value[rows], predicted[rows], filtered[rows] - edge, filtered[rows] + edge]) * UM
+        sound = rows[~wrong[rows]]
+        values = np.concatenate(
+            [deviation.value[sound], predicted[sound], filtered[rows] - edge, filtered[rows] + edge]
+            + [row.value + sign * COVERAGE * row.std for row in posterior for sign in (-1.0, 1.0)]
         )
-        y = value_axis(values, bottom, self.top)
+        y = value_axis(values * UM, bottom, self.top)
         frame(canvas, x, y, "s / mm", f"deviation / {MICRO}")
         if self.title:
             canvas.text(x.end, self.top - 5, self.title, "strong", "end")
@@ -259,7 +311,12 @@ class _Panel:
         for s in corners(profile, contour):
             canvas.line(x.at(s), self.top, x.at(s), bottom, "corner")
         dense = len(rows) > MOST_MARKERS
-        self._bands(x, y, profile, deviation, rows, filtered, half, total)
+        if posterior:
+            self._posterior(x, y, profile, posterior, total)
+        else:
+            self._bands(x, y, profile, deviation, rows, filtered, half, total)
+        far = rows[wrong[rows]]
+        rows = sound
         index = {level: i for i, (level, _) in enumerate(levels)}
         # Columns of pixels look alike at all levels.
         for level, here in [(levels[0][0], np.arange(len(rows)))] if dense else groups(deviation.level[rows]):
@@ -272,7 +329,13 @@ class _Panel:
             else:
                 for value, css in zip(py, ("raw", "predicted"), strict=True):
                     canvas.path(markers(px, value, i), css)
-        stretches = profile.stretches()
+        # Outliers beyond the axis stand at its edge.
+        height = np.clip(y(deviation.value[far] * UM), self.top + 3.0, bottom - 3.0)
+        canvas.path(
+            "".join(f"M{a:.1f} {b:.1f}{_CROSS}" for a, b in zip(x(deviation.s[far]), height, strict=True)), "outlier"
+        )
+        if posterior:
+            return
         pixel = total / (x.end - x.start)
         for key, here in groups(deviation.level[rows] * len(stretches) + deviation.stretch[rows]):
             level, k = divmod(key, len(stretches))
@@ -281,6 +344,26 @@ class _Panel:
             line = by_pixel(local, [filtered[at]], stretch, pixel)
             data = "".join(self._wrapped(x, y, stretch.begin + s, value, total) for s, value in line)
             canvas.path(data, f"filtered dash{index[level] % 4}", self.name)
+
+    def _posterior(self, x: Axis, y: Axis, profile: Profile, posterior: Sequence[Posterior], total: float) -> None:
+        """Both bands and the determined part of every stretch, dashed where no point is near."""
+        stretches = profile.stretches()
+        turn = x.end - x.start
+        for row in posterior:
+            px = x(stretches[row.stretch].begin + row.s)
+            for factor, css in ((row.band, "whole"), (COVERAGE, "band")):
+                low, high = (y((row.value + sign * factor * row.std) * UM) for sign in (-1.0, 1.0))
+                data = "".join(
+                    polyline(np.append(px, px[::-1]) + shift, np.append(low, high[::-1]), True)
+                    for shift in (0.0, -turn, turn)
+                    if (px + shift).max() > x.start and (px + shift).min() < x.end
+                )
+                self.canvas.path(data, css, self.name)
+        for row in posterior:
+            for bare, here in runs(row.bare):
+                s = stretches[row.stretch].begin + row.s[here]
+                data = self._wrapped(x, y, s, row.value[here], total)
+                self.canvas.path(data, "bare" if bare else "filtered dash0", self.name)
 
     def _bands(
         self,

@@ -71,7 +71,8 @@ class Canvas:
     def clip(self, name: str, x: float, y: float, width: float, height: float) -> None:
         """Define a rectangle to clip by."""
         size = f'width="{_n(width)}" height="{_n(height)}"'
-        self.add(f'<clipPath id="{name}"><rect x="{_n(x)}" y="{_n(y)}" {size}/></clipPath>')
+        # Renderers that know of no clipping (Qt's) draw the rectangle.
+        self.add(f'<clipPath id="{name}"><rect fill="none" x="{_n(x)}" y="{_n(y)}" {size}/></clipPath>')
 
     def legend(self, x: float, y: float, entries: Iterable[tuple[str, Sequence[tuple[str, str]]]]) -> None:
         """Row of entries: text, and what stands before it as (class, path data round its middle)."""

@@ -8,6 +8,9 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+OPEN = 0.05
+"""From this share of a contour without points on a word is said: what tags and clamps cover is less."""
+
 MANY_OUTLIERS = 0.1
 """From this share on a word is said of outliers (`millcorr.distrust.separated`): below it every file has them."""
 
@@ -54,6 +57,8 @@ def what_to_do(summary: Mapping[str, Any]) -> str:
         doing = "only the path's own error changes"
     else:
         doing = f"the contour moves by up to {largest['largest'] * 1000:+.1f} um, most at {at}"
+    if summary["unmeasured"] > OPEN:
+        doing += f"; {100 * summary['unmeasured']:.0f} % of the contour rests on no points"
     if predicted:
         return f"use it, and measure the first part: {doing}, by the model alone"
     return f"use it{' if what the warnings ask is answered' if summary['warnings'] else ''}: {doing}"

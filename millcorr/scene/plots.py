@@ -17,8 +17,9 @@ from numpy.typing import NDArray
 from millcorr.compensation import along as along_stretch
 from millcorr.footpoint import FootPointSearch
 from millcorr.pipeline import Result
-from millcorr.profile import Profile
+from millcorr.profile import Profile, Stretch
 from millcorr.report.plots import COVERAGE, UM, class_width, corners, course
+from millcorr.report.posterior import posteriors, runs
 from millcorr.series.journal import Entry
 
 from .correction import Lines, thinned
@@ -48,7 +49,7 @@ REACH = 0.1
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Course:
-    """Determined part of one stretch and level, without long gaps.
+    """Determined part of one stretch and level, without long gaps; of a stretch through its gaps where a model says it.
 
     Parameters
     ----------
@@ -57,6 +58,10 @@ class Course:
         mm.
     value, low, high : (k,) float64
         Determined part, and the ends of its band of uncertainty, um; NaN where that is not known.
+    whole_low, whole_high : (k,) float64
+        Ends of the band that holds along the whole contour with 95 %, um; NaN where that is not known.
+    bare : bool
+        Whether no sound point is near.
     """
 
     level: int
@@ -64,6 +69,9 @@ class Course:
     value: Floats
     low: Floats
     high: Floats
+    whole_low: Floats
+    whole_high: Floats
+    bare: bool
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -78,6 +86,8 @@ class Along:
         Before, and expected after the correction, um.
     rows : (m,) int64
         Deviations to draw as points.
+    outliers : (o,) int64
+        Deviations to mark as outliers.
     courses : tuple of Course
     starts : (c,) float64
         Where each contour begins.
@@ -92,6 +102,7 @@ class Along:
     raw: Floats
     predicted: Floats
     rows: Ints
+    outliers: Ints
     courses: tuple[Course, ...]
     starts: Floats
     corners: Floats
@@ -154,6 +165,55 @@ def along(result: Result) -> Along:
     """
     d, profile = result.deviation, result.nominal
     starts = _starts(profile)
+    shown = thinned(result, MOST_POINTS)
+    at = [starts[k] + corners(profile, k) for k in range(len(profile.contours))]
+    return Along(
+        x=d.s + starts[d.contour],
+        raw=UM * d.value,
+        predicted=UM * result.predicted,
+        rows=shown[~result.outlier[shown]],
+        outliers=np.flatnonzero(result.outlier),
+        courses=tuple(_courses_of_model(result, starts) or _courses_of_points(result, starts)),
+        starts=starts[:-1],
+        corners=np.concatenate(at),
+        total=float(starts[-1]),
+        coverage=COVERAGE,
+    )
+
+
+def _courses_of_model(result: Result, starts: Floats) -> list[Course]:
+    """What the model says along every stretch, through gaps and on sides without a point, too."""
+    stretches = result.nominal.stretches()
+    courses = []
+    for row in posteriors(result):
+        stretch = stretches[row.stretch]
+        edges = [row.value + sign * factor * row.std for factor in (COVERAGE, row.band) for sign in (-1.0, 1.0)]
+        for bare, here in runs(row.bare):
+            columns = [values[here] for values in (row.value, *edges)]
+            courses += _turned(0, starts, stretch, row.s[here], columns, bare)
+    return courses
+
+
+def _turned(
+    level: int, starts: Floats, stretch: Stretch, s: Floats, columns: Sequence[Floats], bare: bool
+) -> list[Course]:
+    """Course of a stretch; what runs past the seam is drawn at the other end, as far as nothing is drawn there."""
+    first, last = float(starts[stretch.contour]), float(starts[stretch.contour + 1])
+    x = first + stretch.begin + s
+    return [
+        _cut(level, x + turn, columns, low, high, bare)
+        for turn, low, high in (
+            (0.0, first, last),
+            (first - last, first, min(last, x[0])),
+            (last - first, max(first, x[-1]), last),
+        )
+        if max(x[0] + turn, low) < min(x[-1] + turn, high)
+    ]
+
+
+def _courses_of_points(result: Result, starts: Floats) -> list[Course]:
+    """Lines through the determined part at the points, by stretch and level."""
+    d, profile = result.deviation, result.nominal
     half = COVERAGE * result.uncertainty
     courses = []
     stretches = profile.stretches()
@@ -162,41 +222,21 @@ def along(result: Result) -> Along:
     for one in np.unique(key):
         rows, stretch = np.flatnonzero(key == one), stretches[int(one) // levels]
         local = along_stretch(stretch, d.s[rows], profile)
-        begin = float(starts[stretch.contour]) + stretch.begin
         columns = [
             course(local, value, stretch.length, stretch.closed)
             for value in (result.filtered[rows], (result.filtered - half)[rows], (result.filtered + half)[rows])
         ]
-        first, last = float(starts[stretch.contour]), float(starts[stretch.contour + 1])
         for (s, value), (_, low), (_, high) in zip(*columns, strict=True):
-            x = begin + s
-            # What runs past the seam is drawn at the other end, as far as nothing is drawn there.
-            for turn, low_end, high_end in (
-                (0.0, first, last),
-                (first - last, first, min(last, x[0])),
-                (last - first, max(first, x[-1]), last),
-            ):
-                if max(x[0] + turn, low_end) < min(x[-1] + turn, high_end):
-                    courses.append(_cut(int(one) % levels, x + turn, (value, low, high), low_end, high_end))
-    at = [starts[k] + corners(profile, k) for k in range(len(profile.contours))]
-    return Along(
-        x=d.s + starts[d.contour],
-        raw=UM * d.value,
-        predicted=UM * result.predicted,
-        rows=thinned(result, MOST_POINTS),
-        courses=tuple(courses),
-        starts=starts[:-1],
-        corners=np.concatenate(at),
-        total=float(starts[-1]),
-        coverage=COVERAGE,
-    )
+            unknown = np.full(len(s), np.nan)
+            courses += _turned(int(one) % levels, starts, stretch, s, (value, low, high, unknown, unknown), False)
+    return courses
 
 
-def _cut(level: int, x: Floats, columns: Sequence[Floats], first: float, last: float) -> Course:
+def _cut(level: int, x: Floats, columns: Sequence[Floats], first: float, last: float, bare: bool) -> Course:
     """Course between two places, its ends interpolated; from mm to um."""
     places = np.concatenate([[max(x[0], first)], x[(x > first) & (x < last)], [min(x[-1], last)]])
-    value, low, high = (UM * np.interp(places, x, column) for column in columns)
-    return Course(level, places, value, low, high)
+    value, low, high, whole_low, whole_high = (UM * np.interp(places, x, column) for column in columns)
+    return Course(level, places, value, low, high, whole_low, whole_high, bare)
 
 
 def _starts(profile: Profile) -> Floats:

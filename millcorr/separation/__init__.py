@@ -6,11 +6,12 @@ them. Called by the correction and by the findings on deviations.
 """
 
 from .filters import Filter, Filtered, filtered
-from .model import LevelDifference, Observed, Separated, Stretches, interpolated, separate
+from .model import Lean, LevelDifference, Observed, Separated, Stretches, interpolated, separate
 
 __all__ = [
     "Filter",
     "Filtered",
+    "Lean",
     "LevelDifference",
     "Observed",
     "Separated",

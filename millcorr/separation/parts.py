@@ -7,6 +7,7 @@ from part to part is the random part itself, measured.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -49,6 +50,31 @@ class Parts:
     count: Ints
     std: float
     values: Floats
+
+
+def same_levels(parts: Sequence[tuple[Ints, Floats]]) -> list[Ints]:
+    """Numbers of the levels of each part, so that the same height of the same wall has the same number on all.
+
+    Parameters
+    ----------
+    parts : sequence of ((k,) int64, (k,) float64)
+        Of the levels of each part the step that it belongs to, -1 for none, and its height, mm; NaN where that is not
+        known.
+    """
+    known: list[tuple[int, float]] = []
+    out = []
+    for number, (steps, heights) in enumerate(parts):
+        levels = []
+        for step, z in zip(steps.tolist(), heights.tolist(), strict=True):
+            apart = [abs(z - other) if step == same else math.inf for same, other in known]
+            near = int(np.argmin(apart)) if number > 0 and apart else 0
+            # On one part heights are apart already.
+            if number == 0 or not apart or not apart[near] < LEVEL_REACH:
+                near = len(known)
+                known.append((step, z))
+            levels.append(near)
+        out.append(np.array(levels, dtype=np.int64))
+    return out
 
 
 def averaged(parts: Sequence[tuple[Deviation, Floats]], profile: Profile) -> Parts:

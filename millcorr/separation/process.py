@@ -3,7 +3,9 @@
 
 The form is a Matern 5/2 process, kept as value and two derivatives at the nodes of a regular grid (state space:
 Hartikainen & Sarkka 2010; Sarkka & Solin 2019, ch. 12) and read between them by the quintic through two nodes, which
-is what the process itself says there as the grid becomes narrow. The noise with a memory is an Ornstein-Uhlenbeck
+is what the process itself says there as the grid becomes narrow. Where several heights are measured, a second process
+of the same length, the lean, stands beside it at the same nodes and is read with the sign and share of each height. The
+noise with a memory is an Ornstein-Uhlenbeck
 process at the points, one for every part and level. Constants (means, offsets) are columns beside the band. A closed
 stretch is a ring, folded flat: places equally far from the seam to both sides are neighbours in the band.
 """
@@ -24,7 +26,7 @@ ROOT = math.sqrt(5.0)
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 _NODES, _WEIGHTS = (_NODES + 1.0) / 2.0, _WEIGHTS / 2.0
 _LOWER = np.tril_indices(3)
-_PAIRS = np.tril_indices(6)
+_EYE = np.eye(3)
 
 # Value, slope and bend at both ends of the unit interval to the powers of the quintic between them.
 _QUINTIC = np.linalg.inv(
@@ -42,6 +44,10 @@ _QUINTIC = np.linalg.inv(
 ).T
 _CHUNK = 256
 
+_LINK = 4.0
+"""Steps of the form's grid that neighbouring states of the noise are apart at most: over a gap it has states without
+points, or the band were as wide as the gap has nodes."""
+
 
 @dataclass(frozen=True, slots=True)
 class Sizes:
@@ -57,6 +63,8 @@ class Sizes:
         Standard deviation of the white noise of a point of weight 1.
     part, level : float
         Standard deviation of the offsets of whole parts and of whole levels.
+    lean : float
+        Standard deviation of how the form at the highest level differs from that at the lowest.
     """
 
     form: float
@@ -66,6 +74,7 @@ class Sizes:
     white: float
     part: float
     level: float
+    lean: float
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -82,6 +91,11 @@ class Cells:
         1 where a constant (mean of a contour, offset of a part, of a level) belongs to the place.
     kind : (k,) int64
         What each column is: 0 the mean of a contour, 1 a part's offset, 2 a level's.
+    across : (n,) float64
+        How far each place is above the mean of the levels, in units of the distance of the highest from the lowest; 0
+        everywhere where there is one.
+    scale : (n,) float64
+        How many times as large as it is the systematic part is seen at each place; the noise is seen as it is.
     """
 
     stretch: Ints
@@ -89,6 +103,8 @@ class Cells:
     s: Floats
     columns: Floats
     kind: Ints
+    across: Floats
+    scale: Floats
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -135,31 +151,58 @@ class Layout:
 
     def __init__(self, cells: Cells, lengths: Floats, closed: NDArray[np.bool_], step: float) -> None:
         self.cells, self.lengths, self.closed = cells, lengths, closed
+        self.leans = bool(cells.across.any())
         number = np.maximum(np.ceil(lengths / step - 1e-9).astype(np.int64), np.where(closed, 4, 1))
         self.number, self.step = number, lengths / number
         nodes = number + ~closed
         self.first = np.concatenate([[0], np.cumsum(nodes)])
         of = np.repeat(np.arange(len(lengths)), nodes)
         at = (np.arange(len(of)) - self.first[of]) * self.step[of]
+        self._bridge()
         self._order(of, at)
         self._links()
         self._memory()
         row, weight = self.read(cells.stretch, cells.s)
-        self.weight = weight
-        self.rows = np.column_stack([row, self.own])
+        weight = cells.scale[:, None] * weight
+        # What a place is read from: the form, the lean where there is one, its noise with a memory.
+        self.reads = [(row, weight)]
+        if self.leans:
+            self.reads.append((row + 3, cells.across[:, None] * weight))
+        self.reads.append((self.own[:, None], np.ones((len(row), 1))))
+
+    def _bridge(self) -> None:
+        """Places of the noise with a memory: those of the points, then some in every gap between them."""
+        c = self.cells
+        order = np.lexsort((c.s, c.stretch, c.block))
+        stretch, block, s = c.stretch[order], c.block[order], c.s[order]
+        last = np.append((stretch[1:] != stretch[:-1]) | (block[1:] != block[:-1]), True)[: len(s)]
+        first = np.flatnonzero(np.append(True, last[:-1])[: len(s)])
+        # Behind the last point of a ring comes its first one.
+        behind = np.append(s[1:], 0.0)[: len(s)]
+        behind[last] = np.where(self.closed[stretch[last]], s[first] + self.lengths[stretch[last]], s[last])
+        gap = behind - s
+        more = np.maximum(np.ceil(gap / (_LINK * self.step[stretch])).astype(np.int64) - 1, 0)
+        row = np.repeat(np.arange(len(s)), more)
+        part = np.arange(len(row)) - np.repeat(np.cumsum(more) - more, more) + 1
+        between = s[row] + gap[row] * part / (more[row] + 1)
+        length = self.lengths[stretch[row]]
+        between = np.where(between >= length, between - length, between)
+        self.noise_stretch = np.concatenate([c.stretch, stretch[row]])
+        self.noise_block = np.concatenate([c.block, block[row]])
+        self.noise_s = np.concatenate([c.s, between])
 
     def _order(self, of: Ints, at: Floats) -> None:
         """Rows of the band, by stretch and place; the two halves of a ring side by side."""
-        c = self.cells
-        stretch, s = np.concatenate([of, c.stretch]), np.concatenate([at, c.s])
+        stretch, s = np.concatenate([of, self.noise_stretch]), np.concatenate([at, self.noise_s])
         length = self.lengths[stretch]
         s = np.where(self.closed[stretch], np.minimum(s, length - s), s)
         order = np.lexsort((s, stretch))
-        count = np.concatenate([np.full(len(of), 3), np.ones(len(c.s), dtype=np.int64)])
+        count = np.concatenate([np.full(len(of), 6 if self.leans else 3), np.ones(len(self.noise_s), dtype=np.int64)])
         start = np.empty(len(order), dtype=np.int64)
         start[order] = np.cumsum(count[order]) - count[order]
         self.size = int(count.sum())
-        self.node, self.own = start[: len(of)], start[len(of) :]
+        self.node, self.noise = start[: len(of)], start[len(of) :]
+        self.own = self.noise[: len(self.cells.s)]
 
     def _links(self) -> None:
         """Neighbouring nodes of the form, and where their numbers stand."""
@@ -173,22 +216,22 @@ class Layout:
 
     def _memory(self) -> None:
         """Neighbouring points of one part and level."""
-        c = self.cells
-        key = c.stretch * (int(c.block.max(initial=0)) + 1) + c.block
-        order = np.lexsort((c.s, key))
-        key, s = key[order], c.s[order]
+        stretch, block = self.noise_stretch, self.noise_block
+        key = stretch * (int(block.max(initial=0)) + 1) + block
+        order = np.lexsort((self.noise_s, key))
+        key, s = key[order], self.noise_s[order]
         same = key[1:] == key[:-1]
         starts = np.flatnonzero(np.concatenate([[True], ~same])) if len(key) else np.zeros(0, dtype=np.int64)
         ends = np.append(starts[1:], len(key)) - 1
         self.chain_gap = [s[1:][same] - s[:-1][same]]
         chain = [(order[:-1][same], order[1:][same])]
-        ring = self.closed[c.stretch[order[starts]]]
-        self.ring_length = self.lengths[c.stretch[order[starts]]][ring]
+        ring = self.closed[stretch[order[starts]]]
+        self.ring_length = self.lengths[stretch[order[starts]]][ring]
         self.chain_gap.append(s[starts[ring]] + self.ring_length - s[ends[ring]])
         chain.append((order[ends[ring]], order[starts[ring]]))
         self.gap = np.concatenate(self.chain_gap)
-        self.pair = tuple(self.own[np.concatenate([p[i] for p in chain])] for i in (0, 1))
-        self.head = self.own[order[starts[~ring]]]
+        self.pair = tuple(self.noise[np.concatenate([p[i] for p in chain])] for i in (0, 1))
+        self.head = self.noise[order[starts[~ring]]]
 
     def _cell(self, stretch: Ints, s: Floats) -> tuple[Ints, Ints, Floats]:
         """Nodes before and after places, and how far they lie between them, 0 to 1; (n,) each."""
@@ -232,23 +275,28 @@ class Bound:
 
     def __init__(self, layout: Layout, value: Floats, weight: Floats) -> None:
         self.layout, self.value, self.weight = layout, value, weight
-        a, rows = layout.weight, layout.rows
-        i, j = rows[:, :6][:, _PAIRS[0]], rows[:, :6][:, _PAIRS[1]]
-        pairs = [
-            (i, j, (weight[:, None] * a[:, _PAIRS[0]] * a[:, _PAIRS[1]])),
-            (rows[:, :6], np.broadcast_to(rows[:, 6:], a.shape), weight[:, None] * a),
-            (rows[:, 6], rows[:, 6], weight),
-        ]
-        la, lb = layout.link
+        self.offsets = [np.flatnonzero(layout.cells.kind == kind) for kind in range(3)]
+        # Of each two of form, lean and noise the numbers of the matrix that the data add to; of one with itself half.
+        pairs = []
+        for g, (rows, a) in enumerate(layout.reads):
+            for h, (others, b) in enumerate(layout.reads[: g + 1]):
+                i, j = np.tril_indices(rows.shape[1]) if g == h else np.indices((rows.shape[1], others.shape[1]))
+                i, j = i.ravel(), j.ravel()
+                pairs.append((rows[:, i], others[:, j], weight[:, None] * a[:, i] * b[:, j]))
+        self.read_of = [(g, h) for g in range(len(layout.reads)) for h in range(g + 1)]
         three = np.arange(3)
-        lower = [(la[:, None] + _LOWER[0], la[:, None] + _LOWER[1]), (lb[:, None] + _LOWER[0], lb[:, None] + _LOWER[1])]
-        cross = (
-            np.repeat(lb[:, None] + three, 3, axis=1),
-            np.tile(la[:, None] + three, (1, 3)),
-        )
-        start = (layout.begin[:, None] + _LOWER[0], layout.begin[:, None] + _LOWER[1])
+        links = []
+        for more in (0, 3) if layout.leans else (0,):
+            la, lb = (x + more for x in layout.link)
+            begin = layout.begin + more
+            links += [
+                (la[:, None] + _LOWER[0], la[:, None] + _LOWER[1]),
+                (lb[:, None] + _LOWER[0], lb[:, None] + _LOWER[1]),
+                (np.repeat(lb[:, None] + three, 3, axis=1), np.tile(la[:, None] + three, (1, 3))),
+                (begin[:, None] + _LOWER[0], begin[:, None] + _LOWER[1]),
+            ]
         p, q = layout.pair
-        everything = [*((x[0], x[1]) for x in pairs), *lower, cross, start, (p, q)]
+        everything = [*((x, y) for x, y, _ in pairs), *links, (p, q)]
         self.band = max((int(np.abs(x - y).max(initial=0)) for x, y in everything), default=0)
         size = layout.size
         self.shape = (self.band + 1, size)
@@ -258,21 +306,20 @@ class Bound:
             return out
 
         total = self.shape[0] * size
-        self.data = np.stack(
-            [np.bincount(place(x, y), np.ascontiguousarray(w).ravel(), total) for x, y, w in pairs]
-        )
+        self.data = np.stack([np.bincount(place(x, y), np.ascontiguousarray(w).ravel(), total) for x, y, w in pairs])
         # Both sides of a ring of a single point are the same number of the matrix, and count twice on its diagonal.
         self.twice = np.where(p == q, 2.0, 1.0)
-        self.form_place = np.concatenate([place(*lower[0]), place(*lower[1]), place(*cross), place(*start)])
+        self.form_place = np.concatenate([place(x, y) for x, y in links])
         self.memory_place = np.concatenate([place(p, p), place(q, q), place(p, q), place(layout.head, layout.head)])
         right = np.column_stack([value, layout.cells.columns])
         self.right = right
         weighted = weight[:, None] * right
-        self.form_right = np.column_stack(
-            [np.bincount(rows[:, :6].ravel(), (a * weighted[:, [c]]).ravel(), size) for c in range(right.shape[1])]
-        )
-        self.memory_right = np.zeros_like(self.form_right)
-        self.memory_right[rows[:, 6]] = weighted
+        self.rights = np.array(
+            [
+                [np.bincount(rows.ravel(), (a * weighted[:, [c]]).ravel(), size) for c in range(right.shape[1])]
+                for rows, a in layout.reads
+            ]
+        ).transpose(0, 2, 1)
         self.normal = right.T @ weighted
         self.log_weight = float(np.log(weight).sum())
         self.forms: dict[float, tuple[Floats, float]] = {}
@@ -294,113 +341,118 @@ class Bound:
         t = _NODES
         decay = np.exp(-z[:, None] * t)
         zt = z[:, None] * t
-        column = decay * np.stack(
-            [np.broadcast_to(t * t / 2, zt.shape), t - zt * t / 2, 1 - 2 * zt + zt * zt / 2]
-        )  # (3, K, 8)
-        noise = np.einsum("akt,bkt,t->kab", column, column, _WEIGHTS) * (16.0 / 3.0 * z**5)[:, None, None]
+        column = decay * np.stack([np.broadcast_to(t * t / 2, zt.shape), t - zt * t / 2, 1 - 2 * zt + zt * zt / 2])
+        column = column.transpose(1, 0, 2)  # (K, 3, 8)
+        noise = (column * _WEIGHTS) @ column.transpose(0, 2, 1) * (16.0 / 3.0 * z**5)[:, None, None]
         shift = np.zeros((len(z), 3, 3))
         shift[:, 0, 1] = shift[:, 1, 2] = 1.0
         shift[:, 2] = np.stack([-(z**3), -3 * z**2, -3 * z], axis=1)
-        nil = shift + z[:, None, None] * np.eye(3)
-        turn = np.exp(-z)[:, None, None] * (np.eye(3) + nil + 0.5 * nil @ nil)
+        nil = shift + z[:, None, None] * _EYE
+        turn = np.exp(-z)[:, None, None] * (_EYE + nil + 0.5 * nil @ nil)
         back = np.linalg.inv(noise)
         back = 0.5 * (back + back.transpose(0, 2, 1))
         first = turn.transpose(0, 2, 1) @ back @ turn
         across = back @ turn
-        begin = np.zeros((len(z), 3, 3))
-        begin[:, 0, 0], begin[:, 1, 1], begin[:, 2, 2] = 1.0, z**2 / 3, z**4
-        begin[:, 0, 2] = begin[:, 2, 0] = -(z**2) / 3
-        at_begin = np.linalg.inv(begin)
+        # Inverse of the covariance ((1, 0, -a), (0, a, 0), (-a, 0, z^4)), a = z^2 / 3, of the states at an open end.
+        a, rest = z**2 / 3, 8.0 / 9.0 * z**4
+        nil_end = np.zeros_like(z)
+        at_begin = np.stack([z**4 / rest, nil_end, 1.0 / a, a / rest, nil_end, 1.0 / rest], axis=1)
         k, open_ = layout.link_stretch, ~layout.closed
         values = np.concatenate(
             [
                 first[:, _LOWER[0], _LOWER[1]][k].ravel(),
                 back[:, _LOWER[0], _LOWER[1]][k].ravel(),
                 -across.reshape(-1, 9)[k].ravel(),
-                at_begin[:, _LOWER[0], _LOWER[1]][open_].ravel(),
+                at_begin[open_].ravel(),
             ]
         )
-        total = self.shape[0] * self.shape[1]
-        band: Floats = np.bincount(self.form_place, values, total).astype(np.float64)
-        log_noise, log_begin = np.linalg.slogdet(noise)[1], np.linalg.slogdet(begin)[1]
-        log_det = -float(layout.number @ log_noise) - float(log_begin[open_].sum())
+        total, times = self.shape[0] * self.shape[1], 2 if layout.leans else 1
+        band: Floats = np.bincount(self.form_place, np.tile(values, times), total).astype(np.float64)
+        log_begin = np.log(a[open_] * rest[open_])
+        log_det = -float(layout.number @ np.linalg.slogdet(noise)[1]) - float(log_begin.sum())
         if layout.closed.any():
             zl = (z * layout.number)[layout.closed]
             nil_l = nil[layout.closed] * layout.number[layout.closed, None, None]
-            whole = np.exp(-zl)[:, None, None] * (np.eye(3) + nil_l + 0.5 * nil_l @ nil_l)
-            log_det += 2.0 * float(np.linalg.slogdet(np.eye(3) - whole)[1].sum())
-        return band, log_det
+            whole = np.exp(-zl)[:, None, None] * (_EYE + nil_l + 0.5 * nil_l @ nil_l)
+            log_det += 2.0 * float(np.linalg.slogdet(_EYE - whole)[1].sum())
+        return band, times * log_det
 
     def _memory(self, memory: float) -> tuple[Floats, float]:
         layout = self.layout
         rho = np.exp(-layout.gap / memory)
         left = -np.expm1(-2.0 * layout.gap / memory)
-        values = np.concatenate(
-            [rho * rho / left, 1.0 / left, -rho / left * self.twice, np.ones(len(layout.head))]
-        )
+        values = np.concatenate([rho * rho / left, 1.0 / left, -rho / left * self.twice, np.ones(len(layout.head))])
         band: Floats = np.bincount(self.memory_place, values, self.shape[0] * self.shape[1]).astype(np.float64)
         log_det = 2.0 * float(np.log(-np.expm1(-layout.ring_length / memory)).sum()) - float(np.log(left).sum())
         return band, log_det
 
-    def solve(self, sizes: Sizes) -> Solved | None:
-        """Posterior for given sizes; None where the numbers do not allow it."""
-        from scipy.linalg.lapack import dpbtrf, dpbtrs
+    def _factored(self, sizes: Sizes) -> tuple[float, Floats, Floats, Floats, Floats] | None:
+        """-2 log likelihood, factor, answers of the states, normal matrix of the constants and their mean."""
+        from scipy.linalg.lapack import dpbtrf, dpbtrs, dposv
 
         v = sizes.white**2
         prior, log_prior = self.prior(sizes.form_length, sizes.memory)
-        f, c = sizes.form, sizes.process
-        band = (prior + np.array([f * f, f * c, c * c]) / v @ self.data).reshape(self.shape)
-        factor, failed = dpbtrf(band, lower=1)
+        std = self.std(sizes)
+        band = (prior + np.array([std[g] * std[h] / v for g, h in self.read_of]) @ self.data).reshape(self.shape)
+        factor, failed = dpbtrf(band, lower=1, overwrite_ab=1)
         if failed:
             return None
-        right = (f / v) * self.form_right + (c / v) * self.memory_right
+        right = np.tensordot(np.array(std) / v, self.rights, 1)
         found = dpbtrs(factor, right, lower=1)[0]
         inner = self.normal / v - right.T @ found
-        own = np.array([0.0, 1.0 / sizes.part**2, 1.0 / sizes.level**2])[self.layout.cells.kind]
-        normal = inner[1:, 1:] + np.diag(own)
-        sign, log_normal = np.linalg.slogdet(normal)
-        if sign <= 0:
+        normal, log_own = inner[1:, 1:], 0.0
+        for kind, size in ((1, sizes.part), (2, sizes.level)):
+            columns = self.offsets[kind]
+            if len(columns):
+                normal[columns, columns] += 1.0 / size**2
+                log_own -= 2.0 * len(columns) * math.log(size)
+        root, constants, failed = dposv(normal, inner[1:, 0], lower=1)
+        if failed:
             return None
-        spread = np.linalg.inv(normal)
-        constants = spread @ inner[1:, 0]
-        state = found[:, 0] - found[:, 1:] @ constants
-        rows, a = self.layout.rows, self.layout.weight
-        left = self.value - self.layout.cells.columns @ constants
-        left = left - f * (a * state[rows[:, :6]]).sum(axis=1) - c * state[rows[:, 6]]
-        square = float((self.weight * self.value) @ left) / v
+        square = float(inner[0, 0] - inner[1:, 0] @ constants)
         minus = (
             len(self.value) * math.log(v)
             - self.log_weight
             + 2.0 * float(np.log(factor[0]).sum())
             - log_prior
-            + float(log_normal)
-            - float(np.log(own[own > 0]).sum())
+            + 2.0 * float(np.log(root.diagonal()).sum())
+            - log_own
             + square
         )
+        return minus, factor, found, normal, constants
+
+    def minus_log(self, sizes: Sizes) -> float:
+        """-2 log of the restricted likelihood for given sizes, but for a constant; infinite where numbers fail."""
+        found = self._factored(sizes)
+        return math.inf if found is None else found[0]
+
+    def solve(self, sizes: Sizes) -> Solved | None:
+        """Posterior for given sizes; None where the numbers do not allow it."""
+        made = self._factored(sizes)
+        if made is None:
+            return None
+        minus, factor, found, normal, constants = made
+        state = found[:, 0] - found[:, 1:] @ constants
+        spread = np.linalg.inv(normal).astype(np.float64, copy=False)
         return Solved(minus, factor, state, constants, spread, found[:, 1:], sizes)
 
+    def std(self, sizes: Sizes) -> list[float]:
+        """Standard deviations of what a place is read from, mm."""
+        return [sizes.form, *([sizes.lean] if self.layout.leans else []), sizes.process]
+
     def residual(self, solved: Solved) -> tuple[Floats, Floats]:
-        """Of every cell its form with all constants, and its noise with a memory, mm; (n,) each."""
-        rows, a = self.layout.rows, self.layout.weight
-        form = solved.sizes.form * (a * solved.state[rows[:, :6]]).sum(axis=1)
-        return form + self.layout.cells.columns @ solved.constants, solved.sizes.process * solved.state[rows[:, 6]]
+        """Of every cell its form with lean and all constants, and its noise with a memory, mm; (n,) each."""
+        *form, process = (
+            x * (a * solved.state[rows]).sum(axis=1)
+            for x, (rows, a) in zip(self.std(solved.sizes), self.layout.reads, strict=True)
+        )
+        return sum(form, self.layout.cells.columns @ solved.constants), process
 
     def cell_variance(self, solved: Solved, cells: Ints) -> Floats:
-        """Posterior variance at some cells of form, remembered noise and constants together, mm2; (m,)."""
-        from scipy.linalg import cho_solve_banded
-
-        rows = self.layout.rows[cells]
-        a = np.column_stack([solved.sizes.form * self.layout.weight[cells], np.full(len(cells), solved.sizes.process)])
-        constant = self.layout.cells.columns[cells] - (a[:, :, None] * solved.answer[rows]).sum(axis=1)
-        variance: Floats = ((constant @ solved.spread) * constant).sum(axis=1)
-        for low in range(0, len(cells), _CHUNK):
-            here = np.arange(low, min(low + _CHUNK, len(cells)))
-            column = (here - low)[:, None]
-            right = np.zeros((self.layout.size, len(here)), order="F")
-            np.add.at(right, (rows[here], column), a[here])
-            found = cho_solve_banded((solved.factor, True), right, overwrite_b=True, check_finite=False)
-            variance[here] += (a[here] * found[rows[here], column]).sum(axis=1)
-        return variance
+        """Posterior variance at some cells of form, lean, remembered noise and constants together, mm2; (m,)."""
+        rows = np.column_stack([rows[cells] for rows, _ in self.layout.reads])
+        a = np.column_stack([x * a[cells] for x, (_, a) in zip(self.std(solved.sizes), self.layout.reads, strict=True)])
+        return self.variance_of(solved, rows, a, self.layout.cells.columns[cells])[0]
 
     def mean(self, solved: Solved, stretch: Ints, s: Floats, column: Ints) -> Floats:
         """Form and the constant of a column at places, mm; column -1 for none. (m,)."""
@@ -410,23 +462,44 @@ class Bound:
 
     def variance(self, solved: Solved, stretch: Ints, s: Floats, column: Ints) -> tuple[Floats, Floats]:
         """Variance of `mean` at places, and its covariance from each place to the next, mm2; (m,) each."""
-        from scipy.linalg import cho_solve_banded
-
         rows, a = self.layout.read(stretch, s)
-        f = solved.sizes.form
         unit = np.zeros((len(s), len(solved.constants) + 1))
         unit[np.arange(len(s)), column] = 1.0
+        return self.variance_of(solved, rows, solved.sizes.form * a, unit[:, :-1])
+
+    def lean(self, solved: Solved, stretch: Ints, s: Floats, unit: Floats) -> tuple[Floats, Floats, Floats]:
+        """Lean and so much of each constant, (k,), at places: mean, mm, variance and covariance to the next; (m,)."""
+        rows, a = self.layout.read(stretch, s)
+        rows, a = rows + 3, solved.sizes.lean * a
+        mean = (a * solved.state[rows]).sum(axis=1) + unit @ solved.constants
+        return mean, *self.variance_of(solved, rows, a, np.tile(unit, (len(s), 1)))
+
+    def variance_of(self, solved: Solved, rows: Ints, a: Floats, unit: Floats) -> tuple[Floats, Floats]:
+        """Variance of sums of states and constants, and the covariance of each sum with the next, mm2; (m,) each.
+
+        Parameters
+        ----------
+        solved : Solved
+        rows : (m, r) int64
+        a : (m, r) float64
+            So many mm of each of these states.
+        unit : (m, k) float64
+            So much of each constant.
+        """
+        from scipy.linalg import cho_solve_banded
+
         # What a constant that is wrong by 1 mm does to the sum.
-        constant = unit[:, :-1] - f * (a[:, :, None] * solved.answer[rows]).sum(axis=1)
+        constant = unit - (a[:, :, None] * solved.answer[rows]).sum(axis=1)
         spread = constant @ solved.spread
-        variance = (spread * constant).sum(axis=1)
+        variance: Floats = (spread * constant).sum(axis=1)
         along = np.append((spread[:-1] * constant[1:]).sum(axis=1), 0.0)
-        for low in range(0, len(s), _CHUNK):
-            here = np.arange(low, min(low + _CHUNK, len(s)))
+        for low in range(0, len(rows), _CHUNK):
+            here = np.arange(low, min(low + _CHUNK, len(rows)))
+            column = (here - low)[:, None]
             right = np.zeros((self.layout.size, len(here)), order="F")
-            np.add.at(right, (rows[here], (here - low)[:, None]), f * a[here])
+            np.add.at(right, (rows[here], column), a[here])
             found = cho_solve_banded((solved.factor, True), right, overwrite_b=True, check_finite=False)
-            variance[here] += f * (a[here] * found[rows[here], (here - low)[:, None]]).sum(axis=1)
-            after = np.minimum(here + 1, len(s) - 1)
-            along[here] += f * (a[after] * found[rows[after], (here - low)[:, None]]).sum(axis=1)
+            variance[here] += (a[here] * found[rows[here], column]).sum(axis=1)
+            after = np.minimum(here + 1, len(rows) - 1)
+            along[here] += (a[after] * found[rows[after], column]).sum(axis=1)
         return variance, along

@@ -7,20 +7,25 @@ on all of them at the same places. So they are heights of one wall to the model,
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from millcorr.compensation import along
 from millcorr.profile import Profile
 from millcorr.wall_steps import StepPlaces
 
-from .model import Separated, Stretches
+from .filters import Filter
+from .model import Observed, Separated, Stretches, separate
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
+
+
+def steps_of(profile: Profile) -> Ints:
+    """Of each contour its own number where it is a step of a wall, -1 for others; (contours,)."""
+    return np.array([-1 if contour.step is None else k for k, contour in enumerate(profile.contours)], dtype=np.int64)
 
 
 class FormPlaces:
@@ -34,11 +39,14 @@ class FormPlaces:
     ----------
     stretches : Stretches
         Smooth stretches that have a form of their own.
+    contour : (stretches,) int64
+        Of every stretch of the profile.
     """
 
     def __init__(self, profile: Profile) -> None:
         self.profile = profile
         self._steps = StepPlaces(profile)
+        self.contour = np.array([t.contour for t in self._steps.stretches], dtype=np.int64)
         self._lowest = {k: wall[0] for wall in profile.steps for k in wall[1:]}
         own = [k for k, t in enumerate(self._steps.stretches) if t.contour not in self._lowest]
         self._number = dict(zip(own, range(len(own)), strict=True))
@@ -57,7 +65,7 @@ class FormPlaces:
         stretch : (n,) int64
             Of the profile.
         s : (n,) float64
-            mm from the contour's start.
+            mm from the stretch's start.
 
         Returns
         -------
@@ -69,7 +77,7 @@ class FormPlaces:
         out, local = np.empty(len(s), dtype=np.int64), np.empty(len(s))
         for k in np.unique(stretch).tolist():
             rows, one, own = stretch == k, self._steps.stretches[k], k
-            local[rows] = np.clip(along(one, s[rows], self.profile), 0.0, one.length)
+            local[rows] = np.clip(s[rows], 0.0, one.length)
             if one.contour in self._lowest:
                 own, local[rows] = self._steps.on(self._lowest[one.contour], k, local[rows])
             out[rows] = self._number[own]
@@ -92,8 +100,8 @@ class Systematic:
         What its variance differs by from that of the mean, mm2.
     known : (contours,) bool
         False for the steps of a wall above and below all that were measured.
-    contour : (n,) int64
-        Contour of every observed point.
+    measured : Observed
+        The points, with stretches of the nominal.
     """
 
     separated: Separated
@@ -101,48 +109,56 @@ class Systematic:
     offset: Floats
     variance: Floats
     known: Bools
-    contour: Ints
+    measured: Observed
 
     @staticmethod
-    def of(separated: Separated, places: FormPlaces, contour: Ints) -> Systematic:
-        """Systematic part of separated values.
+    def of(
+        measured: Observed, profile: Profile, filter: Filter | None = None, count: Floats | None = None
+    ) -> Systematic:
+        """Systematic part of measured values.
 
         Parameters
         ----------
-        separated : Separated
-            Of values at the places of `places`, of which each height of each step is a level.
-        places : FormPlaces
-        contour : (n,) int64
-            Contour that each observed point lies on.
+        measured : Observed
+            With stretches of the profile; each height of each step is a level.
+        profile : Profile
+        filter : Filter, optional
+        count : (parts,) float64, optional
+            How many times each part counts; see `separate`.
         """
-        profile = places.profile
-        count = len(profile.contours)
-        offset, variance, known = np.zeros(count), np.zeros(count), np.ones(count, dtype=bool)
+        places = FormPlaces(profile)
+        stretch, s = places.of(measured.stretch, measured.s)
+        separated = separate(replace(measured, stretch=stretch, s=s), places.stretches, filter, count)
+        contour = places.contour[measured.stretch]
+        number = len(profile.contours)
+        offset, variance, known = np.zeros(number), np.zeros(number), np.ones(number, dtype=bool)
         level = {one.level: one for one in separated.levels}
         for wall in profile.steps:
             row = np.array(wall)
             bottom, _ = profile.heights(row)
             of_step = {n: np.unique(separated.observed.level[contour == k]).tolist() for n, k in enumerate(wall)}
-            measured = [n for n, found in of_step.items() if found]
-            if len(measured) < 2:
-                known[row] = [n in measured for n in range(len(row))]
+            seen = [n for n, found in of_step.items() if found]
+            if len(seen) < 2:
+                known[row] = [n in seen for n in range(len(row))]
                 continue
-            means = [np.mean([level[k].mean for k in of_step[n]]) for n in measured]
-            own = [np.mean([level[k].std ** 2 for k in of_step[n]]) / len(of_step[n]) for n in measured]
-            offset[row] = np.interp(bottom, bottom[measured], means)
+            means = [np.mean([level[k].mean for k in of_step[n]]) for n in seen]
+            own = [np.mean([level[k].std ** 2 for k in of_step[n]]) / len(of_step[n]) for n in seen]
+            offset[row] = np.interp(bottom, bottom[seen], means)
             # The measured heights are all there are, and no sample of others about whose mean they would tell.
-            sample = separated.sizes.level**2 / sum(len(of_step[n]) for n in measured)
-            variance[row] = np.interp(bottom, bottom[measured], own) - sample
-            known[row] = (np.arange(len(row)) >= measured[0]) & (np.arange(len(row)) <= measured[-1])
-        return Systematic(separated, places, offset, variance, known, contour)
+            sample = separated.sizes.level**2 / sum(len(of_step[n]) for n in seen)
+            variance[row] = np.interp(bottom, bottom[seen], own) - sample
+            known[row] = (np.arange(len(row)) >= seen[0]) & (np.arange(len(row)) <= seen[-1])
+        return Systematic(separated, places, offset, variance, known, measured)
 
     @property
     def at_points(self) -> tuple[Floats, Floats]:
         """Systematic part at the observed points and its standard uncertainty, (n,) each, mm."""
-        return self._of_step(self.separated.systematic, self.separated.uncertainty, self.contour)
+        return self._of_step(self.separated.systematic, self.separated.uncertainty, self.measured.stretch)
 
-    def _of_step(self, mean: Floats, std: Floats, contour: Ints) -> tuple[Floats, Floats]:
-        return mean + self.offset[contour], np.sqrt(np.maximum(std**2 + self.variance[contour], 0.0))
+    def _of_step(self, mean: Floats, std: Floats, stretch: Ints) -> tuple[Floats, Floats]:
+        contour = self.places.contour[stretch]
+        known, std = self.known[contour], np.sqrt(np.maximum(std**2 + self.variance[contour], 0.0))
+        return np.where(known, mean + self.offset[contour], 0.0), np.where(known, std, np.nan)
 
     def at(self, stretch: Ints, s: Floats) -> tuple[Floats, Floats]:
         """Systematic part and its standard uncertainty at any place, mm; (m,) each.
@@ -151,14 +167,11 @@ class Systematic:
         ----------
         stretch : (m,) int64
         s : (m,) float64
-            mm from the contour's start.
+            mm from the stretch's start.
 
         Returns
         -------
         mean, std : (m,) float64
-            On a contour without points 0 and NaN: not known.
+            On a contour without points, and on steps that are not known, 0 and NaN.
         """
-        profile = self.places.profile
-        contour = np.array([t.contour for t in profile.stretches()], dtype=np.int64)[stretch]
-        mean, std = self.separated.at(*self.places.of(stretch, s))
-        return self._of_step(mean, std, contour)
+        return self._of_step(*self.separated.at(*self.places.of(stretch, s)), stretch)

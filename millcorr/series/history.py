@@ -11,12 +11,16 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from millcorr.errors import UsageError
 
 from . import trend
+from .form import shared_form
 from .journal import Chain, Entry
 from .trend import Change
+
+Floats = NDArray[np.float64]
 
 KEPT, PENDING = "NOT CORRECTED", "PENDING"
 
@@ -54,6 +58,7 @@ COLUMNS = (
     "machine_mean",
     "machine_x",
     "machine_y",
+    "machine_form",
 )
 """Columns of the CSV export; lengths in mm, later versions only append."""
 
@@ -92,12 +97,13 @@ def csv_lines(chains: Sequence[Chain]) -> Iterator[str]:
     """Lines of the CSV export, the header first; empty cells for what is not known."""
     yield ",".join(COLUMNS) + "\n"
     for chain in chains:
-        for entry in chain.entries:
+        forms = machine(chain.entries)[trend.FORM][0]
+        for entry, form in zip(chain.entries, forms, strict=True):
             s = entry.statistics
             row = s["deviation"]
             numbers = [row[name] for name in ("mean", "min", "max", "height", "std")]
             numbers += [s["determined"], s.get("smoothed", math.nan), s["correction"]]
-            numbers += [s["components"][name] for name in trend.COMPONENTS]
+            numbers += [*(s["components"][name] for name in trend.COMPONENTS), form]
             cells = [
                 chain.first,
                 entry.part,
@@ -135,17 +141,37 @@ def changes(entries: Sequence[Entry]) -> list[tuple[str, Change]]:
     Parts of the uncorrected program are not compared with later ones: of their correction, the largest of all, an
     elastic machine gives back most.
     """
-    first = next((k for k, entry in enumerate(entries, 1) if entry.corrected), len(entries))
-    out = []
+    first, quantities, out = _uncorrected(entries), machine(entries), []
     for begin, end in ((0, first), (first, len(entries))):
-        for component in trend.COMPONENTS:
-            value, commanded = (
-                np.array([float(e.statistics[of][component]) for e in entries[begin:end]])
-                for of in ("components", "commanded")
+        for component, (value, commanded) in quantities.items():
+            found = trend.changes(
+                value[begin:end], commanded[begin:end], false_alarms=trend.FALSE_ALARMS / len(quantities)
             )
-            found = trend.changes(value, commanded, false_alarms=trend.FALSE_ALARMS / len(trend.COMPONENTS))
             out += [(component, replace(c, part=c.part + begin, last=c.last + begin)) for c in found]
     return sorted(out, key=lambda pair: pair[1].last)
+
+
+def machine(entries: Sequence[Entry]) -> dict[str, tuple[Floats, Floats]]:
+    """What the machine does, and what its program commanded, by component: (n,) mm each; NaN where not known.
+
+    The form is that which the parts of the uncorrected program share, and that which all later ones do.
+    """
+    out = {}
+    for component in trend.COMPONENTS:
+        value, commanded = (
+            np.array([float(e.statistics[of][component]) for e in entries]) for of in ("components", "commanded")
+        )
+        out[component] = value, commanded
+    first = _uncorrected(entries)
+    groups = [shared_form([e.points for e in group]) for group in (entries[:first], entries[first:])]
+    value, commanded = (np.concatenate(column) for column in zip(*groups, strict=True))
+    out[trend.FORM] = value, commanded
+    return out
+
+
+def _uncorrected(entries: Sequence[Entry]) -> int:
+    """Number of parts that were cut with the uncorrected program."""
+    return next((k for k, entry in enumerate(entries, 1) if entry.corrected), len(entries))
 
 
 def series(entries: Sequence[Entry]) -> list[tuple[str, bool]]:

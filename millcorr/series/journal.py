@@ -32,20 +32,30 @@ from numpy.typing import NDArray
 from millcorr.errors import FormatError, InputError, RefusedError, UsageError
 
 from .places import Places
+from .points import Points
 
 Floats = NDArray[np.float64]
 
 APPLICATION = 0x6D636F72
 """SQLite's application id of a journal: 'mcor'."""
 
-VERSION = 1
-"""Of the schema, SQLite's user_version."""
+VERSION = 2
+"""Of the schema, SQLite's user_version. 2 keeps the points of every part; in a journal of version 1 that goes on,
+entries from before have none."""
 
 PATIENCE = 60.0
 """Seconds to wait for another run to let go of the journal, to read it."""
 
 TURN = 600.0
 """The same to write it: many jobs of a batch may hold one journal after the other, FreeCAD's for many seconds each."""
+
+_POINTS = f"""
+CREATE TABLE points (
+    entry INTEGER PRIMARY KEY REFERENCES entry (id) ON DELETE CASCADE,
+    data BLOB NOT NULL
+);
+PRAGMA user_version = {VERSION};
+"""
 
 _SCHEMA = f"""
 CREATE TABLE chain (
@@ -83,8 +93,7 @@ CREATE TABLE measurement (
     PRIMARY KEY (chain, fingerprint)
 );
 PRAGMA application_id = {APPLICATION};
-PRAGMA user_version = {VERSION};
-"""
+{_POINTS}"""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -112,6 +121,9 @@ class Entry:
         Sum of all corrections in force for the next part, mm.
     state : (n,) float64
         Smoothed deviation to go on with, mm.
+    points : Points or None
+        What the machine added at the measured points; None where they are not known: in entries of an older
+        millcorr, and of methods that carry touches along.
     part : int
         Number in its chain, from 1; 0 before it is in the journal.
     pending : bool
@@ -130,6 +142,7 @@ class Entry:
     commanded: Floats
     correction: Floats
     state: Floats
+    points: Points | None = None
     part: int = 0
     pending: bool = False
 
@@ -169,9 +182,10 @@ class Chain:
         return (*self.carried, *own)
 
     @property
-    def state(self) -> Floats:
-        """Smoothed deviation, mm."""
-        return self.entries[-1].state if self.entries else np.zeros(len(self.places))
+    def since_correction(self) -> tuple[Entry, ...]:
+        """Parts that were cut with the program for the next one, those behind the last correction."""
+        due = [k for k, entry in enumerate(self.entries) if entry.corrected or entry.decision in ("smoothed", "direct")]
+        return self.entries[due[-1] + 1 if due else 0 :]
 
 
 class RepeatedError(RefusedError):
@@ -290,6 +304,10 @@ class Journal:
                 (*row, *texts, *blobs),
             ).lastrowid
             assert number is not None
+            if entry.points is not None:
+                self._connection.execute(
+                    "INSERT INTO points (entry, data) VALUES (?, ?)", (number, entry.points.packed())
+                )
             self._connection.executemany(
                 "INSERT INTO measurement (chain, entry, fingerprint, name) VALUES (?, ?, ?, ?)",
                 [(key, number, fingerprint, name) for name, fingerprint in entry.measurements],
@@ -348,9 +366,9 @@ def held(path: str | Path, *, patience: float = TURN) -> Iterator[Journal]:
             # Keeps the lock from here to the end. Set before, two that wait would each keep a lock for reading that
             # the other one waits for.
             connection.execute("PRAGMA locking_mode = EXCLUSIVE")
-            if _is_new(connection, path):
-                for statement in _SCHEMA.split(";\n"):
-                    connection.execute(statement)
+            missing = _SCHEMA if _is_new(connection, path) else "" if _keeps_points(connection) else _POINTS
+            for statement in missing.split(";\n"):
+                connection.execute(statement)
         journal = Journal(path, connection)
         journal._settle_all()
         yield journal
@@ -420,6 +438,12 @@ def _is_new(connection: sqlite3.Connection, path: Path) -> bool:
     return False
 
 
+def _keeps_points(connection: sqlite3.Connection) -> bool:
+    """False for a journal of version 1."""
+    (version,) = connection.execute("PRAGMA user_version").fetchone()
+    return int(version) > 1
+
+
 @contextmanager
 def _named_errors(path: Path) -> Iterator[None]:
     """Errors of SQLite as one line that says what to do."""
@@ -457,15 +481,22 @@ def _chains(connection: sqlite3.Connection, path: Path, first: str | None = None
         ):
             files.setdefault(number, []).append((file, fingerprint))
         rows = connection.execute(f"SELECT {_COLUMNS} FROM entry WHERE chain = ? ORDER BY part", (key,)).fetchall()
+        points: dict[int, bytes] = {}
+        if _keeps_points(connection):
+            points = dict(
+                connection.execute(
+                    "SELECT p.entry, p.data FROM points p JOIN entry e ON e.id = p.entry WHERE e.chain = ?", (key,)
+                ).fetchall()
+            )
         try:
             where = Places.from_text(places)
-            entries = tuple(_entry(row, tuple(files.get(row[0], ())), len(where)) for row in rows)
+            entries = tuple(_entry(row, tuple(files.get(row[0], ())), len(where), points.get(row[0])) for row in rows)
         except (ValueError, TypeError, LookupError, zlib.error) as error:
             raise FormatError(f"the journal is damaged ({error}): restore it from a copy", path) from error
         yield Chain(own, name, tuple(carried.split()), where, entries)
 
 
-def _entry(row: Sequence[Any], files: tuple[tuple[str, str], ...], places: int) -> Entry:
+def _entry(row: Sequence[Any], files: tuple[tuple[str, str], ...], places: int, points: bytes | None) -> Entry:
     _, part, time, status, before, before_digest, after, after_digest, decision, reason, settings, statistics = row[:12]
     deviation, commanded, correction, state = (_unpacked(blob, places) for blob in row[12:])
     return Entry(
@@ -481,6 +512,7 @@ def _entry(row: Sequence[Any], files: tuple[tuple[str, str], ...], places: int) 
         commanded,
         correction,
         state,
+        None if points is None else Points.from_packed(points),
         int(part),
         status == "pending",
     )

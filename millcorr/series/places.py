@@ -16,6 +16,7 @@ from millcorr.errors import InputError
 from millcorr.profile import Profile, Stretch
 
 Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
 
 SPACING = 0.5
 """Distance of places in mm: a cubic spline through them returns a wave of 3 mm to 0.3 %."""
@@ -54,6 +55,11 @@ class Places:
         """Arc lengths in mm from the start of a stretch, (counts[number],)."""
         stretch, count = self.stretches[number], self.counts[number]
         return np.linspace(0.0, stretch.length, count, endpoint=not stretch.closed)
+
+    def along(self) -> tuple[Ints, Floats]:
+        """Stretch of every place, and arc length in mm from its start; (n,) each."""
+        stretch = np.repeat(np.arange(len(self.counts)), self.counts)
+        return stretch, np.concatenate([self.s(k) for k in range(len(self.counts))])
 
     def normals(self, profile: Profile) -> Floats:
         """Directional cosines at the places, (n, 2)."""

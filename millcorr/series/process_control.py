@@ -114,26 +114,26 @@ class Control:
         return {name: value for name in self.__slots__ if (value := getattr(self, name)) < math.inf}
 
 
-def ewma(state: ArrayLike, deviation: ArrayLike, weight: float) -> Floats:
-    """Exponentially weighted moving average over the parts, ``z <- D/k + z (1 - 1/k)``.
+def weights(parts: int, weight: float) -> tuple[Floats, float]:
+    """Weights of parts in the exponentially weighted moving average ``z <- D/k + z (1 - 1/k)``.
 
     Parameters
     ----------
-    state : (n,) or scalar
-        z before this part, mm; 0 at the start and after a correction.
-    deviation : (n,) or scalar
-        D of this part, mm; NaN where it was not measured: z stays there.
+    parts : int
+        How many follow each other.
     weight : float
         k >= 1.
 
     Returns
     -------
-    (n,) float64
-        z after this part, mm.
+    (parts,) float64
+        Of D of each part, the oldest first.
+    float
+        Of z before the first of them; all together are 1.
     """
-    z, d = np.asarray(state, dtype=np.float64), np.asarray(deviation, dtype=np.float64)
-    out: Floats = np.where(np.isnan(d), z, d / weight + z * (1 - 1 / weight))
-    return out
+    kept = 1.0 - 1.0 / weight
+    own: Floats = kept ** np.arange(parts - 1, -1, -1.0) / weight
+    return own, float(kept**parts)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -159,25 +159,24 @@ class Decision:
 
 
 def decide(
-    state: ArrayLike,
+    smoothed: ArrayLike,
     deviation: ArrayLike,
     control: Control,
     *,
-    uncorrected: bool = False,
+    alone: bool = False,
     accepted: bool = False,
 ) -> Decision:
     """Judge one part along the contour.
 
     Parameters
     ----------
-    state : (n,) or scalar
-        z so far, mm.
+    smoothed : (n,) or scalar
+        z with this part in it, mm.
     deviation : (n,) or scalar
         Determined deviation of this part, mm; NaN where it was not measured.
     control : Control
-    uncorrected : bool
-        The part was cut with a program that carries no correction yet. It is judged by itself: there is nothing
-        to smooth over, and half a correction of a known error would be scrap.
+    alone : bool
+        The part is the only one yet of a program that carries no correction: z is its own deviation.
     accepted : bool
         A difference beyond the alarm is real.
 
@@ -198,7 +197,7 @@ def decide(
             f"the part is {_um(seen)} um off, more than --control-alarm {control.alarm:g} mm: look for the cause; if "
             f"it is real and stays (a new tool), --accept {ACCEPTED} corrects it; nothing was recorded or written"
         )
-    z = ewma(state, d, 1.0 if uncorrected else control.weight)
+    z: Floats = np.asarray(smoothed, dtype=np.float64)
     zero = np.zeros_like(z)
     if seen > control.tolerance:
         return Decision(
@@ -209,7 +208,7 @@ def decide(
             "its own deviation",
         )
     largest, limit = _largest(z), _um(control.limit)
-    if uncorrected and largest > control.limit:
+    if alone and largest > control.limit:
         return Decision(
             "direct",
             z,
@@ -219,7 +218,7 @@ def decide(
     if largest > control.limit:
         reason = f"the smoothed deviation, {_um(largest)} um at most, is beyond the limit of {limit} um"
         return Decision("smoothed", z, zero, reason)
-    what = "deviation" if uncorrected else "smoothed deviation"
+    what = "deviation" if alone else "smoothed deviation"
     return Decision("keep", z, z, f"the {what}, {_um(largest)} um at most, is within the limit of {limit} um")
 
 

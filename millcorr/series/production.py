@@ -25,13 +25,16 @@ from millcorr.deviation import statistics
 from millcorr.errors import InputError, UsageError
 from millcorr.pipeline import Request, Result, Settings
 from millcorr.reconstruction import CompensatedContour
+from millcorr.separation import Filter
 from millcorr.verification import verify
 
 from . import history, process_control, trend
 from . import journal as journals
 from .journal import Chain, Entry, Journal
 from .places import Places, field_in_text
+from .points import Points
 from .process_control import Control, Decision
+from .smoothing import Smoothed, form_that_stays, over_parts
 
 Floats = NDArray[np.float64]
 
@@ -213,15 +216,20 @@ def judged(
         decision: Decision | None = None
         result, smoothed = own, ""
         if control is not None:
-            decision = process_control.decide(chain.state, seen, control, uncorrected=not marks, accepted=accepted)
+            over = _smoothed(chain, own, commanded, control, bool(marks))
+            alone = not marks and over.parts == 1
+            decision = process_control.decide(over.deviation, seen, control, alone=alone, accepted=accepted)
             if decision.kind == "smoothed":
-                result = pipeline.correct(replace(request, smoothed=places.field(decision.smoothed)))
-                smoothed = field_in_text(places, decision.smoothed, [fingerprint for _, fingerprint in measured])
+                wanted = over.deviation if marks else over.machine
+                result = pipeline.correct(replace(request, smoothed=places.field(wanted)))
+                smoothed = field_in_text(places, wanted, [fingerprint for _, fingerprint in measured])
             elif decision.kind == "keep":
-                result = unchanged(own, places.field(np.nan_to_num(commanded)) if marks else None)
+                result = unchanged(own)
             _refuse_steps(control, result, bool(marks))
         entry = _entry(result, own, decision, control, (seen, commanded), places, source, measured, time)
         result, notes = _told(result, entry, chain, decision)
+        if control is None and request.settings.method == "mirror" and own.systematic is not None:
+            result = _told_what_stays(result, entry, chain, own.systematic.separated.filter)
         yield Judged(result, decision, notes, smoothed, book, chain, entry)
 
 
@@ -247,20 +255,18 @@ def corrected(
             yield Outcome(part.result, number, part.decision, part.notes)
 
 
-def unchanged(result: Result, in_force: Correction | None) -> Result:
+def unchanged(result: Result) -> Result:
     """The result of leaving the program as it is: its very bytes, no change, nothing predicted to change.
 
     Parameters
     ----------
     result : Result
         Of correcting it.
-    in_force : Correction or None
-        What the program carries already; None for an uncorrected one.
     """
     request, before = result.request, result.regeneration
     following = np.zeros(len(request.program.toolpath), dtype=bool)
     following[before.origin[before.following]] = True
-    correction = Correction.none(result.nominal) if in_force is None else in_force
+    correction = result.carried or Correction.none(result.nominal)
     compensated, residual = CompensatedContour(result.nominal, correction).to_profile()
     toolpath = request.program.toolpath
     return replace(
@@ -325,6 +331,25 @@ def _require_whole_series(settings: Settings) -> None:
         )
 
 
+def _points(own: Result, places: Places, commanded: Floats) -> Points | None:
+    """Points of a result's parts; None where they were not separated, or not as deviations of one depth."""
+    if own.systematic is None or len(set(own.request.settings.depths)) > 1:
+        return None
+    return Points.of(own.systematic, own.nominal, places, commanded)
+
+
+def _smoothed(chain: Chain, own: Result, commanded: Floats, control: Control, corrected_before: bool) -> Smoothed:
+    """What the parts of the chain's last program show together with this one."""
+    points = _points(own, chain.places, commanded)
+    if own.carried is not None:
+        commanded = chain.places.of_correction(own.carried)
+    assert points is not None and own.systematic is not None, "methods that go with control separate what is measured"
+    return over_parts(
+        chain.since_correction, points, own.systematic, commanded, control.weight, chain.places, own.nominal,
+        own.systematic.separated.filter, uncorrected=not corrected_before,
+    )  # fmt: skip
+
+
 def _refuse_steps(control: Control, result: Result, corrected_before: bool) -> None:
     if not result.regeneration.changed:
         return
@@ -376,6 +401,7 @@ def _entry(
         commanded,
         places.of_correction(result.correction),
         state,
+        _points(own, places, commanded),
     )
 
 
@@ -389,3 +415,17 @@ def _told(result: Result, entry: Entry, chain: Chain, decision: Decision | None)
     elif decision is not None:
         said = (f"corrected: {decision.reason}",)
     return replace(result, warnings=result.warnings + lines, advice=said + result.advice), said
+
+
+def _told_what_stays(result: Result, entry: Entry, chain: Chain, filter: Filter) -> Result:
+    """The result with a word on a form that single parts do not show, where nothing smooths over them."""
+    stays = form_that_stays(chain.entries, entry.points, entry.correction, chain.places, result.nominal, filter)
+    if stays is None:
+        return result
+    size, scatter, parts = stays
+    line = (
+        f"the last {parts} parts share a form of up to {size * 1000:.1f} um that none of them shows alone (they "
+        f"scatter by {scatter * 1000:.1f} um): it stays in the next part; --control ewma:{parts} --control-limit MM "
+        "takes it out"
+    )
+    return replace(result, warnings=(*result.warnings, line))

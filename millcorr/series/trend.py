@@ -35,6 +35,9 @@ MOST_GIVEN_BACK = IMPLAUSIBLE / (1 + IMPLAUSIBLE)
 COMPONENTS = ("mean", "place X", "place Y")
 """What a deviation is taken apart into: size of the part, and displacement of the part."""
 
+FORM = "form"
+"""What is left of it, as a share in what the parts have in common; see `form.shared_form`."""
+
 
 @dataclass(frozen=True, slots=True)
 class Change:
@@ -255,6 +258,8 @@ _CAUSES = {
     ("trend", "mean"): "tool wear or warming",
     ("trend", "place X"): "warming of the machine or of the fixture",
     ("trend", "place Y"): "warming of the machine or of the fixture",
+    ("trend", "form"): "wear or warming that is not the same all along the contour",
+    ("jump", "form"): "another tool, another stock, or a clamping that bends the part",
     ("jump", "mean"): "a new tool, another offset or another batch of material",
     ("jump", "place X"): "a chip at the stop, another clamping or another datum",
     ("jump", "place Y"): "a chip at the stop, another clamping or another datum",

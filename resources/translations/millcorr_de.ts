@@ -1463,10 +1463,6 @@
         <translation>beim nächsten erwartet</translation>
     </message>
     <message>
-        <source>determined part</source>
-        <translation>bestimmter Anteil</translation>
-    </message>
-    <message>
         <source>range of the points</source>
         <translation>Bereich der Punkte</translation>
     </message>
@@ -1479,6 +1475,10 @@
         <translation>Bogenlänge s, mm</translation>
     </message>
     <message>
+        <source>outlier</source>
+        <translation>Ausreißer</translation>
+    </message>
+    <message>
         <source>normal law of the scatter</source>
         <translation>Normalverteilung der Streuung</translation>
     </message>
@@ -1489,6 +1489,14 @@
     <message>
         <source>uncertainty, k = {:g}</source>
         <translation>Unsicherheit, k = {:g}</translation>
+    </message>
+    <message>
+        <source>determined part</source>
+        <translation>bestimmter Anteil</translation>
+    </message>
+    <message>
+        <source>no points near</source>
+        <translation>keine Punkte in der Nähe</translation>
     </message>
     <message>
         <source>deviation, {}</source>

@@ -1463,10 +1463,6 @@
         <translation>очікується далі</translation>
     </message>
     <message>
-        <source>determined part</source>
-        <translation>детермінована частина</translation>
-    </message>
-    <message>
         <source>range of the points</source>
         <translation>діапазон точок</translation>
     </message>
@@ -1479,6 +1475,10 @@
         <translation>довжина дуги s, мм</translation>
     </message>
     <message>
+        <source>outlier</source>
+        <translation>викид</translation>
+    </message>
+    <message>
         <source>normal law of the scatter</source>
         <translation>нормальний закон розсіювання</translation>
     </message>
@@ -1489,6 +1489,14 @@
     <message>
         <source>uncertainty, k = {:g}</source>
         <translation>невизначеність, k = {:g}</translation>
+    </message>
+    <message>
+        <source>determined part</source>
+        <translation>детермінована частина</translation>
+    </message>
+    <message>
+        <source>no points near</source>
+        <translation>поблизу немає точок</translation>
     </message>
     <message>
         <source>deviation, {}</source>

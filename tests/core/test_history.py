@@ -52,6 +52,7 @@ def entry(part: int, mean: float, *, corrected: bool, smoothed: float = math.nan
         zero,
         zero,
         zero,
+        None,
         part,
     )
 
@@ -91,7 +92,11 @@ def test_the_csv_holds_every_number() -> None:
     expected = {"mean": -0.003, "min": -0.005, "max": 0.0, "height": 0.005, "std": 0.001, "determined": 0.003}
     expected |= {"smoothed": 0.0015, "correction": 0.012, "machine_mean": -0.003, "machine_x": 0.0}
     assert {name: float(second[name]) for name in expected} == pytest.approx(expected)
-    assert second["machine_y"] == "" and rows[2]["smoothed"] == "" and rows[2]["status"] == "pending"
+    assert (
+        second["machine_y"] == second["machine_form"] == ""
+        and rows[2]["smoothed"] == ""
+        and rows[2]["status"] == "pending"
+    )
 
 
 def marks(svg: str, css: str) -> list[tuple[float, float]]:

@@ -23,6 +23,7 @@ from millcorr.profile import Stretch
 from millcorr.series import journal
 from millcorr.series.journal import Chain, Entry
 from millcorr.series.places import Places
+from millcorr.series.points import Points
 from tests.core import journal_crash
 
 PLACES = Places((Stretch(0, 0.0, 30.0, True), Stretch(1, 2.5, 4.0, False)), (60, 8))
@@ -50,6 +51,7 @@ def entry(output: Path, after: bytes, *, number: int = 1, before: bytes = FIRST)
         {"correction": "gain 1", "control": {"limit": 0.004}},
         {"mean": 0.001, "random_std": float("nan")},
         *fields,
+        points=Points(*np.zeros((2, 9), dtype=np.int64), *noise.normal(0, 1e-3, (6, 9))),
     )
 
 
@@ -84,7 +86,9 @@ def test_what_goes_in_comes_out(series: Path, tmp_path: Path) -> None:
         assert (found.part, found.pending, found.corrected) == (number, False, True)
         # Named from the journal's directory, so that both move together.
         assert found.after == (f"P{number}.nc", sha(b"G1 X%d\n" % number))
-    assert np.array_equal(chain.state, chain.entries[-1].state)
+        for column in Points.__slots__:
+            assert np.array_equal(getattr(found.points, column), getattr(put.points, column), equal_nan=True)
+    assert chain.since_correction == ()
     assert chain.applied == (*CHAIN.carried, *(f[:16] for e in chain.entries for _, f in e.measurements))
 
 
@@ -214,9 +218,21 @@ def test_a_newer_journal_is_refused(series: Path) -> None:
         connection.execute(f"PRAGMA user_version = {journal.VERSION + 1}")
     for use in (journal.read, lambda p: journal.held(p).__enter__()):
         with pytest.raises(
-            FormatError, match=r"newer millcorr \(journal version 2, this one knows 1\): update millcorr"
+            FormatError, match=r"newer millcorr \(journal version 3, this one knows 2\): update millcorr"
         ):
             use(series)
+
+
+def test_a_journal_without_points_opens_and_goes_on(series: Path, tmp_path: Path) -> None:
+    """As version 1 was: no table of points. It is read as it is, and gets the table when it is written."""
+    with closing(sqlite3.connect(series)) as connection, connection:
+        connection.execute("DROP TABLE points")
+        connection.execute("PRAGMA user_version = 1")
+    assert [e.points for e in journal.read(series)[0].entries] == [None, None]
+    three = b"G1 X3\n"
+    assert enter(series, CHAIN, entry(tmp_path / "P3.nc", three, number=3, before=b"G1 X2\n"), three) == 3
+    points = [e.points for e in journal.read(series)[0].entries]
+    assert points[:2] == [None, None] and points[2] is not None
 
 
 def test_an_empty_file_becomes_a_journal(tmp_path: Path) -> None:

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 from scipy.spatial import cKDTree
@@ -293,7 +295,32 @@ def test_levels_are_kept_apart() -> None:
     result = pipeline.correct(pipeline.Request(program, 5.0, both, None, pipeline.Settings(filter="mean:5")))
     assert set(result.deviation.level.tolist()) == {0, 1}
     assert result.correction.largest == pytest.approx(0.02, abs=1e-6)
-    assert any("the wall leans" in w and "20.0 um" in w for w in result.warnings)
+    assert any("the wall leans: at Z-4 it has 20.0 um more than at Z-1 all along" in w for w in result.warnings)
+
+
+def test_a_lean_is_told_with_its_place() -> None:
+    """At X50 of the long side the wall has 12 um more at Z-4 than at Z-1, elsewhere as much."""
+    program, nominal = nominal_of("mitres")
+    rng = np.random.default_rng(4)
+
+    def course(share: float):
+        def value(k: int, s: np.ndarray) -> np.ndarray:
+            x, y = nominal.at(np.full(len(s), k), s)[0].T
+            here = 12e-3 * np.exp(-(((x - 50) / 12) ** 2)) * (y < 1.0)
+            return 0.02 + share * here + 1e-3 * rng.standard_normal(len(s))
+
+        return value
+
+    low, high = (programs.measured(nominal, course(v), z=z) for v, z in ((0.5, -4.0), (-0.5, -1.0)))
+    both = Measurement(
+        np.concatenate([high.points, low.points]), None, 0.0, np.arange(len(high) + len(low)), "two.csv", "ef" * 32
+    )
+    result = pipeline.correct(pipeline.Request(program, 5.0, both))
+    (said,) = (w for w in result.warnings if "the wall leans" in w)
+    found = re.search(r"at Z-4 it has ([0-9.]+) um more than at Z-1 at X([0-9.]+) Y0.000, \+[0-9.]+ um on", said)
+    assert found is not None, said
+    # Three standard uncertainties: 1 um of noise on some ten points of each height, and a tenth that smoothing takes.
+    assert float(found[1]) == pytest.approx(12.0, abs=2.0) and float(found[2]) == pytest.approx(50.0, abs=4.0)
 
 
 def test_ball_centres() -> None:

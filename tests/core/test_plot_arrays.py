@@ -19,15 +19,22 @@ from millcorr.settings import Settings
 RADIUS = 40.0
 
 
-def corrected(noise=0.0, count=360):
-    """A disc of radius 40, cut with 3 cos 2a + 5 um too much left on, and some noise."""
+def corrected(noise=0.0, count=360, gap=None, wrong=None, filter="gauss:10"):
+    """A disc of radius 40, cut with 3 cos 2a + 5 um too much left on, and some noise.
+
+    Without the points between two angles in degrees, and with one point 80 um off.
+    """
     text = "G21 G90 G17\nG0 X45 Y0 Z5\nG1 Z-8 F100\nG2 X-45 Y0 I-45 J0 F300\nG2 X45 Y0 I45\nG0 Z5\nM2"
     angle = np.linspace(0, 2 * np.pi, count, endpoint=False)
     rng = np.random.default_rng(7)
     radius = RADIUS + 0.005 + 0.003 * np.cos(2 * angle) + noise * rng.standard_normal(count)
+    if wrong is not None:
+        radius[wrong] += 0.08
     points = np.column_stack([radius * np.cos(angle), radius * np.sin(angle), np.full(count, -4.0)])
-    measurement = Measurement(points, None, 0.0, np.arange(1, count + 1), "disc.csv", "0", has_z=True)
-    chosen = Settings(side="left", filter="gauss:10")
+    if gap is not None:
+        points = points[(angle < np.radians(gap[0])) | (angle > np.radians(gap[1]))]
+    measurement = Measurement(points, None, 0.0, np.arange(1, len(points) + 1), "disc.csv", "0", has_z=True)
+    chosen = Settings(side="left", filter=filter)
     return pipeline.correct(pipeline.Request(gcode.parse(text, "disc.nc"), 5.0, measurement, None, chosen))
 
 
@@ -162,3 +169,20 @@ def test_lines_of_a_measuring_program(result):
 def test_no_lines_at_all():
     drawn = joined([])
     assert len(drawn) == 0 and drawn.vertices.shape == (0, 3)
+
+
+def test_a_gap_is_drawn_with_what_is_milled_there_and_outliers_apart():
+    """Of 360 points those between 200 and 290 degrees are missing, one is off by 80 um."""
+    result = corrected(noise=0.001, gap=(200, 290), wrong=20, filter="auto")
+    plot = plot_arrays.along(result)
+    assert plot.outliers.tolist() == np.flatnonzero(result.outlier).tolist() and len(plot.outliers) == 1
+    assert not set(plot.outliers.tolist()) & set(plot.rows.tolist())
+    bare = [course for course in plot.courses if course.bare]
+    x = np.sort(plot.x)
+    before = int(np.argmax(np.diff(x)))
+    assert bare and all(x[before] < course.x[0] and course.x[-1] < x[before + 1] for course in bare)
+    near = [course for course in plot.courses if not course.bare]
+    # In the gap less is known than where points are, and the band for all of the contour is wider than that of a place.
+    known = np.median(np.concatenate([c.high - c.low for c in near]))
+    assert max((c.high - c.low).max() for c in bare) > 2.0 * known
+    assert all((c.whole_low < c.low).all() and (c.high < c.whole_high).all() for c in plot.courses)

@@ -12,18 +12,24 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
 from millcorr.errors import LimitError, UsageError
-from millcorr.series.process_control import Control, decide, ewma, refuse_beyond
+from millcorr.series.process_control import Control, decide, refuse_beyond, weights
 
 UM = 1e-3
 lengths = st.floats(-0.3, 0.3)
-weights = st.floats(1, 50)
+kept = st.floats(1, 50)
+
+
+def ewma(z, deviation, weight):
+    """One part further."""
+    (own,), rest = weights(1, weight)
+    return own * np.asarray(deviation) + rest * np.asarray(z)
 
 
 def run(sizes, control):
     """Smoothed values and decisions of parts that follow each other, one place."""
     z, out = np.zeros(()), []
     for size in sizes:
-        decision = decide(z, size, control)
+        decision = decide(ewma(z, size, control.weight), size, control)
         z = decision.state
         out.append((float(decision.smoothed), decision.kind))
     return out
@@ -41,49 +47,46 @@ def test_the_sequence_of_the_requirement():
 
 def test_along_the_contour_each_place_is_smoothed_and_one_of_them_decides():
     control = Control(2, 4 * UM)
-    first = decide(np.zeros(3), np.array([3, -3, 1]) * UM, control)
+    d = np.array([3, -3, 1]) * UM
+    first = decide(d / 2, d, control)
     assert first.kind == "keep"
     assert first.state / UM == pytest.approx([1.5, -1.5, 0.5])
-    second = decide(first.state, np.array([1, -8, 1]) * UM, control)
+    d = np.array([1, -8, 1]) * UM
+    second = decide(ewma(first.state, d, 2), d, control)
     assert second.kind == "smoothed"
     assert second.smoothed / UM == pytest.approx([1.25, -4.75, 0.75])
     assert not second.state.any()
 
 
-@given(st.lists(lengths, min_size=1, max_size=30), weights)
-def test_the_average_is_the_sum_of_its_weights(sizes, weight):
-    """Closed form: z_n = sum of D_i (1/k) (1 - 1/k)^(n - i), from z_0 = 0."""
-    z = 0.0
+@given(st.lists(lengths, min_size=1, max_size=30), kept, lengths)
+def test_the_average_is_the_sum_of_its_weights(sizes, weight, begun):
+    """z_n = sum of D_i (1/k) (1 - 1/k)^(n - i) + z_0 (1 - 1/k)^n: the same step by step and at once."""
+    z = begun
     for size in sizes:
         z = ewma(z, size, weight)
-    powers = (1 - 1 / weight) ** np.arange(len(sizes) - 1, -1, -1)
-    assert float(z) == pytest.approx(float((powers * sizes).sum() / weight), abs=1e-12)
+    own, rest = weights(len(sizes), weight)
+    assert float(z) == pytest.approx(float(own @ sizes + rest * begun), abs=1e-12)
+    assert own.sum() + rest == pytest.approx(1.0, abs=1e-12) and (np.diff(own) >= 0).all()
 
 
-@given(hnp.arrays(float, 5, elements=lengths), hnp.arrays(float, 5, elements=lengths), weights)
+@given(hnp.arrays(float, 5, elements=lengths), hnp.arrays(float, 5, elements=lengths), kept)
 def test_the_average_lies_between_what_was_and_what_is(z, d, weight):
     out = ewma(z, d, weight)
     assert (out >= np.minimum(z, d) - 1e-15).all() and (out <= np.maximum(z, d) + 1e-15).all()
 
 
-@given(hnp.arrays(float, 4, elements=lengths), hnp.arrays(float, 4, elements=lengths), weights, st.floats(0.1, 9))
+@given(hnp.arrays(float, 4, elements=lengths), hnp.arrays(float, 4, elements=lengths), kept, st.floats(0.1, 9))
 def test_the_average_is_linear_and_places_do_not_mix(z, d, weight, factor):
     assert np.allclose(ewma(factor * z, factor * d, weight), factor * ewma(z, d, weight), atol=1e-13)
     assert ewma(z[2], d[2], weight) == ewma(z, d, weight)[2]
 
 
-def test_a_place_that_was_not_measured_keeps_its_value():
-    assert ewma([1.0, 2.0], [np.nan, 4.0], 2).tolist() == [1.0, 3.0]
-    decision = decide(np.array([1.0, 2.0]) * UM, np.array([np.nan, 4.0]) * UM, Control(2, 4 * UM))
-    assert decision.kind == "keep" and decision.state / UM == pytest.approx([1.0, 3.0])
-
-
-@given(st.lists(st.floats(-4e-3, 4e-3), min_size=1, max_size=40), weights)
+@given(st.lists(st.floats(-4e-3, 4e-3), min_size=1, max_size=40), kept)
 def test_parts_within_the_limit_never_lead_to_a_correction(sizes, weight):
     assert {kind for _, kind in run(sizes, Control(weight, 4.0000001e-3))} == {"keep"}
 
 
-@given(st.floats(4.2e-3, 0.1), weights, st.sampled_from([-1, 1]))
+@given(st.floats(4.2e-3, 0.1), kept, st.sampled_from([-1, 1]))
 def test_a_lasting_deviation_beyond_the_limit_is_corrected_when_the_average_reaches_it(size, weight, sign):
     """Closed form: z_n = D (1 - (1 - 1/k)^n) passes the limit L at the first n with (1 - 1/k)^n < 1 - L/D."""
     limit = 4e-3
@@ -96,19 +99,19 @@ def test_a_lasting_deviation_beyond_the_limit_is_corrected_when_the_average_reac
     assert first == due or exactly
 
 
-def test_an_uncorrected_program_is_judged_by_the_part_itself():
+def test_the_first_part_of_an_uncorrected_program_is_corrected_by_its_own_deviation():
     control = Control(4, 4 * UM)
-    assert decide(0.0, 5 * UM, control).kind == "keep"
-    first = decide(0.0, 5 * UM, control, uncorrected=True)
+    first = decide(5 * UM, 5 * UM, control, alone=True)
     assert first.kind == "direct" and "first correction" in first.reason and first.state == 0
-    kept = decide(0.0, 3 * UM, control, uncorrected=True)
+    kept = decide(3 * UM, 3 * UM, control, alone=True)
     assert kept.kind == "keep" and float(kept.state) == pytest.approx(3 * UM)
+    assert decide(5 * UM, 5 * UM, control).kind == "smoothed"
 
 
 def test_tolerance_alarm_abort():
     control = Control(4, 4 * UM, dead_band=UM, tolerance=10 * UM, alarm=30 * UM, abort=100 * UM)
-    assert decide(0.0, -9 * UM, control).kind == "keep"
-    beyond = decide(1 * UM, -11 * UM, control)
+    assert decide(-9 / 4 * UM, -9 * UM, control).kind == "keep"
+    beyond = decide(-2 * UM, -11 * UM, control)
     assert beyond.kind == "direct" and beyond.state == 0 and "11.00 um" in beyond.reason
     with pytest.raises(LimitError, match="--control-alarm 0.03 .*--accept difference"):
         decide(0.0, 31 * UM, control)

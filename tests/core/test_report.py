@@ -515,6 +515,34 @@ def test_the_uncertainty_is_drawn_as_a_band_with_its_coverage_factor(disc, tmp_p
     assert "Uncertainty of the correction" in text and "nothing is said about conformity (ISO 14253-1)" in text
 
 
+def test_a_gap_and_an_outlier_are_drawn():
+    """A quarter of a disc without points, and one point 80 um off."""
+    points = ring(120, wavy)
+    points[20, :2] *= 1 + 0.08 / np.hypot(*points[20, :2])
+    angle = np.degrees(np.arctan2(points[:, 1], points[:, 0])) % 360
+    result = corrected(points=points[(angle < 200) | (angle > 290)])
+    (wrong,) = np.flatnonzero(result.outlier)
+    page = pages.page(result)
+    svg = next(s for s in re.findall(r"<svg.*?</svg>", page, re.S) if "Deviation along the contour" in s)
+    assert "rests on no points" in Page(page).text and "Crosses are outliers" in Page(page).text
+    assert 'class="whole"' in svg and 'class="band"' in svg
+
+    def x_of(css):
+        data = "".join(re.findall(rf'<path class="{css}" d="([^"]*)" clip-path', svg))
+        return np.array(re.findall(r"[ML]([-\d.]+) [-\d.]+", data), dtype=float)
+
+    total = float(result.nominal.total[0])
+    place = 56.0 + (plots.WIDTH - 68.0) * np.sort(result.deviation.s) / total
+    # The widest distance of two points has the dashed line, and nowhere else is one.
+    before = np.argmax(np.diff(place))
+    dashed = x_of("bare")
+    assert place[before] < dashed.min() and dashed.max() < place[before + 1]
+    # The cross stands at its point's place, at the upper edge: the axis is that of the others.
+    x, y = re.findall(r'<path class="outlier" d="M([\d.]+) ([\d.]+)m', svg)[-1]
+    assert float(x) == pytest.approx(56.0 + (plots.WIDTH - 68.0) * result.deviation.s[wrong] / total, abs=0.1)
+    assert float(y) == pytest.approx(48.0 + 3.0, abs=0.1)
+
+
 # --- transfer function and contour check -------------------------------------------------------------------
 
 

@@ -14,6 +14,7 @@ def summary(**changed: Any) -> dict[str, Any]:
     out: dict[str, Any] = {
         "points": {"used": 20},
         "outliers": [],
+        "unmeasured": 0.0,
         "correction": {"largest": -0.0123, "place": [1.5, -2.0]},
         "warnings": [],
         "foreseen": None,
@@ -33,6 +34,12 @@ def outliers(count: int) -> list[dict[str, float]]:
     [
         ({}, "use it: the contour moves by up to -12.3 um, most at X1.500 Y-2.000"),
         ({"moves": {"changed": 0}}, "use it: nothing is to be corrected, the program stays as it is"),
+        ({"unmeasured": 0.04}, "use it: the contour moves by up to -12.3 um, most at X1.500 Y-2.000"),
+        (
+            {"unmeasured": 0.32},
+            "use it: the contour moves by up to -12.3 um, most at X1.500 Y-2.000; 32 % of the contour rests on no "
+            "points",
+        ),
         ({"warnings": ["the wall leans"]}, "use it if what the warnings ask is answered: the contour moves"),
         ({"outliers": outliers(2)}, "use it: "),
         ({"outliers": outliers(3)}, "look at X2.000 Y0.500: 3 of 20 points are outliers, there the largest"),
@@ -50,4 +57,5 @@ def outliers(count: int) -> list[dict[str, float]]:
     ],
 )
 def test_what_to_do(changed: dict[str, Any], expected: str) -> None:
-    assert what_to_do(summary(**changed)).startswith(expected)
+    said = what_to_do(summary(**changed))
+    assert said.startswith(expected) and ("rests on no points" in said) == ("rests on no points" in expected)

@@ -6,7 +6,9 @@ Truth is what the discs of the written text leave at a height, found by shapely 
 
 from __future__ import annotations
 
+import dataclasses
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,6 +18,9 @@ from millcorr import gcode, pipeline
 from millcorr.errors import InputError, LimitError
 from millcorr.measurement import Measurement
 from millcorr.profile import Profile, Sections
+from millcorr.series import production as serial
+from millcorr.series.process_control import Control
+from millcorr.whole_file import replaced_whole
 
 R = 4.0
 FILLET = 10.0
@@ -240,6 +245,30 @@ def test_a_program_in_steps_is_corrected_again() -> None:
     new = pipeline.correct(request).text.decode()
     total = {k: over[k] + more[k] for k in over}
     assert_right(new, total, 2 * (TOLERANCE + ESTIMATED))
+
+
+def test_a_draft_is_a_series(tmp_path: Path) -> None:
+    """Two parts of one program: the first one within the limit, both together beyond it; each step by their mean."""
+    first, over = gcode.parse(program(*draft(*range(3))), "P0.nc"), {0: 0.015, 1: 0.011, 2: 0.020}
+    more = {k: d + 0.010 for k, d in over.items()}
+    control, out = Control(2, 0.034), tmp_path / "P1.nc"
+    at, normal = plate(25)
+    for number, now in enumerate((over, more)):
+        rows = [
+            points(at + STEP * k * normal, normal, form(at) + d, height(k), 0.0003, 3 * number + k)
+            for k, d in now.items()
+        ]
+        part = dataclasses.replace(measured(*rows), source=f"{number}.csv", digest=f"{number:02d}" * 32)
+        request = pipeline.Request(first, R, part)
+        with (
+            serial.corrected(request, out, tmp_path / "P0.journal", control) as outcome,
+            replaced_whole(out, outcome.result.text),
+        ):
+            pass
+        assert outcome.decision is not None and outcome.decision.kind == ("keep", "smoothed")[number]
+    text = "\n".join(line for line in out.read_text().splitlines() if not line.startswith("("))
+    # Of two parts the later one counts twice.
+    assert_right(text, {k: (over[k] + 2 * more[k]) / 3 for k in over}, TOLERANCE + ESTIMATED)
 
 
 def test_a_rebate_is_another_wall() -> None:
