@@ -219,14 +219,15 @@ def _in_order(toolpath: Toolpath, parts: list[tuple[Ints, Ints, Floats, Floats]]
 class _Nodes:
     """Where on every move the displacement is known.
 
-    Index of the move, fraction, direction and amount in mm of the displacement, the normal of the move, whether it
-    touches the contour there, and whether that is a corner.
+    Index of the move, fraction, direction and amount in mm of the displacement, what its own place on the contour alone
+    asks for, in mm, the normal of the move, whether it touches the contour there, and whether that is a corner.
     """
 
     row: Ints
     u: Floats
     way: Floats
     amount: Floats
+    own: Floats
     normal: Floats
     touching: Bools
     corner: Bools
@@ -257,7 +258,7 @@ def _nodes(
     def at(row: Ints, u: Floats) -> _Nodes:
         nonlocal side
         place = np.column_stack([toolpath.place(rows[row], u), z[row]])
-        way, amount, corner = _along_normals(place, feet, before, after, nominal, radius)
+        way, amount, own, corner = _along_normals(place, feet, before, after, nominal, radius)
         ahead = toolpath.direction(rows[row], u)
         right = np.stack([ahead[:, 1], -ahead[:, 0]], axis=1)
         across = (right * way).sum(axis=1)
@@ -265,7 +266,7 @@ def _nodes(
         side = side or (1.0 if np.median(across) >= 0 else -1.0)
         # Beside a corner itself only an arc about it, whose normal it is that points there, touches.
         touching = side * across >= np.where(corner & ~about[row], np.cos(ABOUT), np.cos(ALIGNED))
-        found = _Nodes(row, u, way, amount, side * right, touching, corner & touching)
+        found = _Nodes(row, u, way, amount, own, side * right, touching, corner & touching)
         return _out_of_the_way(found, place, after, radius)
 
     length = np.maximum(length_in_plane(toolpath.take(rows)), 1e-9)
@@ -319,21 +320,25 @@ def _along_normals(
     after: WantedSurface,
     nominal: Profile,
     radius: float,
-) -> tuple[Floats, Floats, Bools]:
-    """Unit vectors from the contour to places (n, 3) of the path, how far the centre moves along them, and corners."""
+) -> tuple[Floats, Floats, Floats, Bools]:
+    """Unit vectors from the contour to places (n, 3) of the path, how far the centre moves along them, and corners.
+
+    Beside how far it moves: how far for its own place on the contour alone.
+    """
     feet = search.find(place)
     corner = (feet.place == Place.JOINT) & is_corner(nominal, feet)
+    stretch, s = nominal.stretch[feet.span], nominal.arc_length(feet.span, feet.t)
+    off = feet.distance if before is None else _interpolated(before, stretch, s)
+    own = _interpolated(after, stretch, s) - off
     if radius == 0:
-        stretch, s = nominal.stretch[feet.span], nominal.arc_length(feet.span, feet.t)
-        was = feet.distance if before is None else _interpolated(before, stretch, s)
-        return feet.normal, _interpolated(after, stretch, s) - was, corner
+        return feet.normal, own, own, corner
     away = place[:, :2] - feet.foot
     size = np.hypot(*away.T)
     way = np.where((size > 1e-9)[:, None], away / np.maximum(size, 1e-12)[:, None], feet.normal)
     guess = radius - size
     was = np.zeros(len(place)) if before is None else before.clearance(place, way, radius, guess)
     now = after.clearance(place, way, radius, guess if before is None else was)
-    return way, now - was, corner
+    return way, now - was, own if before is not None else radius + _interpolated(after, stretch, s) - size, corner
 
 
 def _out_of_the_way(found: _Nodes, place: Floats, after: WantedSurface, radius: float) -> _Nodes:
@@ -416,8 +421,9 @@ def _at_the_ends(toolpath: Toolpath, rows: Ints, known: _Nodes) -> Floats:
     this, after = _vertices(toolpath, rows)
     turn = _turn(normal[last[this]], normal[first[after]])
     sharp = np.abs(turn) > SMOOTH
-    # Just inside its ends a move knows nothing of the corner there.
+    # Just inside its ends a move knows nothing of the corner there; what the other side asks for is not its own.
     across = np.where(lost, np.nan, (shift * normal).sum(axis=1))
+    across = np.minimum(across, _held(node_row, node_u, known.own, known.touching))
     side0, side1 = across[last - 1], across[first + 1]
     for a, b, is_sharp in ((this[sharp], after[sharp], True), (this[~sharp], after[~sharp], False)):
         end, begin = last[a], first[b]
@@ -434,7 +440,9 @@ def _at_the_ends(toolpath: Toolpath, rows: Ints, known: _Nodes) -> Floats:
         shift[end], shift[begin] = corner, corner
         for vertex, other in ((end, begin), (begin, end)):
             slides = np.full(len(vertex), is_sharp) | (known.corner[other] & ~known.corner[vertex])
-            _run_up(shift, node_row, node_u, normal, vertex[slides], corner[slides], toolpath, rows)
+            _run_up(shift, node_u, normal, vertex[slides], corner[slides])
+        if is_sharp:
+            _cut_off(shift, node_row, node_u, corner, (a, b), toolpath, rows)
     joined = np.zeros((2, len(rows)), dtype=bool)
     joined[0, after], joined[1, this] = True, True
     return _floating(shift, lost, first, last, (joined[0], joined[1]))
@@ -475,21 +483,34 @@ def _turn(before: Floats, after: Floats) -> Floats:
     return out
 
 
-def _run_up(
-    shift: Floats,
-    node_row: Ints,
-    node_u: Floats,
-    normal: Floats,
-    vertex: Ints,
-    corner: Floats,
-    toolpath: Toolpath,
-    rows: Ints,
-) -> None:
+def _run_up(shift: Floats, node_u: Floats, normal: Floats, vertex: Ints, corner: Floats) -> None:
     """The node just inside a corner slides along its own move as the corner does. In place."""
     inner = np.where(node_u[vertex] == 0.0, vertex + 1, vertex - 1)
     along = corner - (corner * normal[vertex]).sum(axis=1)[:, None] * normal[vertex]
     across = (shift[inner] * normal[inner]).sum(axis=1)[:, None] * normal[inner]
     shift[inner] = across + along
+
+
+def _cut_off(
+    shift: Floats,
+    node_row: Ints,
+    node_u: Floats,
+    corner: Floats,
+    sides: tuple[Ints, Ints],
+    toolpath: Toolpath,
+    rows: Ints,
+) -> None:
+    """What of the two sides of a corner lies beyond where they meet now goes there. In place."""
+    length = np.maximum(length_in_plane(toolpath.take(rows)), 1e-9)
+    for side, fraction in zip(sides, (1.0, 0.0), strict=True):
+        at = np.full(len(side), fraction)
+        ahead = toolpath.direction(rows[side], at)
+        new = np.full((len(rows), 2), np.nan)
+        new[side] = toolpath.place(rows[side], at) + corner
+        shorter = np.zeros(len(rows))
+        shorter[side] = (1.0 - 2.0 * fraction) * (corner * ahead).sum(axis=1)
+        beyond = np.flatnonzero(np.abs(node_u - fraction) * length[node_row] < shorter[node_row])
+        shift[beyond] = new[node_row[beyond]] - toolpath.place(rows[node_row[beyond]], node_u[beyond])
 
 
 def _floating(shift: Floats, lost: Bools, first: Ints, last: Ints, joined: tuple[Bools, Bools]) -> Floats:
