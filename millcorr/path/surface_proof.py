@@ -220,19 +220,23 @@ def _refuse_gouging_others(
     """LimitError where another move of the written program cuts deeper into the corrected surface than before."""
     places = np.flatnonzero(np.isfinite(own) & ~after.at_corner)
     foot, normal = after.nominal[places], after.normal[places]
-    others = original.only(~made_by[0])
-    was = _left(others, after, places)
-    # What cut deeper than the contour before, as a way over the part does, or a lead that is rounder than an inside
-    # corner, makes no wall here: it is not for the contour to say where it may run.
-    deeper = np.flatnonzero(was < own[places] - tolerance)
     through = np.zeros(len(made_by[0]), dtype=bool)
-    if len(deeper):
-        through[others.made_by(foot[deeper] + was[deeper, None] * normal[deeper])] = True
+    # What cut deeper than the contour before, as a way over the part does, or a lead that is rounder than an inside
+    # corner, makes no wall here: it is not for the contour to say where it may run. Each pass has such leads.
+    deeper = places
+    while len(deeper):
+        others = original.only(~made_by[0] & ~through)
+        was = _left(others, after, deeper)
+        rows = np.flatnonzero(was < own[deeper] - tolerance)
+        deeper, was = deeper[rows], was[rows]
+        through[others.made_by(after.nominal[deeper] + was[:, None] * after.normal[deeper])] = True
     others = written.only(~made_by[1] & ~through[origin])
     now = _left(others, after, places)
     rows = np.flatnonzero(np.isfinite(now))
     over = np.zeros(len(places))
-    over[rows] = now[rows] - own[places[rows]] - wanted[places[rows]]
+    at = places[rows]
+    # Where the original left something over what was wanted, there is room.
+    over[rows] = np.maximum(now[rows] - own[at] - wanted[at], now[rows] - after.moved[at])
     worst = int(np.argmin(over)) if len(over) else -1
     if worst < 0 or over[worst] >= -tolerance:
         return
