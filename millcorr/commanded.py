@@ -729,8 +729,17 @@ class Commanded:
         return Commanded(following, expected, float(np.nanmax(parts.error)))
 
 
+CUT_AWAY = 0.01
+"""Where other moves cut deeper than those that make the profile by more than this, in mm, they make another surface:
+leads run out of facets by less."""
+
+
 def commanded_offset(
-    surface: CommandedSurface, deviation: Deviation, z: Floats | None = None, expected: CompensatedContour | None = None
+    surface: CommandedSurface,
+    deviation: Deviation,
+    z: Floats | None = None,
+    expected: CompensatedContour | None = None,
+    following: Bools | None = None,
 ) -> Floats:
     """Offset in mm, along the normal, of the surface the program commands from the nominal at measured points.
 
@@ -742,24 +751,31 @@ def commanded_offset(
         Heights in mm that tell which passes made the points; by default all passes did.
     expected : CompensatedContour, optional
         Contour that the program follows within `BAND`; by default any within `REACH` of the nominal will do.
+    following : (m,) bool, optional
+        Moves that make the profile; by default all do.
 
     Returns
     -------
     (n,) float64
-        Positive where the program leaves material.
+        Positive where the program leaves material; NaN where it does not cut the profile, or others cut it away.
 
     Raises
     ------
     InputError
-        If points were measured where the program does not cut the profile.
+        If most points were measured where the program does not cut the profile.
     """
     out = _at_points(surface, deviation, z)
-    wide = np.isnan(out)
     if expected is not None:
         there = expected.correction.at(deviation.stretch, deviation.s, expected.profile)
-        wide |= np.abs(out - there) > 2 * BAND + SAME_POINT
-    lost = np.flatnonzero(wide)
-    if len(lost):
+        out[np.abs(out - there) > 2 * BAND + SAME_POINT] = np.nan
+    if following is not None:
+        # A lead that cuts into the wall makes a surface of its own there.
+        low = np.flatnonzero(out < -CUT_AWAY)
+        made = surface.only(following).offset(deviation.foot[low], deviation.normal[low], None if z is None else z[low])
+        out[low[out[low] < made - CUT_AWAY]] = np.nan
+    lost = np.flatnonzero(np.isnan(out))
+    # Of a program that makes the measured surface a lead may cut away a part; of another one most is elsewhere.
+    if 2 * len(lost) > len(out):
         x, y = deviation.foot[lost[0]]
         raise InputError(
             f"the program does not cut the profile near X{x:.3f} Y{y:.3f}, where points were measured: give the "

@@ -6,7 +6,7 @@ Sign: positive is excess material, negative is undercut (werner-2018).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -76,6 +76,14 @@ class Deviation:
 
     def __len__(self) -> int:
         return len(self.index)
+
+    def without(self, rows: Ints, reason: str) -> Deviation:
+        """The same without some of its points, (k,), which are rejected for a reason."""
+        kept = np.delete(np.arange(len(self)), rows)
+        listed = (*self.rejected, *(Rejected(int(i), reason) for i in self.index[rows]))
+        rejected = tuple(sorted(listed, key=lambda one: one.index))
+        names = [field.name for field in fields(self) if field.name != "rejected"]
+        return replace(self, rejected=rejected, **{name: getattr(self, name)[kept] for name in names})
 
     @property
     def components(self) -> Floats:

@@ -363,7 +363,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
             usable = usable[kept]
     nominal = request.nominal
     # What the program itself cuts keeps its chords and rounding; on a drawing the path is laid exactly.
-    exact = nominal is not None and not request.nominal_is_first_program
+    drawn = nominal is not None and not request.nominal_is_first_program
     row_of, none = np.flatnonzero(kept), np.zeros(len(toolpath), dtype=bool)
     expected: CompensatedContour | None = None
     original_error = 0.0
@@ -385,7 +385,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
         whole = toolpath, commanded.following, row_of, none
         following = commanded.following
         divided, row = cut_onto_the_contour(toolpath, commanded.following)
-        if len(divided) > len(toolpath) and exact:
+        if len(divided) > len(toolpath) and drawn:
             _, found = _turned_to_the_path(nominal, divided, path_radius, usable[row], reach, False)
             # What only touches the contour is no part of it, and stays one move.
             if len(np.unique(row[found.following])) > commanded.following.sum():
@@ -403,12 +403,14 @@ def correct(request: Request, *, check: bool = False) -> Result:
     program.require_plain(rows)
     surface = CommandedSurface(program.toolpath, cutters)
 
+    making = np.zeros(len(program.toolpath), dtype=bool)
+    making[row_of[following]] = True
     # Points without a height are taken for points of the deepest pass: a way back above the part makes no surface.
     deepest = np.nan_to_num(toolpath.end[following, 2], nan=np.inf).min()
 
     def offset_of(deviation: Deviation, has_z: bool = False) -> Floats:
         z = deviation.z if has_z else np.full(len(deviation), deepest)
-        return commanded_offset(surface, deviation, z, expected)
+        return commanded_offset(surface, deviation, z, expected, making)
 
     before: Simulation | None = None
     axes: AxisTransfer | None = None
@@ -460,6 +462,9 @@ def correct(request: Request, *, check: bool = False) -> Result:
             # A first cut that millcorr wrote runs on the exact parallel; what this program is off by came after it.
             cut_by_another = allowance or again is not None
             offset = np.zeros(len(deviation)) if cut_by_another else offset_of(deviation, part.has_z)
+            if len(lost := np.flatnonzero(np.isnan(offset))):
+                deviation = deviation.without(lost, "where another move of the program cuts the profile away")
+                offset = np.delete(offset, lost)
             machine = deviation.value - offset
             if request.nominal is None and not cut_by_another:
                 # The nominal is what the passes leave; the profile only says where and which way.
@@ -519,7 +524,7 @@ def correct(request: Request, *, check: bool = False) -> Result:
             settings,
             header=header,
             carried=None if expected is None else expected.correction,
-            exact=exact,
+            exact=drawn,
             original_error=original_error,
         )
         warnings.extend(note for note in notes if note not in warnings)
