@@ -158,7 +158,7 @@ def displace(
     node_row, node_u = known.row, known.u
     if before is None:
         known = _where_it_should_be(known, len(rows), KEEP_SHARE * tolerance)
-    shift = _at_the_ends(toolpath, rows, known)
+    shift = _at_the_ends(toolpath, rows, known, before, after, radius)
     if along is not None and along[0].any():
         passes = _displaced_passes(toolpath, order[along[0][order]], nominal, along[1], after, radius)
         rows, node_row, node_u, shift = _in_order(toolpath, [(rows, node_row, node_u, shift), *passes])
@@ -191,7 +191,7 @@ def _displaced_passes(
         # Where the program states the contour, the control keeps the distance.
         own = 0.0 if radius == 0 else float(np.median(distance[part]))
         known = _nodes(toolpath, rows[part], nominal, before, after, own)
-        out.append((rows[part], known.row, known.u, _at_the_ends(toolpath, rows[part], known)))
+        out.append((rows[part], known.row, known.u, _at_the_ends(toolpath, rows[part], known, before, after, own)))
     return out
 
 
@@ -252,7 +252,7 @@ def _nodes(
     side = 0.0
 
     # A move makes the wall at the height that it has come down to.
-    z = np.fmax(toolpath.start[rows, 2], toolpath.end[rows, 2])
+    z = np.fmax(*_heights_of(toolpath, rows))
     about = _arcs_about_corners(toolpath, rows, z, feet, nominal)
 
     def at(row: Ints, u: Floats) -> _Nodes:
@@ -407,7 +407,9 @@ def _interpolated(surface: WantedSurface, stretch: Ints, s: Floats) -> Floats:
     return out
 
 
-def _at_the_ends(toolpath: Toolpath, rows: Ints, known: _Nodes) -> Floats:
+def _at_the_ends(
+    toolpath: Toolpath, rows: Ints, known: _Nodes, before: WantedSurface | None, after: WantedSurface, radius: float
+) -> Floats:
     """Displacement at every node, (m, 2) mm: the same for both moves at a vertex, both sides kept at a corner."""
     node_row, node_u, normal = known.row, known.u, known.normal
     amount = _held(node_row, node_u, known.amount, known.touching)
@@ -418,14 +420,14 @@ def _at_the_ends(toolpath: Toolpath, rows: Ints, known: _Nodes) -> Floats:
 
     first = np.flatnonzero(node_u == 0.0)
     last = np.flatnonzero(node_u == 1.0)
-    this, after = _vertices(toolpath, rows)
-    turn = _turn(normal[last[this]], normal[first[after]])
+    this, next_one = _vertices(toolpath, rows)
+    turn = _turn(normal[last[this]], normal[first[next_one]])
     sharp = np.abs(turn) > SMOOTH
     # Just inside its ends a move knows nothing of the corner there; what the other side asks for is not its own.
     across = np.where(lost, np.nan, (shift * normal).sum(axis=1))
     across = np.minimum(across, _held(node_row, node_u, known.own, known.touching))
     side0, side1 = across[last - 1], across[first + 1]
-    for a, b, is_sharp in ((this[sharp], after[sharp], True), (this[~sharp], after[~sharp], False)):
+    for a, b, is_sharp in ((this[sharp], next_one[sharp], True), (this[~sharp], next_one[~sharp], False)):
         end, begin = last[a], first[b]
         if is_sharp:
             c0, c1 = side0[a], side1[b]
@@ -433,6 +435,13 @@ def _at_the_ends(toolpath: Toolpath, rows: Ints, known: _Nodes) -> Floats:
             only0, only1 = np.isnan(c1) & ~np.isnan(c0), np.isnan(c0) & ~np.isnan(c1)
             corner[only0] = c0[only0, None] * normal[end[only0]]
             corner[only1] = c1[only1, None] * normal[begin[only1]]
+            if radius > 0:
+                # Where a side turns with its correction, a disc meets it sooner.
+                place = np.column_stack([toolpath.end[rows[a], :2], np.fmax(*_heights_of(toolpath, rows[a]))])
+                room = np.full(len(a), radius) if before is None else np.minimum(before.distance(place), radius)
+                moved = place + np.pad(corner, ((0, 0), (0, 1)))
+                known_there = ~(np.isnan(c0) & np.isnan(c1))
+                corner[known_there] += (after.outside(moved, room) - moved[:, :2])[known_there]
         else:
             # Where one goes about a corner the other ends where that begins.
             first_counts = ~lost[end] & ~(known.corner[begin] & ~known.corner[end])
@@ -444,8 +453,12 @@ def _at_the_ends(toolpath: Toolpath, rows: Ints, known: _Nodes) -> Floats:
         if is_sharp:
             _cut_off(shift, node_row, node_u, corner, (a, b), toolpath, rows)
     joined = np.zeros((2, len(rows)), dtype=bool)
-    joined[0, after], joined[1, this] = True, True
+    joined[0, next_one], joined[1, this] = True, True
     return _floating(shift, lost, first, last, (joined[0], joined[1]))
+
+
+def _heights_of(toolpath: Toolpath, rows: Ints) -> tuple[Floats, Floats]:
+    return toolpath.start[rows, 2], toolpath.end[rows, 2]
 
 
 def _held(node_row: Ints, node_u: Floats, amount: Floats, touching: Bools) -> Floats:

@@ -218,9 +218,12 @@ class WantedSurface:
         t[active] = np.nan
         return t
 
-    def outside(self, places: Floats, radius: float) -> Floats:
-        """The nearest centres, (n, 2) mm, to places (n, 3) from which a disc does not cut into the surface."""
-        out = places.copy()
+    def outside(self, places: Floats, radius: float | Floats) -> Floats:
+        """The nearest centres, (n, 2) mm, to places (n, 3) from which a disc does not cut into the surface.
+
+        The radius, in mm, is one for all or one a place.
+        """
+        out, own = places.copy(), np.broadcast_to(radius, len(places))
         active = np.arange(len(out))
         for _ in range(MANY_ROUNDS):
             if not len(active):
@@ -228,9 +231,9 @@ class WantedSurface:
             nearest = self._nearest(out[active])
             away = out[active, :2] - nearest
             size = np.hypot(*away.T)
-            short = size < radius - 1e-9
+            short = size < own[active] - 1e-9
             active = active[short]
-            out[active, :2] += (radius / np.maximum(size, 1e-9) - 1.0)[short, None] * away[short]
+            out[active, :2] += (own[active] / np.maximum(size[short], 1e-9) - 1.0)[:, None] * away[short]
         return out[:, :2]
 
     def _nearest(self, points: Floats) -> Floats:
