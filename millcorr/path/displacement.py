@@ -47,6 +47,9 @@ ALIGNED, ABOUT = 0.3, 1e-3
 """A place of the path makes a surface where its own normal and the way to the contour differ by less, in rad: at
 facets, and at a corner. Past a convex corner the cutter touches nothing."""
 
+PASSING = 0.01
+"""Where a line passes a corner, its side is looked at so many mm before: farther than `ABOUT` of any cutter."""
+
 ROUND = 0.05
 """An arc that keeps its distance from a corner within so many mm goes about it: arcs that CAM systems fit are off by
 less, and one that passes a corner on its tangent leaves it."""
@@ -154,7 +157,7 @@ def displace(
     order = np.concatenate(cutting_runs(toolpath)) if following.any() else np.zeros(0, dtype=np.int64)
     rows = order[following[order]]
     shift0, shift1 = np.zeros((len(toolpath), 2)), np.zeros((len(toolpath), 2))
-    known = _nodes(toolpath, rows, nominal, before, after, radius)
+    known = _nodes(toolpath, rows, nominal, before, after, radius, before if along is None else along[1])
     node_row, node_u = known.row, known.u
     if before is None:
         known = _where_it_should_be(known, len(rows), KEEP_SHARE * tolerance)
@@ -190,7 +193,7 @@ def _displaced_passes(
     for part in np.split(np.arange(len(rows)), np.flatnonzero(ends) + 1):
         # Where the program states the contour, the control keeps the distance.
         own = 0.0 if radius == 0 else float(np.median(distance[part]))
-        known = _nodes(toolpath, rows[part], nominal, before, after, own)
+        known = _nodes(toolpath, rows[part], nominal, before, after, own, before)
         out.append((rows[part], known.row, known.u, _at_the_ends(toolpath, rows[part], known, before, after, own)))
     return out
 
@@ -245,7 +248,13 @@ class _Nodes:
 
 
 def _nodes(
-    toolpath: Toolpath, rows: Ints, nominal: Profile, before: WantedSurface | None, after: WantedSurface, radius: float
+    toolpath: Toolpath,
+    rows: Ints,
+    nominal: Profile,
+    before: WantedSurface | None,
+    after: WantedSurface,
+    radius: float,
+    made: WantedSurface | None,
 ) -> _Nodes:
     """Nodes at the ends of every move, just inside them, and as close between as the displacement bends."""
     feet = FootPointSearch(nominal, margin=radius + 2.0)
@@ -253,7 +262,7 @@ def _nodes(
 
     # A move makes the wall at the height that it has come down to.
     z = np.fmax(*_heights_of(toolpath, rows))
-    about = _arcs_about_corners(toolpath, rows, z, feet, nominal)
+    least = np.full(len(rows), np.cos(ALIGNED))
 
     def at(row: Ints, u: Floats) -> _Nodes:
         nonlocal side
@@ -264,9 +273,18 @@ def _nodes(
         across = (right * way).sum(axis=1)
         # The side of the material is one for the whole path.
         side = side or (1.0 if np.median(across) >= 0 else -1.0)
-        # Beside a corner itself only an arc about it, whose normal it is that points there, touches.
-        touching = side * across >= np.where(corner & ~about[row], np.cos(ABOUT), np.cos(ALIGNED))
-        found = _Nodes(row, u, way, amount, own, side * right, touching, corner & touching)
+        line = toolpath.kind[rows[row]] != Kind.ARC
+        # Past where a side ends now a line runs straight on.
+        amount = np.where(line & ~corner, np.maximum(amount, own), amount)
+        passing = np.flatnonzero(corner & line & (side * across >= np.cos(ABOUT)))
+        if radius > 0:
+            for step in (-PASSING, PASSING):
+                # Where the side ends it asks for what it does just before, whatever the other one does.
+                inside = place[passing] + step * np.pad(ahead[passing], ((0, 0), (0, 1)))
+                _, _, of_side, still = _along_normals(inside, feet, before, after, nominal, radius)
+                amount[passing[~still]] = own[passing[~still]] = of_side[~still]
+        touching = side * across >= np.where(corner, least[row], np.cos(ALIGNED))
+        found = _Nodes(row, u, way, amount, own, side * right, touching, corner)
         return _out_of_the_way(found, place, after, radius)
 
     length = np.maximum(length_in_plane(toolpath.take(rows)), 1e-9)
@@ -280,6 +298,9 @@ def _nodes(
     u = np.where(number == 0, 0.0, np.where(number == 1, inset, u))
     u = np.where(number == total[row] - 1, 1.0, np.where(number == total[row] - 2, 1.0 - inset, u))
     found = at(row, u)
+    least = _about_a_corner(toolpath, rows, z, found, feet, made)
+    across = (found.normal * found.way).sum(axis=1)
+    found = replace(found, touching=found.touching & (~found.corner | (across >= least[found.row])))
     left = np.flatnonzero((found.row[1:] == found.row[:-1]) & (number[:-1] > 0) & (number[1:] < total[row[1:]] - 1))
     a, b = found.take(left), found.take(left + 1)
     for _ in range(HALVINGS):
@@ -293,23 +314,33 @@ def _nodes(
         found = found.with_more(middle)
         a, b = a.with_more(middle), middle.with_more(b)
     found = found.take(np.lexsort((found.u, found.row)))
+    found = replace(found, corner=found.corner & found.touching)
     place = np.column_stack([toolpath.place(rows[found.row], found.u), z[found.row]])
     return _about_corners(found, place, feet, before, after, radius)
 
 
-def _arcs_about_corners(toolpath: Toolpath, rows: Ints, z: Floats, search: FootPointSearch, nominal: Profile) -> Bools:
-    """Arcs that keep their distance from the corners they pass; (k,)."""
-    out = np.zeros(len(rows), dtype=bool)
-    arcs = np.flatnonzero(toolpath.kind[rows] == Kind.ARC)
-    if not len(arcs):
-        return out
-    share = np.linspace(0.0, 1.0, 17)
-    places = toolpath.place(np.repeat(rows[arcs], len(share)), np.tile(share, len(arcs)))
-    feet = search.find(np.column_stack([places, np.repeat(z[arcs], len(share))]))
-    corner = ((feet.place == Place.JOINT) & is_corner(nominal, feet)).reshape(len(arcs), -1)
-    away = np.hypot(*(places - feet.foot).T).reshape(len(arcs), -1)
-    most, least = np.where(corner, away, -np.inf).max(axis=1), np.where(corner, away, np.inf).min(axis=1)
-    out[arcs] = corner.any(axis=1) & (most - least < ROUND)
+def _about_a_corner(
+    toolpath: Toolpath, rows: Ints, z: Floats, found: _Nodes, search: FootPointSearch, made: WantedSurface | None
+) -> Floats:
+    """Cosine between a move's normal and the way to a corner from which on it touches the corner; (k,).
+
+    An arc that keeps its distance goes about it all along, a facet in its middle, and a line that passes it where the
+    side ends.
+    """
+    out = np.full(len(rows), np.cos(ABOUT))
+    corners = np.bincount(found.row, found.corner, minlength=len(rows))
+    arcs = (toolpath.kind[rows] == Kind.ARC) & (corners > 0)
+    nodes = np.flatnonzero(found.corner & arcs[found.row])
+    row = found.row[nodes]
+    place = toolpath.place(rows[row], found.u[nodes])
+    corner = search.find(np.column_stack([place, z[row]])).foot
+    if made is not None:
+        corner = corner + made.corner_shift(corner)
+    away = np.hypot(*(place - corner).T)
+    most, least = np.full(len(rows), -np.inf), np.full(len(rows), np.inf)
+    np.maximum.at(most, row, away)
+    np.minimum.at(least, row, away)
+    out[arcs & (most - least < ROUND)] = np.cos(ALIGNED)
     return out
 
 
@@ -338,7 +369,8 @@ def _along_normals(
     guess = radius - size
     was = np.zeros(len(place)) if before is None else before.clearance(place, way, radius, guess)
     now = after.clearance(place, way, radius, guess if before is None else was)
-    return way, now - was, own if before is not None else radius + _interpolated(after, stretch, s) - size, corner
+    own = own if before is not None else radius + _interpolated(after, stretch, s) - size
+    return way, now - was, own, corner
 
 
 def _out_of_the_way(found: _Nodes, place: Floats, after: WantedSurface, radius: float) -> _Nodes:
@@ -412,20 +444,21 @@ def _at_the_ends(
 ) -> Floats:
     """Displacement at every node, (m, 2) mm: the same for both moves at a vertex, both sides kept at a corner."""
     node_row, node_u, normal = known.row, known.u, known.normal
-    amount = _held(node_row, node_u, known.amount, known.touching)
-    # A node that touches moves along its way to the contour, another along the move's own normal.
-    shift = amount[:, None] * np.where(known.touching[:, None], known.way, normal)
-    lost = np.isnan(amount)
-    shift[lost] = 0.0
-
     first = np.flatnonzero(node_u == 0.0)
     last = np.flatnonzero(node_u == 1.0)
     this, next_one = _vertices(toolpath, rows)
     turn = _turn(normal[last[this]], normal[first[next_one]])
     sharp = np.abs(turn) > SMOOTH
+    amount = _held(node_row, node_u, known.amount, known.touching)
+    _hand_on(amount, node_row, first, last, this[~sharp], next_one[~sharp])
+    # A node that touches moves along its way to the contour, another along the move's own normal.
+    shift = amount[:, None] * np.where(known.touching[:, None], known.way, normal)
+    lost = np.isnan(amount)
+    shift[lost] = 0.0
+
     # Just inside its ends a move knows nothing of the corner there; what the other side asks for is not its own.
     across = np.where(lost, np.nan, (shift * normal).sum(axis=1))
-    across = np.minimum(across, _held(node_row, node_u, known.own, known.touching))
+    across = np.fmin(across, _held(node_row, node_u, known.own, known.touching))
     side0, side1 = across[last - 1], across[first + 1]
     for a, b, is_sharp in ((this[sharp], next_one[sharp], True), (this[~sharp], next_one[~sharp], False)):
         end, begin = last[a], first[b]
@@ -451,7 +484,7 @@ def _at_the_ends(
             slides = np.full(len(vertex), is_sharp) | (known.corner[other] & ~known.corner[vertex])
             _run_up(shift, node_u, normal, vertex[slides], corner[slides])
         if is_sharp:
-            _cut_off(shift, node_row, node_u, corner, (a, b), toolpath, rows)
+            _cut_off(shift, node_row, node_u, corner, (a, b), (this, next_one), toolpath, rows)
     joined = np.zeros((2, len(rows)), dtype=bool)
     joined[0, next_one], joined[1, this] = True, True
     return _floating(shift, lost, first, last, (joined[0], joined[1]))
@@ -473,6 +506,19 @@ def _held(node_row: Ints, node_u: Floats, amount: Floats, touching: Bools) -> Fl
     out = amount[nearest]
     out[node_row[nearest] != node_row] = np.nan
     return np.where(touching, amount, out)
+
+
+def _hand_on(amount: Floats, node_row: Ints, first: Ints, last: Ints, this: Ints, next_one: Ints) -> None:
+    """What touches nothing moves as much as what it goes on from without a corner, such as past a corner's end. In place."""
+    while True:
+        here, there = np.isnan(amount[last[this]]), np.isnan(amount[first[next_one]])
+        gives, takes = np.flatnonzero(~here & there), np.flatnonzero(here & ~there)
+        if not len(gives) and not len(takes):
+            return
+        given = np.full(len(first), np.nan)
+        given[next_one[gives]] = amount[last[this[gives]]]
+        given[this[takes]] = amount[first[next_one[takes]]]
+        amount[:] = np.where(np.isnan(amount), given[node_row], amount)
 
 
 def _vertices(toolpath: Toolpath, rows: Ints) -> tuple[Ints, Ints]:
@@ -510,20 +556,30 @@ def _cut_off(
     node_u: Floats,
     corner: Floats,
     sides: tuple[Ints, Ints],
+    vertices: tuple[Ints, Ints],
     toolpath: Toolpath,
     rows: Ints,
 ) -> None:
     """What of the two sides of a corner lies beyond where they meet now goes there. In place."""
     length = np.maximum(length_in_plane(toolpath.take(rows)), 1e-9)
-    for side, fraction in zip(sides, (1.0, 0.0), strict=True):
+    for side, fraction, nearer, farther in ((sides[0], 1.0, *vertices[::-1]), (sides[1], 0.0, *vertices)):
         at = np.full(len(side), fraction)
         ahead = toolpath.direction(rows[side], at)
-        new = np.full((len(rows), 2), np.nan)
-        new[side] = toolpath.place(rows[side], at) + corner
-        shorter = np.zeros(len(rows))
-        shorter[side] = (1.0 - 2.0 * fraction) * (corner * ahead).sum(axis=1)
-        beyond = np.flatnonzero(np.abs(node_u - fraction) * length[node_row] < shorter[node_row])
-        shift[beyond] = new[node_row[beyond]] - toolpath.place(rows[node_row[beyond]], node_u[beyond])
+        new = toolpath.place(rows[side], at) + corner
+        shorter = (1.0 - 2.0 * fraction) * (corner * ahead).sum(axis=1)
+        # On from move to move, as long as moves are shorter than what goes.
+        follows = np.full(len(rows), -1)
+        follows[nearer] = farther
+        left = shorter > 0
+        while left.any():
+            side, new, shorter = side[left], new[left], shorter[left]
+            goes, room = np.full((len(rows), 2), np.nan), np.full(len(rows), -1.0)
+            goes[side], room[side] = new, shorter
+            beyond = np.flatnonzero(np.abs(node_u - fraction) * length[node_row] <= room[node_row])
+            shift[beyond] = goes[node_row[beyond]] - toolpath.place(rows[node_row[beyond]], node_u[beyond])
+            shorter = shorter - length[side]
+            side = follows[side]
+            left = (shorter >= 0) & (side >= 0)
 
 
 def _floating(shift: Floats, lost: Bools, first: Ints, last: Ints, joined: tuple[Bools, Bools]) -> Floats:

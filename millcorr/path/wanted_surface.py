@@ -236,6 +236,16 @@ class WantedSurface:
             out[active, :2] += (own[active] / np.maximum(size[short], 1e-9) - 1.0)[:, None] * away[short]
         return out[:, :2]
 
+    def nearest_a_corner(self, points: Floats) -> NDArray[np.bool_]:
+        """Whether of the surface a corner is what is nearest to points (n, 2) or (n, 3), mm; (n,)."""
+        from scipy.spatial import cKDTree
+
+        if not len(self._corners):
+            return np.zeros(len(points), dtype=bool)
+        apart, _ = cKDTree(self._corners + self._corner_shift).query(self._nearest(points))
+        out: NDArray[np.bool_] = apart < 1e-6
+        return out
+
     def _nearest(self, points: Floats) -> Floats:
         """Nearest points (n, 2) of the surface at the heights of points (n, 3), mm."""
         out = np.empty((len(points), 2))

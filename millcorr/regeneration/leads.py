@@ -73,6 +73,8 @@ def carry_along(toolpath: Toolpath, following: Bools, own: Bools, shift0: Floats
     flat = np.nan_to_num(np.hypot(*(toolpath.end[:, :2] - toolpath.start[:, :2]).T))
     flat = np.where(toolpath.sweep != 0, travel, flat)
     jump = np.asarray((toolpath.kind == int(Kind.RAPID)) & (flat > 1e-9))
+    # An arc of which one end moves bulges: it goes along whole, and a straight move takes up the difference.
+    straight = np.asarray((flat > 1e-9) & (toolpath.sweep == 0))
     rows = np.flatnonzero(following)
     heads = rows[np.concatenate([[True], np.diff(rows) > 1])]
     tails = rows[np.concatenate([np.diff(rows) > 1, [True]])]
@@ -82,14 +84,14 @@ def carry_along(toolpath: Toolpath, following: Bools, own: Bools, shift0: Floats
             continue
         stops = gap[jump[gap] | broken[gap] | own[gap]]
         if tail >= 0 and head < n and not len(stops):
-            _take_up(gap, flat, shift1[tail], shift0[head], shift0, shift1)
+            _take_up(gap, flat, straight, shift1[tail], shift0[head], shift0, shift1)
             continue
         if tail >= 0:
             end = int(stops[0]) if len(stops) else n
-            _release(np.arange(tail + 1, end), end, n, flat, jump, broken, shift1[tail], shift0, shift1, 1)
+            _release(np.arange(tail + 1, end), end, n, flat, straight, jump, broken, shift1[tail], shift0, shift1, 1)
         if head < n:
             begin = int(stops[-1]) if len(stops) else -1
-            _release(np.arange(head - 1, begin, -1), begin, n, flat, jump, broken, shift0[head], shift0, shift1, -1)
+            _release(np.arange(head - 1, begin, -1), begin, n, flat, straight, jump, broken, shift0[head], shift0, shift1, -1)
 
 
 def _release(
@@ -97,6 +99,7 @@ def _release(
     stop: int,
     n: int,
     flat: Floats,
+    straight: Bools,
     jump: Bools,
     broken: Bools,
     moved: Floats,
@@ -107,9 +110,10 @@ def _release(
     """Displace `rows`, listed outward from the contour, up to the move `stop` that stays or jumps. In place."""
     near, far = (shift0, shift1) if way > 0 else (shift1, shift0)
     long = np.flatnonzero(np.cumsum(flat[rows]) > REACH) if len(rows) else np.zeros(0, dtype=np.int64)
+    takes_up = np.flatnonzero(straight[rows])
     beyond = not 0 <= stop < n
-    if len(long):
-        rows = rows[: long[0] + 1]
+    if len(long) and len(takes_up):
+        rows = rows[: max(long[0], takes_up[0]) + 1]
     elif beyond or jump[stop] or broken[stop]:
         # A rapid goes to wherever the contour now begins; at an end of the program nothing is left to meet.
         near[rows], far[rows] = moved, moved
@@ -117,7 +121,9 @@ def _release(
             near[stop] = moved
         return
     # The longest move hides the difference best; what lies beyond it stays.
-    moving = np.flatnonzero(flat[rows] > 1e-9)
+    moving = np.flatnonzero(straight[rows])
+    if not len(moving):
+        moving = np.flatnonzero(flat[rows] > 1e-9)
     if not len(moving):
         near[rows], far[rows] = moved, moved
         if not beyond:
@@ -128,9 +134,11 @@ def _release(
     far[rows[:absorber]] = moved
 
 
-def _take_up(rows: Ints, flat: Floats, before: Floats, after: Floats, shift0: Floats, shift1: Floats) -> None:
+def _take_up(
+    rows: Ints, flat: Floats, straight: Bools, before: Floats, after: Floats, shift0: Floats, shift1: Floats
+) -> None:
     """Between two corrected contours the longest move takes up what they differ by. In place."""
-    absorber = int(np.argmax(flat[rows]))
+    absorber = int(np.argmax(flat[rows] * np.where(straight[rows].any(), straight[rows], True)))
     shift0[rows[: absorber + 1]] = before
     shift1[rows[:absorber]] = before
     shift1[rows[absorber:]] = after
