@@ -58,6 +58,9 @@ STEPS_OVER = 0.01
 """Moves beside the contour whose distances from it differ by more, in mm, are of two passes: chords and rounding of one
 differ by less."""
 
+FEW_ROUNDS = 4
+"""Steps after which a disc beside a corner rests on what it meets there, or something else is in the way."""
+
 STILL = 1e-6
 """What would be displaced by no more than this, in mm, stays as it is."""
 
@@ -316,7 +319,7 @@ def _nodes(
     found = found.take(np.lexsort((found.u, found.row)))
     found = replace(found, corner=found.corner & found.touching)
     place = np.column_stack([toolpath.place(rows[found.row], found.u), z[found.row]])
-    return _about_corners(found, place, feet, before, after, radius)
+    return _about_corners(found, place, feet, before, after, radius, made)
 
 
 def _about_a_corner(
@@ -395,6 +398,7 @@ def _about_corners(
     before: WantedSurface | None,
     after: WantedSurface,
     radius: float,
+    made: WantedSurface | None,
 ) -> _Nodes:
     """Nodes of which those on moves about a corner go with the corner, as far as nothing else is in their way."""
     inner = (found.u > 0) & (found.u < 1)
@@ -406,15 +410,20 @@ def _about_corners(
     place = place[rows]
     foot = search.find(place).foot
     shift, room = after.corner_shift(foot), np.full(len(rows), radius)
+    about = foot if made is None else foot + made.corner_shift(foot)
+    away = place[:, :2] - about
+    away /= np.maximum(np.hypot(*away.T), 1e-12)[:, None]
     if before is None:
-        away = place[:, :2] - foot
-        shift += foot - place[:, :2] + radius * away / np.maximum(np.hypot(*away.T), 1e-12)[:, None]
+        shift += foot - place[:, :2] + radius * away
     else:
         shift -= before.corner_shift(foot)
         room = before.distance(place)
+    for _ in range(FEW_ROUNDS):
+        # Where a side turns with its correction, the disc meets it beside the corner.
+        off = room - after.distance(np.column_stack([place[:, :2] + shift, place[:, 2]]))
+        shift += off[:, None] * away
     size = np.hypot(*shift.T)
-    off = np.abs(after.distance(np.column_stack([place[:, :2] + shift, place[:, 2]])) - room)
-    blocked = np.bincount(found.row[rows], (off > BENT) | (size <= STILL), minlength=len(total)) > 0
+    blocked = np.bincount(found.row[rows], (np.abs(off) > BENT) | (size <= STILL), minlength=len(total)) > 0
     free = ~blocked[found.row[rows]]
     rows = rows[free]
     way, amount, corner = found.way.copy(), found.amount.copy(), np.zeros(len(found.u), dtype=bool)
