@@ -424,6 +424,9 @@ class Emitter:
             if present or not abs(reached - at[k]) <= SAME:
                 values[axis] = value
                 end[k] = reached
+        if move.kind == Kind.CUBIC and not values and line.find("X") < 0 and line.find("Y") < 0:
+            # Shorter than a digit, it states its end all the same: controls want an axis word.
+            values["X"] = 0.0 if form.incremental else form.round(end[0] / form.scale)
         return end, values, redundant
 
     def _continuous(self, move: Move) -> None:

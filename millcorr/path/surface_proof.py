@@ -266,8 +266,8 @@ def _out_of_reach(after: WantedSurface, radius: float) -> Floats:
     """What the cutter has to leave over the wanted surface, mm; (n,)."""
     z = np.where(np.isfinite(after.bottom), after.bottom, np.nan)
     path = after.outside(np.column_stack([after.place + radius * after.normal, z]), radius)
-    # From an inside corner itself no way leads out along a normal.
-    clear = after.distance(np.column_stack([path, z])) > radius - REACH_ROUNDING
+    # From a corner itself no normal leads to where the cutter goes.
+    clear = (after.distance(np.column_stack([path, z])) > radius - REACH_ROUNDING) & ~after.on_a_corner(after.place)
     a, b = after.chords.T
     joined = (np.hypot(*(path[b] - path[a]).T) < 2 * radius) & clear[a] & clear[b]
     out = np.empty(len(path))

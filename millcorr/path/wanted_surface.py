@@ -18,7 +18,7 @@ from millcorr.profile import CORNER_ANGLE, Profile
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-CHORD = 1e-4
+CHORD = 2e-5
 """The surface is drawn by chords that are off it by no more than this, in mm. Two surfaces drawn at the same places
 err alike, so that what is moved errs by far less."""
 
@@ -238,11 +238,15 @@ class WantedSurface:
 
     def nearest_a_corner(self, points: Floats) -> NDArray[np.bool_]:
         """Whether of the surface a corner is what is nearest to points (n, 2) or (n, 3), mm; (n,)."""
+        return self.on_a_corner(self._nearest(points))
+
+    def on_a_corner(self, places: Floats) -> NDArray[np.bool_]:
+        """Whether places (n, 2) of the surface are corners of it; (n,)."""
         from scipy.spatial import cKDTree
 
         if not len(self._corners):
-            return np.zeros(len(points), dtype=bool)
-        apart, _ = cKDTree(self._corners + self._corner_shift).query(self._nearest(points))
+            return np.zeros(len(places), dtype=bool)
+        apart, _ = cKDTree(self._corners + self._corner_shift).query(places)
         out: NDArray[np.bool_] = apart < 1e-6
         return out
 

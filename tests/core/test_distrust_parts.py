@@ -90,8 +90,8 @@ def test_where_nothing_was_measured_an_earlier_correction_stays() -> None:
     number = np.zeros(len(s), dtype=int)
     before = whole.correction.at(number, s, whole.nominal)
     assert np.abs(before).max() > 0.01
-    # The mean of what is left is taken off there, too, and the form fades.
-    np.testing.assert_allclose(result.correction.at(number, s, result.nominal), before, atol=0.005)
+    # The mean of what is left, 4 um at most, is taken off there, too, and the form fades with its short waves.
+    np.testing.assert_allclose(result.correction.at(number, s, result.nominal), before, atol=0.008)
 
 
 def test_a_part_of_the_earlier_program_is_refused() -> None:

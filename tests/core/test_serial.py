@@ -80,7 +80,7 @@ def test_first_part_then_the_sequence_of_the_requirement(tmp_path: Path) -> None
         "keep",
     ]
     smoothed = [float(np.abs(o.decision.smoothed).max()) / UM for o in outcomes[1:]]
-    assert smoothed == pytest.approx([1.5, 3.25, 4.625, 1, 2.5, 3.75, 4.375, 1.5, 4.25, 3.5], abs=1e-6)
+    assert smoothed == pytest.approx([1.5, 3.25, 4.625, 1, 2.5, 3.75, 4.375, 1.5, 4.25, 3.5], abs=1e-3)
     assert [o.part for o in outcomes] == list(range(1, 12))
     # The sum of the corrections, each read from the program that was written.
     sums = [20, 20, 20, 24.625, 24.625, 24.625, 24.625, 29, 29, 33.25, 33.25]

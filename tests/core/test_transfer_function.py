@@ -444,7 +444,8 @@ def test_the_second_half_of_an_allowance_is_cut_from_the_real_surface() -> None:
     np.testing.assert_allclose(result.elastic.next_depth, left + result.filtered, atol=1e-12)
     # The paper carries H and not A + delta to the second half: delta b stays.
     paper, _ = finish(method="transfer", depth=stock - left, next_depth=left)
-    np.testing.assert_allclose(paper, (stock - left) * b * b, atol=4e-4)
+    # Moves within 0.4 um of where they should be stay; in this the machine yields by (1 + b) of it.
+    np.testing.assert_allclose(paper, (stock - left) * b * b, atol=5e-4)
     mirrored, _ = finish(method="mirror")
     assert rms(after) < rms(mirrored) / 5
 
