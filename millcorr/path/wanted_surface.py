@@ -238,16 +238,17 @@ class WantedSurface:
 
     def nearest_a_corner(self, points: Floats) -> NDArray[np.bool_]:
         """Whether of the surface a corner is what is nearest to points (n, 2) or (n, 3), mm; (n,)."""
-        return self.on_a_corner(self._nearest(points))
+        # Sides that turn with their corrections meet beside where they would as straight ones.
+        return self.on_a_corner(self._nearest(points), FINEST)
 
-    def on_a_corner(self, places: Floats) -> NDArray[np.bool_]:
-        """Whether places (n, 2) of the surface are corners of it; (n,)."""
+    def on_a_corner(self, places: Floats, within: float = 1e-6) -> NDArray[np.bool_]:
+        """Whether places (n, 2) of the surface are corners of it, within so many mm; (n,)."""
         from scipy.spatial import cKDTree
 
         if not len(self._corners):
             return np.zeros(len(places), dtype=bool)
         apart, _ = cKDTree(self._corners + self._corner_shift).query(places)
-        out: NDArray[np.bool_] = apart < 1e-6
+        out: NDArray[np.bool_] = apart < within
         return out
 
     def _nearest(self, points: Floats) -> Floats:
