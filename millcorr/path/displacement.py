@@ -518,7 +518,7 @@ def _held(node_row: Ints, node_u: Floats, amount: Floats, touching: Bools) -> Fl
 
 
 def _hand_on(amount: Floats, node_row: Ints, first: Ints, last: Ints, this: Ints, next_one: Ints) -> None:
-    """What touches nothing moves as much as what it goes on from without a corner, such as past a corner's end. In place."""
+    """What touches nothing moves as much as what it goes on from without a corner, as past a corner. In place."""
     while True:
         here, there = np.isnan(amount[last[this]]), np.isnan(amount[first[next_one]])
         gives, takes = np.flatnonzero(~here & there), np.flatnonzero(here & ~there)

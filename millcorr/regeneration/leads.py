@@ -91,7 +91,8 @@ def carry_along(toolpath: Toolpath, following: Bools, own: Bools, shift0: Floats
             _release(np.arange(tail + 1, end), end, n, flat, straight, jump, broken, shift1[tail], shift0, shift1, 1)
         if head < n:
             begin = int(stops[-1]) if len(stops) else -1
-            _release(np.arange(head - 1, begin, -1), begin, n, flat, straight, jump, broken, shift0[head], shift0, shift1, -1)
+            outward = np.arange(head - 1, begin, -1)
+            _release(outward, begin, n, flat, straight, jump, broken, shift0[head], shift0, shift1, -1)
 
 
 def _release(

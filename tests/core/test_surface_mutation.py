@@ -38,7 +38,8 @@ def laid(name: str, drawn: bool) -> tuple[tuple, dict, pipeline.Result]:
 def path_of(text: bytes) -> shapely.Geometry:
     """The cutting moves of a text, arcs as fine chords."""
     moves = gcode.parse(text).toolpath
-    moves = moves.take(np.flatnonzero((moves.kind != Kind.RAPID) & np.isfinite(moves.position([0, 1])).all(axis=(1, 2))))
+    known = np.isfinite(moves.position(np.array([0.0, 1.0]))).all(axis=(1, 2))
+    moves = moves.take(np.flatnonzero((moves.kind != Kind.RAPID) & known))
     places = moves.position(np.linspace(0, 1, 65))
     return shapely.multilinestrings([shapely.linestrings(p[:, :2]) for p in places if p[:, 2].min() < 0])
 
