@@ -18,7 +18,7 @@ from tests.core.sweeps import slow
 from tests.core.test_pipeline import CASES, nominal_of
 from tests.core.text_mutants import mutants
 
-NAMES = ("mitres", "pocket", "helix", "edge")
+NAMES = ("mitres", "pocket")
 
 
 @cache
@@ -44,7 +44,7 @@ def path_of(text: bytes) -> shapely.Geometry:
     return shapely.multilinestrings([shapely.linestrings(p[:, :2]) for p in places if p[:, 2].min() < 0])
 
 
-@pytest.mark.parametrize(("seed", "count"), [(0, 15), slow(1, 800)])
+@pytest.mark.parametrize(("seed", "count"), [(0, 8), slow(1, 400)])
 @pytest.mark.parametrize("drawn", [False, True])
 @pytest.mark.parametrize("name", NAMES)
 def test_what_alters_the_surface_is_refused(name: str, drawn: bool, seed: int, count: int) -> None:
