@@ -20,7 +20,7 @@ from millcorr.regeneration.curve_moves import Intervals, fit_moves
 from millcorr.regeneration.leads import carry_along, own_work
 from millcorr.regeneration.moves import FIT_SHARE, KEEP_SHARE, Regeneration, put_together, wanted_kind
 from millcorr.regeneration.path_following import length_in_plane
-from millcorr.theoretical_contour import cutting_runs
+from millcorr.theoretical_contour import SAME_POINT, cutting_runs
 from millcorr.toolpath import Kind, Toolpath
 
 from .wanted_surface import WantedSurface, meeting
@@ -51,8 +51,8 @@ PASSING = 0.01
 """Where a line passes a corner, its side is looked at so many mm before: farther than `ABOUT` of any cutter."""
 
 ROUND = 0.05
-"""An arc that keeps its distance from a corner within so many mm goes about it: arcs that CAM systems fit are off by
-less, and one that passes a corner on its tangent leaves it."""
+"""A path that keeps its distance from a corner within so many mm goes about it: arcs that CAM systems fit are off by less,
+and one that passes a corner on its tangent leaves it."""
 
 STEPS_OVER = 0.01
 """Moves beside the contour whose distances from it differ by more, in mm, are of two passes: chords and rounding of one
@@ -246,6 +246,12 @@ class _Nodes:
     def take(self, index: Ints) -> _Nodes:
         return _Nodes(*(getattr(self, name)[index] for name in _Nodes.__slots__))
 
+    def put(self, index: Ints, other: _Nodes) -> _Nodes:
+        out = {name: getattr(self, name).copy() for name in _Nodes.__slots__}
+        for name, values in out.items():
+            values[index] = getattr(other, name)
+        return _Nodes(**out)
+
     def with_more(self, other: _Nodes) -> _Nodes:
         return _Nodes(*(np.concatenate([getattr(self, name), getattr(other, name)]) for name in _Nodes.__slots__))
 
@@ -261,7 +267,7 @@ def _nodes(
 ) -> _Nodes:
     """Nodes at the ends of every move, just inside them, and as close between as the displacement bends."""
     feet = FootPointSearch(nominal, margin=radius + 2.0)
-    side = 0.0
+    side = np.zeros(len(rows))
 
     # A move makes the wall at the height that it has come down to.
     z = np.fmax(*_heights_of(toolpath, rows))
@@ -274,20 +280,22 @@ def _nodes(
         ahead = toolpath.direction(rows[row], u)
         right = np.stack([ahead[:, 1], -ahead[:, 0]], axis=1)
         across = (right * way).sum(axis=1)
-        # The side of the material is one for the whole path.
-        side = side or (1.0 if np.median(across) >= 0 else -1.0)
+        if not side.all():
+            # A way to and fro has the material on either side.
+            side = np.where(np.bincount(row, across, minlength=len(rows)) >= 0, 1.0, -1.0)
+        across *= side[row]
         line = toolpath.kind[rows[row]] != Kind.ARC
         # Past where a side ends now a line runs straight on.
         amount = np.where(line & ~corner, np.maximum(amount, own), amount)
-        passing = np.flatnonzero(corner & line & (side * across >= np.cos(ABOUT)))
+        passing = np.flatnonzero(corner & line & (least[row] > np.cos(ALIGNED)) & (across >= np.cos(ABOUT)))
         if radius > 0:
             for step in (-PASSING, PASSING):
                 # Where the side ends it asks for what it does just before, whatever the other one does.
                 inside = place[passing] + step * np.pad(ahead[passing], ((0, 0), (0, 1)))
                 _, _, of_side, still = _along_normals(inside, feet, before, after, nominal, radius)
                 amount[passing[~still]] = own[passing[~still]] = of_side[~still]
-        touching = side * across >= np.where(corner, least[row], np.cos(ALIGNED))
-        found = _Nodes(row, u, way, amount, own, side * right, touching, corner)
+        touching = across >= np.where(corner, least[row], np.cos(ALIGNED))
+        found = _Nodes(row, u, way, amount, own, side[row, None] * right, touching, corner)
         return _out_of_the_way(found, place, after, radius)
 
     length = np.maximum(length_in_plane(toolpath.take(rows)), 1e-9)
@@ -302,8 +310,8 @@ def _nodes(
     u = np.where(number == total[row] - 1, 1.0, np.where(number == total[row] - 2, 1.0 - inset, u))
     found = at(row, u)
     least = _about_a_corner(toolpath, rows, z, found, feet, made)
-    across = (found.normal * found.way).sum(axis=1)
-    found = replace(found, touching=found.touching & (~found.corner | (across >= least[found.row])))
+    again = np.flatnonzero(found.corner)
+    found = found.put(again, at(row[again], u[again]))
     left = np.flatnonzero((found.row[1:] == found.row[:-1]) & (number[:-1] > 0) & (number[1:] < total[row[1:]] - 1))
     a, b = found.take(left), found.take(left + 1)
     for _ in range(HALVINGS):
@@ -327,23 +335,30 @@ def _about_a_corner(
 ) -> Floats:
     """Cosine between a move's normal and the way to a corner from which on it touches the corner; (k,).
 
-    An arc that keeps its distance goes about it all along, a facet in its middle, and a line that passes it where the
-    side ends.
+    A path that keeps its distance, in arcs or facets, goes about it; one that runs past it leaves it and touches nothing
+    but where the side ends.
     """
     out = np.full(len(rows), np.cos(ABOUT))
-    corners = np.bincount(found.row, found.corner, minlength=len(rows))
-    arcs = (toolpath.kind[rows] == Kind.ARC) & (corners > 0)
-    nodes = np.flatnonzero(found.corner & arcs[found.row])
+    nodes = np.flatnonzero(found.corner)
+    if not len(nodes):
+        return out
     row = found.row[nodes]
     place = toolpath.place(rows[row], found.u[nodes])
     corner = search.find(np.column_stack([place, z[row]])).foot
+    other = np.hypot(*np.diff(corner, axis=0).T) > SAME_POINT
+    begin = np.flatnonzero(np.concatenate([[True], (np.diff(nodes) > 1) | other]))
+    end = np.append(begin[1:], len(nodes)) - 1
     if made is not None:
         corner = corner + made.corner_shift(corner)
-    away = np.hypot(*(place - corner).T)
-    most, least = np.full(len(rows), -np.inf), np.full(len(rows), np.inf)
-    np.maximum.at(most, row, away)
-    np.minimum.at(least, row, away)
-    out[arcs & (most - least < ROUND)] = np.cos(ALIGNED)
+    away = place - corner
+    size = np.hypot(*away.T)
+    spread = np.maximum.reduceat(size, begin) - np.minimum.reduceat(size, begin)
+    # A line turns about nothing, however short it is.
+    turned = np.abs(_turn(found.normal[nodes[begin]], found.normal[nodes[end]]))
+    about = (spread < ROUND) & (turned > 0.5 * np.abs(_turn(away[begin], away[end])))
+    every = np.ones(len(rows), dtype=bool)
+    np.logical_and.at(every, row, np.repeat(about, end - begin + 1))
+    out[every & (np.bincount(row, minlength=len(rows)) > 0)] = np.cos(ALIGNED)
     return out
 
 
