@@ -51,8 +51,8 @@ PASSING = 0.01
 """Where a line passes a corner, its side is looked at so many mm before: farther than `ABOUT` of any cutter."""
 
 ROUND = 0.05
-"""A path that keeps its distance from a corner within so many mm goes about it: arcs that CAM systems fit are off by less,
-and one that passes a corner on its tangent leaves it."""
+"""A path that keeps its distance from a corner within so many mm goes about it: arcs that CAM systems fit are off by
+less, and one that passes a corner on its tangent leaves it."""
 
 STEPS_OVER = 0.01
 """Moves beside the contour whose distances from it differ by more, in mm, are of two passes: chords and rounding of one
