@@ -241,7 +241,13 @@ class _Writer:
         a, b = self.old.take(old), self.new.take(new)
         name, form = self.program.name, self._form(line)
         text = Line(self.program.line(line).decode("latin-1"))
-        bare = text.find("X") < 0 and text.find("Y") < 0 and form.motion not in CYCLES
+        travel = np.nan_to_num(b.end - b.start)[:, :2]
+        bare = (
+            text.find("X") < 0
+            and text.find("Y") < 0
+            and form.motion not in CYCLES
+            and not (np.abs(travel) > SAME).any()
+        )
         if bare and len(a) == len(b) == 1 and a.kind[0] == b.kind[0] == Kind.RAPID:
             # A retraction along Z alone, G28 Z0 too, starts wherever the path before it now ends.
             a = a.with_moves(start=_at(a.start, b.start), end=_at(a.end, b.end))
