@@ -25,6 +25,15 @@ from .wall_steps import in_order
 SUPPORTS = 24.0
 """Supports of a correction in a length of the form: its nodes are a sixth apart, with a quintic between them."""
 
+FOLLOWED = 5e-5
+"""Standard deviation in mm of a spline through the supports from the form between them, at most."""
+
+SPLINE_LEFT = 0.465
+"""Of a form of size v and length l a cubic spline through places h apart leaves 0.465 v (h / l)^2.5, at the worst place.
+
+Halfway, and for h well below l: the spectrum 16/3 v^2 (sqrt(5) / l)^5 / w^6 of a Matern 5/2 form, times what the cardinal
+spline makes of a wave of w other than the wave itself, 7.24e-4 in units of h^5."""
+
 LEVEL = 1.0
 """Length in mm of the last piece of an open course, on which it runs out level."""
 
@@ -638,8 +647,9 @@ def _smoothed_course(work: Target, k: int, s: Floats, rows: Bools, base: Course 
 
 
 def _step(separated: Separated, s: Floats, settings: Settings) -> float:
-    """Distance in mm of places that a cubic spline through follows the correction to 0.05 um."""
-    step = separated.sizes.form_length / SUPPORTS
+    """Distance in mm of places that a cubic spline through follows the correction to `FOLLOWED`."""
+    sizes = separated.sizes
+    step = sizes.form_length * min(1.0 / SUPPORTS, (FOLLOWED / (SPLINE_LEFT * sizes.form)) ** 0.4)
     if settings.dead_band > 0:
         step /= 4.0
     if separated.filter.kind != "auto" and len(s) > 1:

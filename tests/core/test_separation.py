@@ -8,10 +8,12 @@ import warnings
 
 import numpy as np
 import pytest
+from scipy.interpolate import CubicSpline
 from scipy.stats import binom
 
 from millcorr.separation import Filter, Observed, Separated, Stretches, filtered, separate
 from millcorr.separation.process import Cells, Layout, Sizes
+from millcorr.targets import SPLINE_LEFT
 from tests.core.sweeps import slow
 
 UM = 1e-3
@@ -630,3 +632,14 @@ def test_a_prescribed_filter_is_what_it_is_and_the_model_carries_it_on(filter: s
     mean, std = found.at(np.zeros(120, dtype=np.int64), s)
     assert mean == pytest.approx(made.determined, abs=1e-6)
     assert np.mean(np.abs(found.systematic - truth) < 1.96 * found.uncertainty) > 0.85
+
+
+def test_a_spline_through_places_of_a_form_leaves_what_is_said() -> None:
+    """Variance of form minus spline, halfway between two of many places, from the covariance of Matern 5/2 itself."""
+    step, length, size = 1.0, 12.0, 2.0
+    places = step * np.arange(41)
+    all_places = np.append(places, 19.5)
+    x = math.sqrt(5) * np.abs(np.subtract.outer(all_places, all_places)) / length
+    covariance = size**2 * (1 + x + x**2 / 3) * np.exp(-x)
+    left = np.append(-CubicSpline(places, np.eye(41))(19.5), 1.0)
+    assert math.sqrt(left @ covariance @ left) == pytest.approx(SPLINE_LEFT * size * (step / length) ** 2.5, rel=0.01)
