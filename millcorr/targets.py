@@ -29,10 +29,10 @@ FOLLOWED = 5e-5
 """Standard deviation in mm of a spline through the supports from the form between them, at most."""
 
 SPLINE_LEFT = 0.465
-"""Of a form of size v and length l a cubic spline through places h apart leaves 0.465 v (h / l)^2.5, at the worst place.
+"""Of a form of size v and length l a cubic spline through places h apart leaves 0.465 v (h / l)^2.5 halfway.
 
-Halfway, and for h well below l: the spectrum 16/3 v^2 (sqrt(5) / l)^5 / w^6 of a Matern 5/2 form, times what the cardinal
-spline makes of a wave of w other than the wave itself, 7.24e-4 in units of h^5."""
+For h well below l: the spectrum 16/3 v^2 (sqrt(5) / l)^5 / w^6 of a Matern 5/2 form, times what the cardinal spline
+makes of a wave of w other than the wave itself, 7.24e-4 in units of h^5."""
 
 LEVEL = 1.0
 """Length in mm of the last piece of an open course, on which it runs out level."""
