@@ -160,11 +160,12 @@ def displace(
     order = np.concatenate(cutting_runs(toolpath)) if following.any() else np.zeros(0, dtype=np.int64)
     rows = order[following[order]]
     shift0, shift1 = np.zeros((len(toolpath), 2)), np.zeros((len(toolpath), 2))
-    known = _nodes(toolpath, rows, nominal, before, after, radius, before if along is None else along[1])
+    made = before if along is None else along[1]
+    known = _nodes(toolpath, rows, nominal, before, after, radius, made)
     node_row, node_u = known.row, known.u
     if before is None:
         known = _where_it_should_be(known, len(rows), KEEP_SHARE * tolerance)
-    shift = _at_the_ends(toolpath, rows, known, before, after, radius)
+    shift = _at_the_ends(toolpath, rows, known, before, after, radius, made)
     if along is not None and along[0].any():
         passes = _displaced_passes(toolpath, order[along[0][order]], nominal, along[1], after, radius)
         rows, node_row, node_u, shift = _in_order(toolpath, [(rows, node_row, node_u, shift), *passes])
@@ -197,7 +198,8 @@ def _displaced_passes(
         # Where the program states the contour, the control keeps the distance.
         own = 0.0 if radius == 0 else float(np.median(distance[part]))
         known = _nodes(toolpath, rows[part], nominal, before, after, own, before)
-        out.append((rows[part], known.row, known.u, _at_the_ends(toolpath, rows[part], known, before, after, own)))
+        shift = _at_the_ends(toolpath, rows[part], known, before, after, own, before)
+        out.append((rows[part], known.row, known.u, shift))
     return out
 
 
@@ -333,7 +335,7 @@ def _nodes(
 def _about_a_corner(
     toolpath: Toolpath, rows: Ints, z: Floats, found: _Nodes, search: FootPointSearch, made: WantedSurface | None
 ) -> Floats:
-    """Cosine between a move's normal and the way to a corner from which on it touches the corner; (k,).
+    """Cosine between a move's normal and the way to a corner from which on it touches that; (k,).
 
     A path that keeps its distance, in arcs or facets, goes about it; one that runs past it leaves it and touches nothing
     but where the side ends.
@@ -464,7 +466,13 @@ def _interpolated(surface: WantedSurface, stretch: Ints, s: Floats) -> Floats:
 
 
 def _at_the_ends(
-    toolpath: Toolpath, rows: Ints, known: _Nodes, before: WantedSurface | None, after: WantedSurface, radius: float
+    toolpath: Toolpath,
+    rows: Ints,
+    known: _Nodes,
+    before: WantedSurface | None,
+    after: WantedSurface,
+    radius: float,
+    made: WantedSurface | None,
 ) -> Floats:
     """Displacement at every node, (m, 2) mm: the same for both moves at a vertex, both sides kept at a corner."""
     node_row, node_u, normal = known.row, known.u, known.normal
@@ -492,7 +500,14 @@ def _at_the_ends(
             only0, only1 = np.isnan(c1) & ~np.isnan(c0), np.isnan(c0) & ~np.isnan(c1)
             corner[only0] = c0[only0, None] * normal[end[only0]]
             corner[only1] = c1[only1, None] * normal[begin[only1]]
-            if radius > 0:
+            if radius == 0:
+                # A side that the corner cuts off ends where it moves otherwise than at its end.
+                place = toolpath.end[rows[a], :2]
+                if made is not None:
+                    now = after.corners_of(made, place)
+                    was = place if before is None else made.corners_of(made, place)
+                    corner = np.where(np.isnan(now), corner, now - was)
+            else:
                 # Where a side turns with its correction, a disc meets it sooner.
                 place = np.column_stack([toolpath.end[rows[a], :2], np.fmax(*_heights_of(toolpath, rows[a]))])
                 room = np.full(len(a), radius) if before is None else np.minimum(before.distance(place), radius)

@@ -37,6 +37,9 @@ FARTHEST = 4.0
 MANY_ROUNDS = 200
 """Steps of the search for a centre between two sides: each goes to one of them, the nearer the more acute they are."""
 
+FEW_ROUNDS, MEETS = 30, 1e-8
+"""Steps of the search for where two sides meet, each as much shorter as a correction is steep; the last one, mm."""
+
 ROUNDS = 60
 """Steps of the search for a centre; each is as long as the centre is too far, or too near."""
 
@@ -80,12 +83,12 @@ class WantedSurface:
         self.stretch, self.s = profile.stretch[span], profile.arc_length(span, t)
         self.moved = correction.at(self.stretch, self.s, profile)
         self.place = self.nominal + self.moved[:, None] * self.normal
+        self._contour = profile.contour[span]
         keep = self._set_corners(profile, span, t, self.nominal)
         after = self._next(profile, span, t, keep)
         rows = np.flatnonzero(after >= 0)
         self.chords = np.stack([rows, after[rows]], axis=1)
         self.bottom, self.top = profile.heights(profile.contour[span])
-        self._contour = profile.contour[span]
         self._sections = profile.sections
         self._trees: dict[int, SegmentTree] = {}
 
@@ -131,21 +134,65 @@ class WantedSurface:
         first = first_of[profile.neighbour(span[last], 1)]
         n0, n1 = self.normal[last], self.normal[first]
         shift = meeting(n0, n1, self.moved[last], self.moved[first])
+        corners = np.flatnonzero(np.abs(profile.turn[span[last]]) > CORNER_ANGLE)
+        sides = [(self._side(profile, last[i], -1), self._side(profile, first[i], 1)) for i in corners]
+        for i, both in zip(corners, sides, strict=True):
+            shift[i] = self._where_sides_meet(nominal[last[i]], both, shift[i])
         corner = nominal[last] + shift
         self.place[last], self.place[first] = corner, corner
         self._corners, self._corner_shift = nominal[last], shift
-        for i in np.flatnonzero(np.abs(profile.turn[span[last]]) > CORNER_ANGLE):
-            for end, normal, way in ((last[i], n0[i], -1), (first[i], n1[i], 1)):
+        for i, both in zip(corners, sides, strict=True):
+            for (side, away), way in zip(both, (-1, 1), strict=True):
+                normal, total = self.normal[side[0]], float(profile.total[self._contour[side[0]]])
                 along = float(way * (shift[i] @ np.array([-normal[1], normal[0]])))
-                side = np.flatnonzero(self.stretch == self.stretch[end])
-                total = float(profile.total[profile.contour[span[end]]])
-                away = way * (self.s[side] - self.s[end])
-                if profile.contours[profile.contour[span[end]]].closed:
-                    away = np.mod(away + 1e-9, total) - 1e-9
-                self.at_corner[side[(away > -1e-9) & (away < 2 * abs(along) + FINEST)]] = True
+                self.at_corner[side[away < 2 * abs(along) + FINEST]] = True
                 # What lies beyond the corner is cut off; not round the whole contour, and never the corner itself.
                 keep[side[(away > 1e-9) & (away < min(along, 0.5 * total))]] = False
         return keep
+
+    def _side(self, profile: Profile, end: int, way: int) -> tuple[Ints, Floats]:
+        """Samples of the stretch that ends or begins at a corner, and how far from it they are, mm, in rising order."""
+        side = np.flatnonzero(self.stretch == self.stretch[end])
+        away = way * (self.s[side] - self.s[end])
+        k = self._contour[end]
+        if profile.contours[k].closed:
+            away = np.mod(away + 1e-9, profile.total[k]) - 1e-9
+        side, away = side[away > -1e-9], away[away > -1e-9]
+        order = np.argsort(away, kind="stable")
+        return side[order], away[order]
+
+    def _where_sides_meet(self, corner: Floats, sides: tuple[tuple[Ints, Floats], ...], shift: Floats) -> Floats:
+        """Shift (2,) mm of a corner, from what it would be if its sides did all along as at their ends.
+
+        Where a side is cut off, it is the place up to which it stays that counts.
+        """
+        start, normal, off = shift, np.empty((2, 2)), np.empty(2)
+        for _ in range(FEW_ROUNDS):
+            for k, ((side, away), way) in enumerate(zip(sides, (-1, 1), strict=True)):
+                n = self.normal[side[0]]
+                back = way * float(shift @ np.array([-n[1], n[0]]))
+                place, normal[k] = (
+                    np.array([np.interp(back, away, column) for column in values[side].T])
+                    for values in (self.nominal, self.normal)
+                )
+                off[k] = (place - corner) @ normal[k] + np.interp(back, away, self.moved[side])
+            if abs(np.linalg.det(normal)) < FLAT:
+                break
+            before, shift = shift, np.asarray(np.linalg.solve(normal, off), dtype=np.float64)
+            if np.abs(shift - before).max() < MEETS:
+                return shift
+        return start
+
+    def corners_of(self, other: WantedSurface, places: Floats) -> Floats:
+        """Where corners are, (n, 2) mm, that are at places (n, 2) on another surface of the profile; NaN without."""
+        from scipy.spatial import cKDTree
+
+        out = np.full((len(places), 2), np.nan)
+        if len(self._corners) and len(places):
+            apart, which = cKDTree(other._corners + other._corner_shift).query(places)
+            near = apart < FINEST
+            out[near] = (self._corners + self._corner_shift)[which[near]]
+        return out
 
     @staticmethod
     def _next(profile: Profile, span: Ints, t: Floats, keep: NDArray[np.bool_]) -> Ints:
