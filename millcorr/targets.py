@@ -649,7 +649,7 @@ def _smoothed_course(work: Target, k: int, s: Floats, rows: Bools, base: Course 
 def _step(separated: Separated, s: Floats, settings: Settings) -> float:
     """Distance in mm of places that a cubic spline through follows the correction to `FOLLOWED`."""
     sizes = separated.sizes
-    step = sizes.form_length * min(1.0 / SUPPORTS, (FOLLOWED / (SPLINE_LEFT * sizes.form)) ** 0.4)
+    step = sizes.form_length * min(1.0 / SUPPORTS, float((FOLLOWED / (SPLINE_LEFT * sizes.form)) ** 0.4))
     if settings.dead_band > 0:
         step /= 4.0
     if separated.filter.kind != "auto" and len(s) > 1:
