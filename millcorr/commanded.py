@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .comparison.path_distance import PathDistance
+from .compensation import Correction
 from .deviation import REACH, Deviation, require_heights
 from .errors import InputError, LimitError
 from .footpoint import FootPointSearch, Place
@@ -51,9 +52,9 @@ facets of one contour differ by so much."""
 COVERS = 0.5
 """A pass that runs on less of a path than this share does not cut it again: it leads onto it."""
 
-ROUGHED = 0.005
-"""What leaves less stock than this, in mm, to the pass behind it on a given profile is no roughing pass: FreeCAD lays
-the arcs of one contour otherwise at another depth."""
+ROUGHED, UNEVEN = 0.005, 2.0
+"""A pass roughs if it leaves over most of a lap more than this, in mm, and than so many times what the surface itself
+wanders about a drawing: of two passes that wander alike one leaves on the other half as much as that."""
 
 MANY, CELL, FEW_HEIGHTS = 20_000, 0.02, 50
 """Of more points than this, at few heights, the surface is looked at once in every cell of so many mm: facets are
@@ -64,6 +65,9 @@ FEW = 0.02
 
 SAMPLE = 2000
 """So many points, evenly taken, tell which contours were measured."""
+
+NORMAL_MAD = 1.4826
+"""Standard deviation of normal values in units of their median absolute deviation."""
 
 ROUNDS = 60
 """Steps of the search for the surface; each is as long as the surface is far, so that five are usual."""
@@ -618,7 +622,14 @@ def on_the_path(toolpath: Toolpath, usable: Bools, cut: list[CutContour], resolu
     return out
 
 
-def roughing(surface: CommandedSurface, rows: Bools, nominal: Profile, resolution: float, limit: float) -> Bools:
+def roughing(
+    surface: CommandedSurface,
+    rows: Bools,
+    nominal: Profile,
+    resolution: float,
+    limit: float,
+    carried: Correction | None = None,
+) -> Bools:
     """Moves along a profile that leave stock which others take away at the same height.
 
     Parameters
@@ -631,6 +642,8 @@ def roughing(surface: CommandedSurface, rows: Bools, nominal: Profile, resolutio
         What the program's coordinates are rounded to, mm.
     limit : float
         What leaves more than this over the profile, in mm, clears and does not rough it.
+    carried : Correction, optional
+        What the surface is off a drawing on purpose; by default the profile is what the program itself cuts.
 
     Returns
     -------
@@ -656,8 +669,16 @@ def roughing(surface: CommandedSurface, rows: Bools, nominal: Profile, resolutio
     parallel = np.abs((ahead * feet.normal).sum(axis=1)) < PARALLEL
     along = parallel & (feet.place == Place.SMOOTH) & (own <= limit)
     over = np.zeros(len(which), dtype=bool)
-    left = own[along] - surface.offset(feet.foot[along], feet.normal[along], np.nan_to_num(z[along], nan=np.inf))
-    over[along] = left > max(ALONG * resolution, ROUGHED)
+    made = surface.offset(feet.foot[along], feet.normal[along], np.nan_to_num(z[along], nan=np.inf))
+    left = own[along] - made
+    least = max(ALONG * resolution, ROUGHED)
+    of_lap = _median_of_laps(toolpath, row[which[along]], nominal, feet.span[along], feet.t[along], left)
+    wanders = 0.0
+    if carried is not None and along.any():
+        stretch, s = nominal.stretch[feet.span[along]], nominal.arc_length(feet.span[along], feet.t[along])
+        off = made - carried.at(stretch, s, nominal)
+        wanders = NORMAL_MAD * float(np.nanmedian(np.abs(off - np.nanmedian(off))))
+    over[along] = (left > least) & (of_lap > max(least, UNEVEN * wanders))
     count = np.bincount(which, along, minlength=len(row))
     # Where a move touches the contour's parallel in passing, as a lead does, it does not run along it.
     out[row] = (np.bincount(which, over, minlength=len(row)) > 0.5 * count) & (count > 2)
@@ -671,6 +692,32 @@ def roughing(surface: CommandedSurface, rows: Bools, nominal: Profile, resolutio
             ahead_of = told[np.clip(np.searchsorted(told, np.arange(len(run))), None, len(told) - 1)]
             out[run] = out[run[behind]] & out[run[ahead_of]]
     return out & rows
+
+
+def _median_of_laps(
+    toolpath: Toolpath, row: Ints, nominal: Profile, span: Ints, t: Floats, values: Floats
+) -> Floats:
+    """For samples along moves, in order, the median of values over all of their lap along a contour; (n,)."""
+    if not len(row):
+        return values
+    contour, s = nominal.contour[span], nominal.arc_length(span, t)
+    total = nominal.total[contour]
+    run = np.zeros(len(toolpath), dtype=np.int64)
+    for k, rows in enumerate(cutting_runs(toolpath)):
+        run[rows] = k
+    # A lap ends with its run, too, and where the path goes from one pass to another beside it.
+    step = np.abs(np.diff(s))
+    step = np.minimum(step, np.abs(total[1:] - step))
+    begins = np.concatenate([[True], (np.diff(run[row]) != 0) | (np.diff(contour) != 0)])
+    gone = np.cumsum(np.concatenate([[0.0], step]))
+    gone -= gone[begins][np.cumsum(begins) - 1]
+    _, lap = np.unique(np.stack([np.cumsum(begins), np.floor(gone / total)]), axis=1, return_inverse=True)
+    lap = lap.ravel()
+    order = np.lexsort((values, lap))
+    first = np.searchsorted(lap[order], np.arange(lap.max() + 1))
+    middle = (first + np.append(first[1:], len(order))) // 2
+    out: Floats = values[order[middle]][lap]
+    return out
 
 
 @dataclass(frozen=True, eq=False, slots=True)

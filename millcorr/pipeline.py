@@ -378,7 +378,8 @@ def correct(request: Request, *, check: bool = False) -> Result:
     else:
         reach = settings.limit if carried else 0.0
         nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, True)
-        rough = _roughing(toolpath, cutters, commanded.following, nominal, program, settings)
+        carried_there = commanded.expected.correction if drawn else None
+        rough = _roughing(toolpath, cutters, commanded.following, nominal, program, settings, carried_there)
         if rough.any():
             usable = usable & ~rough
             nominal, commanded = _turned_to_the_path(nominal, toolpath, path_radius, usable, reach, True)
@@ -644,9 +645,10 @@ def _roughing(
     nominal: Profile,
     program: gcode.Program,
     settings: Settings,
+    carried: Correction | None = None,
 ) -> NDArray[np.bool_]:
     """Which of some moves of a program leave stock on the nominal for others; (n,)."""
-    return roughing(CommandedSurface(toolpath, cutters), rows, nominal, program.resolution, settings.limit)
+    return roughing(CommandedSurface(toolpath, cutters), rows, nominal, program.resolution, settings.limit, carried)
 
 
 def _for_first_cut(

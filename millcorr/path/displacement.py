@@ -337,8 +337,8 @@ def _about_a_corner(
 ) -> Floats:
     """Cosine between a move's normal and the way to a corner from which on it touches that; (k,).
 
-    A path that keeps its distance, in arcs or facets, goes about it; one that runs past it leaves it and touches nothing
-    but where the side ends.
+    A path that keeps its distance, in arcs or facets, goes about it; one that runs past it leaves it, and touches
+    nothing but where the side ends.
     """
     out = np.full(len(rows), np.cos(ABOUT))
     nodes = np.flatnonzero(found.corner)
