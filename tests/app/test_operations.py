@@ -308,7 +308,6 @@ def test_pocket_whose_lines_end_on_its_walls_names_the_pattern(document, pattern
         nominal_of(operation)
 
 
-@pytest.mark.xfail(raises=AssertionError, strict=True, reason="refused: the path passes between two islands")
 def test_islands_closer_than_the_cutter_is_wide(document):
     """The path goes round both at once: where it passes from one to the other, two contours ask for its place."""
     islands = Part.makeCylinder(5, 8, V(0, 0, 4)).fuse(Part.makeBox(6, 6, 8, V(8, -8, 4)))
