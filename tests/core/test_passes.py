@@ -16,7 +16,9 @@ from millcorr import gcode, pipeline
 from millcorr.comparison.cutters import stated_diameters
 from millcorr.errors import LimitError, UsageError
 from millcorr.measurement import Measurement
+from millcorr.nurbs import NurbsCurve
 from millcorr.path import emission
+from millcorr.profile import Contour, Profile
 from millcorr.toolpath import named_tool
 
 R = 4.0
@@ -401,3 +403,35 @@ def test_a_spoilt_place_in_the_written_text_is_caught(monkeypatch: pytest.Monkey
     monkeypatch.setattr(emission, "written_text", spoilt)
     with pytest.raises(LimitError):
         correct(text, measured(points(0.02)))
+
+
+def wandering(stock: float, phase: float, z0: float, z1: float) -> str:
+    """A lap round a disc of 20 mm, from one height to another, that wanders by 15 um six times."""
+    turn = np.radians(np.arange(0, 361, 2))
+    r = 20 + R + stock + 0.015 * np.sin(6 * turn + phase)
+    z = z0 + (z1 - z0) * turn / (2 * np.pi)
+    return "".join(
+        f"G1 X{x:.4f} Y{y:.4f} Z{h:.4f}\n" for x, y, h in zip(-r * np.cos(turn), r * np.sin(turn), z, strict=True)
+    )
+
+
+@pytest.mark.parametrize("stock", [0.0, 0.06])
+def test_on_a_drawing_laps_that_wander_otherwise_are_no_roughing(stock: float) -> None:
+    """All laps of a helix go onto the drawing; a lap that leaves more than they wander does stays."""
+    laps = [wandering(0.0, k, -1.0 - k, -2.0 - k) for k in range(2)] + [wandering(0.0, 2.5, -3.0, -3.0)]
+    rough = "G0 X-30 Y-1\nG1 Z-3\n" + wandering(0.06, 1.0, -3.0, -3.0) + "G1 X-30 Y1\nG0 Z5\n" if stock else ""
+    text = f"G21 G90\nG0 Z5\n{rough}G0 X-30 Y-1\nG1 Z-1 F100\n{''.join(laps)}G1 X-30 Y1\nG0 Z20\nM30\n"
+    half = [NurbsCurve.arc((-20, 0), (20, 0), (0, 0), -np.pi), NurbsCurve.arc((20, 0), (-20, 0), (0, 0), -np.pi)]
+    turn = np.linspace(0.05, 2 * np.pi, 120, endpoint=False)
+    part = measured(np.column_stack([20.03 * np.cos(turn), 20.03 * np.sin(turn), np.full(120, -2.5)]))
+    nominal = Profile.from_contours([Contour(tuple(half), True)])
+    done = pipeline.correct(pipeline.Request(gcode.parse(text, "part.nc"), R, part, nominal))
+    moves = gcode.parse(done.text, "part.nc").toolpath
+    new = done.text.decode()
+    assert rough in new
+    end = moves.end[moves.source >= new[: new.index(rough) + len(rough)].count("\n")]
+    end = end[np.abs(np.hypot(*end.T[:2]) - 20 - R) < 0.1]
+    turn, off = np.arctan2(end[:, 1], end[:, 0]), np.hypot(*end.T[:2]) - 20 - R
+    order = np.argsort(turn)
+    # All laps come to lie on one line; what the part was measured with was cut by whichever lay innermost.
+    assert np.abs(np.diff(off[order]))[np.diff(turn[order]) < 1e-3].max() < 0.002
