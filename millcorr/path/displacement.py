@@ -357,7 +357,10 @@ def _about_a_corner(
     spread = np.maximum.reduceat(size, begin) - np.minimum.reduceat(size, begin)
     # A line turns about nothing, however short it is.
     turned = np.abs(_turn(found.normal[nodes[begin]], found.normal[nodes[end]]))
+    # Two lines that meet past a corner run by it, however little they turn: what goes about it has a move there alone.
+    whole = _only_at_corners(found, len(rows))[row]
     about = (spread < ROUND) & (turned > 0.5 * np.abs(_turn(away[begin], away[end])))
+    about &= np.logical_or.reduceat(whole, begin)
     every = np.ones(len(rows), dtype=bool)
     np.logical_and.at(every, row, np.repeat(about, end - begin + 1))
     out[every & (np.bincount(row, minlength=len(rows)) > 0)] = np.cos(ALIGNED)
@@ -408,6 +411,14 @@ def _out_of_the_way(found: _Nodes, place: Floats, after: WantedSurface, radius: 
     return replace(found, way=way, amount=amount)
 
 
+def _only_at_corners(found: _Nodes, count: int) -> Bools:
+    """Moves of which all but their ends are nearest to a corner; (count,)."""
+    inner = (found.u > 0) & (found.u < 1)
+    total = np.bincount(found.row[inner], minlength=count)
+    out: Bools = np.bincount(found.row[inner], found.corner[inner], minlength=count) > 0.9 * total
+    return out
+
+
 def _about_corners(
     found: _Nodes,
     place: Floats,
@@ -418,10 +429,8 @@ def _about_corners(
     made: WantedSurface | None,
 ) -> _Nodes:
     """Nodes of which those on moves about a corner go with the corner, as far as nothing else is in their way."""
-    inner = (found.u > 0) & (found.u < 1)
-    total = np.bincount(found.row[inner])
-    round_one = np.bincount(found.row[inner], found.corner[inner], minlength=len(total)) > 0.9 * total
-    rows = np.flatnonzero(round_one[found.row])
+    count = int(found.row.max(initial=-1)) + 1
+    rows = np.flatnonzero(_only_at_corners(found, count)[found.row])
     if radius == 0 or not len(rows):
         return replace(found, corner=np.zeros(len(found.u), dtype=bool))
     place = place[rows]
@@ -440,7 +449,7 @@ def _about_corners(
         off = room - after.distance(np.column_stack([place[:, :2] + shift, place[:, 2]]))
         shift += off[:, None] * away
     size = np.hypot(*shift.T)
-    blocked = np.bincount(found.row[rows], (np.abs(off) > BENT) | (size <= STILL), minlength=len(total)) > 0
+    blocked = np.bincount(found.row[rows], (np.abs(off) > BENT) | (size <= STILL), minlength=count) > 0
     free = ~blocked[found.row[rows]]
     rows = rows[free]
     way, amount, corner = found.way.copy(), found.amount.copy(), np.zeros(len(found.u), dtype=bool)

@@ -98,7 +98,9 @@ def prove_surface(
     if radius > 0:
         _refuse_gouging_others(original, written, made_by, origin, after, own, wanted, tolerance)
     # What was out of reach before, as the corners of facets are, is no matter of the correction.
-    more = np.where(reached, rest - (_out_of_reach(before, radius) if radius > 0 else 0.0), 0.0)
+    more = np.where(reached, rest, 0.0)
+    if radius > 0:
+        more[reached] -= _out_of_reach(before, radius)[reached]
     most = int(np.argmax(more))
     x, y = after.place[most]
     return result, (float(more[most]), (float(x), float(y)))
