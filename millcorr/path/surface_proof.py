@@ -98,9 +98,10 @@ def prove_surface(
     if radius > 0:
         _refuse_gouging_others(original, written, made_by, origin, after, own, wanted, tolerance)
     # What was out of reach before, as the corners of facets are, is no matter of the correction.
-    more = np.where(reached, rest, 0.0)
-    if radius > 0:
-        more[reached] -= _out_of_reach(before, radius)[reached]
+    was = _out_of_reach(before, radius) if radius > 0 else np.zeros(len(rest))
+    matters = reached & np.isfinite(was)
+    more = np.zeros(len(rest))
+    more[matters] = rest[matters] - was[matters]
     most = int(np.argmax(more))
     x, y = after.place[most]
     return result, (float(more[most]), (float(x), float(y)))
