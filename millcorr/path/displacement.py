@@ -103,6 +103,20 @@ class DisplacedPath:
         return self.at(piece, u), np.stack([ahead[:, 1], -ahead[:, 0]], axis=1) / speed[:, None], speed
 
 
+def _turns(path: DisplacedPath, given: Bools) -> tuple[Floats, Floats]:
+    """By how much, in rad, the path turns at the starts and at the ends of its moves that others lead to; (n,) each."""
+    out = np.zeros((2, len(given)))
+    rows, toolpath = path.rows, path.toolpath
+    beside = np.pad(given, 1)
+    step = np.minimum(STEP / path.length, 1.0)
+    for k, alone in ((0, ~beside[rows]), (1, ~beside[rows + 2])):
+        piece = np.flatnonzero(alone)
+        a, b = (np.zeros(len(piece)), step[piece]) if k == 0 else (1.0 - step[piece], np.ones(len(piece)))
+        was = toolpath.place(rows[piece], b) - toolpath.place(rows[piece], a)
+        out[k, rows[piece]] = _turn(was, path.at(piece, b) - path.at(piece, a))
+    return out[0], out[1]
+
+
 def _turned(vectors: Floats, ahead: Floats, way: float) -> Floats:
     """Vectors (n, 2) given along and to the left of directions, from these for way 1, or so given for way -1."""
     x, y = vectors.T
@@ -177,7 +191,7 @@ def displace(
     shift0[rows], shift1[rows] = shift[first], shift[last]
     given = np.zeros(len(toolpath), dtype=bool)
     given[rows] = True
-    carry_along(toolpath, given, own_work(toolpath, given), shift0, shift1)
+    carry_along(toolpath, given, own_work(toolpath, given), shift0, shift1, _turns(path, given))
     pick = np.flatnonzero(moved)
     intervals = _intervals(toolpath, path, pick, output_moves)
     fitted, owner, fit_error = fit_moves(intervals, path, FIT_SHARE * tolerance)

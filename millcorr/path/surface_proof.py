@@ -240,6 +240,10 @@ def _refuse_gouging_others(
     at = places[rows]
     # Where the original left something over what was wanted, there is room.
     over[rows] = np.maximum(now[rows] - own[at] - wanted[at], now[rows] - after.moved[at])
+    # What it cut into the contour before, within the tolerance, stays.
+    low = np.flatnonzero(over < -tolerance)
+    was = np.fmin(own[places[low]], _left(original.only(~made_by[0] & ~through), after, places[low]))
+    over[low] = np.maximum(over[low], now[low] - was - wanted[places[low]])
     worst = int(np.argmin(over)) if len(over) else -1
     if worst < 0 or over[worst] >= -tolerance:
         return

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How leads, ramps and plunges go along with a corrected contour, and where that ends.
 
-What leads onto a contour and off it is displaced rigidly with it. What is work of its own, another contour, a
+What leads onto a contour and off it is displaced rigidly with it, and turned with it where it is tangential: else it
+would cut into a wall that turns with its correction. What is work of its own, another contour, a
 roughing pass, a helical entry, stays where it is: one move between takes up the difference.
 """
 
@@ -16,6 +17,9 @@ from millcorr.toolpath import Kind, Toolpath
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
+
+TANGENTIAL = 0.02
+"""An arc is a lead on the tangent where it meets the contour under less than this angle, in rad."""
 
 REACH = 30.0
 """Leads are at most this long, in mm; what is chained on farther away stays where it is."""
@@ -55,7 +59,14 @@ def sections(toolpath: Toolpath) -> Ints:
     return np.cumsum(jump)
 
 
-def carry_along(toolpath: Toolpath, following: Bools, own: Bools, shift0: Floats, shift1: Floats) -> None:
+def carry_along(
+    toolpath: Toolpath,
+    following: Bools,
+    own: Bools,
+    shift0: Floats,
+    shift1: Floats,
+    turns: tuple[Floats, Floats] | None = None,
+) -> None:
     """Hand the displacement of following moves on to their leads. In place.
 
     Parameters
@@ -65,6 +76,8 @@ def carry_along(toolpath: Toolpath, following: Bools, own: Bools, shift0: Floats
         Moves on the contour; moves that must stay.
     shift0, shift1 : (n, 2) float64
         Displacement in mm of every move's start and end; given for following moves, filled in for the others.
+    turns : ((n,) float64, (n,) float64), optional
+        By how much, in rad, the start and the end of following moves turn; by default not at all.
     """
     n = len(toolpath)
     position = np.hstack([toolpath.start[:, :2], toolpath.end[:, :2]])
@@ -88,11 +101,35 @@ def carry_along(toolpath: Toolpath, following: Bools, own: Bools, shift0: Floats
             continue
         if tail >= 0:
             end = int(stops[0]) if len(stops) else n
-            _release(np.arange(tail + 1, end), end, n, flat, straight, jump, broken, shift1[tail], shift0, shift1, 1)
+            outward, moved = np.arange(tail + 1, end), shift1[tail]
+            if turns is not None:
+                outward, moved = _turned(toolpath, tail, outward, moved, turns[1][tail], shift0, shift1, 1)
+            _release(outward, end, n, flat, straight, jump, broken, moved, shift0, shift1, 1)
         if head < n:
             begin = int(stops[-1]) if len(stops) else -1
-            outward = np.arange(head - 1, begin, -1)
-            _release(outward, begin, n, flat, straight, jump, broken, shift0[head], shift0, shift1, -1)
+            outward, moved = np.arange(head - 1, begin, -1), shift0[head]
+            if turns is not None:
+                outward, moved = _turned(toolpath, head, outward, moved, turns[0][head], shift0, shift1, -1)
+            _release(outward, begin, n, flat, straight, jump, broken, moved, shift0, shift1, -1)
+
+
+def _turned(
+    toolpath: Toolpath, row: int, rows: Ints, moved: Floats, turn: float, shift0: Floats, shift1: Floats, way: int
+) -> tuple[Ints, Floats]:
+    """An arc on the tangent of the following move `row` turns with it, in place; what is beyond it, and its shift."""
+    if not len(rows) or toolpath.sweep[rows[0]] == 0 or not turn:
+        return rows, moved
+    near, far = (shift0, shift1) if way > 0 else (shift1, shift0)
+    arc, own_end = rows[:1], np.full(1, 1.0 if way > 0 else 0.0)
+    here, there = toolpath.direction(np.array([row]), own_end)[0], toolpath.direction(arc, 1.0 - own_end)[0]
+    if abs(here[0] * there[1] - here[1] * there[0]) > TANGENTIAL or here @ there < 0:
+        return rows, moved
+    near[arc] = moved
+    arm = toolpath.place(arc, own_end)[0] - toolpath.place(arc, 1.0 - own_end)[0]
+    c, s = np.cos(turn), np.sin(turn)
+    moved = moved + np.array([c * arm[0] - s * arm[1], s * arm[0] + c * arm[1]]) - arm
+    far[arc] = moved
+    return rows[1:], moved
 
 
 def _release(

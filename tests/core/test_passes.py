@@ -435,3 +435,25 @@ def test_on_a_drawing_laps_that_wander_otherwise_are_no_roughing(stock: float) -
     order = np.argsort(turn)
     # All laps come to lie on one line; what the part was measured with was cut by whichever lay innermost.
     assert np.abs(np.diff(off[order]))[np.diff(turn[order]) < 1e-3].max() < 0.002
+
+
+def test_a_lead_on_the_tangent_turns_with_the_contour() -> None:
+    """Where a wall turns by 0.025 rad with its correction, an arc led onto it as before cuts 5 um into it."""
+    text = (
+        "G21 G90\nG0 X20. Y-6.\nG0 Z5.\nG1 Z-3. F100.\nG3 X26. Y0. I0. J6. F400.\nG3 X-26. Y0. I-26. J0.\nG3 X26. Y0. "
+        "I26. J0.\nG3 X20. Y6. I-6. J0.\nG1 X10.\nG0 Z20.\nM30\n"
+    )
+    turn = np.linspace(0, 2 * np.pi, 240, endpoint=False)
+    r = 30 - 0.25 * np.sin(3 * turn)
+    part = measured(np.column_stack([r * np.cos(turn), r * np.sin(turn), np.full(240, -2.0)]))
+    _, new = correct(text, part)
+    moves = gcode.parse(new, "part.nc").toolpath
+    arcs = np.flatnonzero((moves.kind == 2) & (moves.end[:, 2] < -2))
+    u = np.linspace(0, 1, 50)
+    places = np.concatenate([moves.place(np.full(50, k), u) for k in arcs[[0, -1]]])
+    # The wanted wall about the origin, by discs at every place of the leads: none reaches over it by a micrometre.
+    rim = places[:, None] + R * np.stack([np.cos(turn), np.sin(turn)], axis=1)
+    angle = np.arctan2(rim[..., 1], rim[..., 0])
+    assert (np.hypot(rim[..., 0], rim[..., 1]) - (30 + 0.25 * np.sin(3 * angle))).max() < 0.001
+    before, after = (moves.direction(arcs[k : k + 1], np.array([at]))[0] for k, at in ((0, 1.0), (1, 0.0)))
+    assert abs(before[0] * after[1] - before[1] * after[0]) < 2e-3
