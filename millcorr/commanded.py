@@ -319,6 +319,11 @@ def nominal_of(
     return nominal, words, made
 
 
+def _probes(profile: Profile) -> tuple[Floats, Floats]:
+    """Places all along a profile's first contour and the normals there, (33, 2) each: enough to tell walls apart."""
+    return profile.at(0, np.linspace(0.0, float(profile.total[0]), 33))
+
+
 def _elsewhere(found: list[CutContour], made: list[CutContour], reach: float) -> int:
     """How many contours are walls of their own, and no passes that rough beside a measured one.
 
@@ -328,7 +333,7 @@ def _elsewhere(found: list[CutContour], made: list[CutContour], reach: float) ->
     for k, one in enumerate(found):
         if not any(one is m for m in made):
             profile = Profile.from_contours([one.contour])
-            probes[k] = profile.at(0, np.linspace(0.0, float(profile.total[0]), 33))
+            probes[k] = _probes(profile)
     beside = [one.contour for one in made]
     while beside and probes:
         search = FootPointSearch(Profile.from_contours(beside))
@@ -403,7 +408,7 @@ def _end_below_rebates(found: list[CutContour], made: list[int], radius: float) 
     for k in made:
         contour = found[k].contour
         profile = Profile.from_contours([contour])
-        places, _ = profile.at(0, np.linspace(0.0, float(profile.total[0]), 33))
+        places, _ = _probes(profile)
         step = contour.step or Step(k, _deepest(found[k]), np.inf)
         for other in made:
             above = _deepest(found[other])
@@ -428,7 +433,7 @@ def _steps_of_wall(found: list[CutContour], profile: Callable[[int], Profile], f
 
     def over(k: int, other: int) -> float:
         """How far one lies over another in mm, on average; NaN where it does not run along it."""
-        places, normal = profile(k).at(0, np.linspace(0.0, float(profile(k).total[0]), 33))
+        places, normal = _probes(profile(k))
         feet = FootPointSearch(profile(other)).find(places)
         beside = (np.abs(feet.distance) < REACH) & ((feet.normal * normal).sum(axis=1) > 0.9)
         return float(feet.distance[beside].mean()) if beside.mean() > 0.5 else np.nan

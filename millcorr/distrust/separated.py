@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -116,17 +117,22 @@ def gaps(separated: Separated, profile: Profile, bridged: float = 0.0) -> tuple[
 
 def unmeasured(separated: Separated, profile: Profile) -> float:
     """Largest share of a measured contour that no sound point is near, 0 to 1."""
+    return _largest_share(gaps(separated, profile, BETWEEN), profile)
+
+
+def _largest_share(wide: Sequence[Gap], profile: Profile) -> float:
     shares = np.zeros(len(profile.contours))
-    for gap in gaps(separated, profile, BETWEEN):
+    for gap in wide:
         shares[gap.contour] += (gap.end - gap.begin) / float(profile.total[gap.contour])
     return float(shares.max(initial=0.0))
 
 
 def _unmeasured(separated: Separated, profile: Profile, most: float) -> tuple[Finding, ...]:
-    share = unmeasured(separated, profile)
+    wide = gaps(separated, profile, BETWEEN)
+    share = _largest_share(wide, profile)
     if share <= most:
         return ()
-    widest = max(gaps(separated, profile, BETWEEN), key=lambda gap: gap.end - gap.begin)
+    widest = max(wide, key=lambda gap: gap.end - gap.begin)
     ends = np.array(widest.points)
     if profile.contours[widest.contour].closed:
         ends %= float(profile.total[widest.contour])

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from millcorr.compensation import along
 from millcorr.distrust import gaps
 from millcorr.pipeline import Result
+from millcorr.targets import local
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -64,11 +64,7 @@ def posteriors(result: Result) -> tuple[Posterior, ...]:
     found, d, profile = result.systematic, result.deviation, result.nominal
     if found is None or not len(d):
         return ()
-    stretches = profile.stretches()
-    at = np.empty(len(d))
-    for k in np.unique(d.stretch):
-        rows = d.stretch == k
-        at[rows] = along(stretches[k], d.s[rows], profile)
+    stretches, at = profile.stretches(), local(profile, d.stretch, d.s)
     mean, std = found.at(d.stretch, at)
     if not np.allclose(result.uncertainty, std, rtol=SAME):
         return ()
