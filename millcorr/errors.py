@@ -41,7 +41,18 @@ class FormatError(InputError):
 
 
 class DistrustError(InputError):
-    """The measurement does not look like what it is said to be; an option or --accept resolves it."""
+    """The measurement does not look like what it is said to be; an option or --accept resolves it.
+
+    Parameters
+    ----------
+    message : str
+    finding : str, optional
+        Name of the finding, as `--accept` takes it.
+    """
+
+    def __init__(self, message: str, finding: str = "") -> None:
+        self.finding = finding
+        super().__init__(message)
 
 
 class RefusedError(MillcorrError):

@@ -92,7 +92,8 @@ def refuse_dangerous(findings: Iterable[Finding], accepted: Collection[str], sou
     notes = []
     for finding in findings:
         if finding.dangerous and finding.name not in accepted:
-            raise DistrustError(f"{source}: {finding.text} (if it is right as it is: --accept {finding.name})")
+            text = f"{source}: {finding.text} (if it is right as it is: --accept {finding.name})"
+            raise DistrustError(text, finding.name)
         notes.append(f"accepted {finding.name}: {finding.text}" if finding.dangerous else finding.text)
     return tuple(notes)
 

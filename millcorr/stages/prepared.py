@@ -421,7 +421,7 @@ def _own_contour(
             try:
                 doubt(nominal_of(toolpath, usable, path_radius, side, None, program.name)[0])
             except DistrustError as error:
-                if any(f"--accept {name})" in str(error) for name in ("unit", "mirrored", "turned")):
+                if error.finding in ("unit", "mirrored", "turned"):
                     raise
             except InputError:
                 continue
