@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from millcorr import gcode
 from millcorr.commanded import CommandedSurface, beside_the_path
 from millcorr.compensation import Correction
+from millcorr.deviation import Deviation
 from millcorr.errors import FitError, LimitError
 from millcorr.nurbs import NurbsCurve
 from millcorr.profile import Contour, Profile
@@ -77,6 +78,7 @@ def emit(
     carried: Correction | None = None,
     exact: bool = False,
     original_error: float = 0.0,
+    measured: Deviation | None = None,
 ) -> tuple[Emission, tuple[str, ...]]:
     """Move the surface of a program by a correction, write it and prove what was written.
 
@@ -107,6 +109,8 @@ def emit(
         keeps chords and rounding of its own.
     original_error : float
         How far the moves are off what they follow so far, mm.
+    measured : Deviation, optional
+        What the correction rests on: beyond its ends an open contour may be a lead, and what cuts into it is only said.
 
     Returns
     -------
@@ -155,7 +159,7 @@ def emit(
     written = CommandedSurface(emitted, cutters[regeneration.origin[goes]])
     changed = np.isin(toolpath.source, regeneration.lines), np.isin(planned.source, regeneration.lines)
     shift = regeneration.largest_shift + settings.tolerance
-    proof, (stays, place) = prove_surface(
+    proof, (stays, place), (held, beside, line) = prove_surface(
         original,
         written,
         (following, following_now),
@@ -165,6 +169,7 @@ def emit(
         radius,
         tolerance=settings.tolerance,
         exact=exact,
+        beyond=None if measured is None else _beyond(after, measured),
     )
     leads = beside_the_path(toolpath, following) & ~following & ~own_work(toolpath, following)
     refuse_cut_neighbours(original, written, changed, leads, shift=shift, tolerance=settings.tolerance)
@@ -174,12 +179,31 @@ def emit(
             f"{stays:.3f} mm stays at X{place[0]:.3f} Y{place[1]:.3f}: what is wanted there is too narrow for a cutter "
             f"of {2 * radius:g} mm; a smaller one would reach it"
         )
+    if line:
+        notes.append(
+            f"line {line} of the corrected program, which is not corrected itself, cuts {held * 1000:.1f} um into the "
+            f"corrected surface at X{beside[0]:.3f} Y{beside[1]:.3f}, beyond what was measured: if that is a wall of "
+            "the part and no lead, --keep-allowance moves such passes along"
+        )
     moved = np.intersect1d(toolpath.source[along], regeneration.lines)
     if len(moved):
         which = f"{_listed(moved + 1)} of {program.name}"
         notes.append(f"passes that leave stock on the corrected wall are moved along with it: {which}")
     compensated, residual = compensated_profile(nominal, correction, after)
     return Emission(compensated, residual, regeneration, proof, text), tuple(notes)
+
+
+def _beyond(surface: WantedSurface, measured: Deviation) -> Bools:
+    """Places of a surface on open contours before the first measured point of these or behind the last; (n,)."""
+    profile = surface.profile
+    contour = np.array([stretch.contour for stretch in profile.stretches()])
+    mine, seen = contour[surface.stretch], contour[measured.stretch]
+    out = np.zeros(len(mine), dtype=bool)
+    for k in np.unique(seen):
+        if not profile.contours[k].closed:
+            s = measured.s[seen == k]
+            out |= (mine == k) & ((surface.s < s.min()) | (surface.s > s.max()))
+    return out
 
 
 def _listed(lines: Ints) -> str:

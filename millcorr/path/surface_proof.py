@@ -30,6 +30,11 @@ BELOW = 2 * SAME_HEIGHT
 REACH_ROUNDING = 1e-6
 """A centre nearer than this to where a disc is clear, in mm, is there."""
 
+Held = tuple[float, tuple[float, float], int]
+"""Amount in mm, place, and line from 1 of a move that cuts into a wall."""
+
+NOT_HELD: Held = (0.0, (0.0, 0.0), 0)
+
 REACHED = 0.01
 """A place where the program left more than this over the nominal, in mm, was never reached by the cutter: an inner
 corner. Facets of 0.01 mm chord error are the coarsest that finish a surface."""
@@ -46,7 +51,8 @@ def prove_surface(
     *,
     tolerance: float,
     exact: bool = False,
-) -> tuple[Verification, tuple[float, tuple[float, float]]]:
+    beyond: Bools | None = None,
+) -> tuple[Verification, tuple[float, tuple[float, float]], Held]:
     """Compare the surface of a written program with that of the original and with what was wanted.
 
     Parameters
@@ -65,12 +71,16 @@ def prove_surface(
         mm.
     exact : bool
         Whether the path was laid on the exact parallel of the wanted surface; else it keeps what the original is off.
+    beyond : (k,) bool, optional
+        Places of `after` beyond the ends of what was measured: leads look like the contour there. By default none.
 
     Returns
     -------
     Verification
     stays : (float, (float, float))
         The most that stays of what was wanted because the cutter cannot reach it, mm, and where.
+    held : (float, (float, float), int)
+        The most that a pass which stays cuts into the surface beyond what was measured.
 
     Raises
     ------
@@ -95,8 +105,12 @@ def prove_surface(
             f"the tolerance of {tolerance * 1000:g} um"
             + (" (the cutter gouges there)" if error[worst] < 0 else ": where that does no harm, a larger --tolerance")
         )
+    held = NOT_HELD
     if radius > 0:
-        _refuse_gouging_others(original, written, made_by, origin, after, own, wanted, tolerance)
+        none = np.zeros(len(own), dtype=bool)
+        held = _refuse_gouging_others(
+            original, written, made_by, origin, after, own, wanted, tolerance, none if beyond is None else beyond
+        )
     # What was out of reach before, as the corners of facets are, is no matter of the correction.
     was = _out_of_reach(before, radius) if radius > 0 else np.zeros(len(rest))
     matters = reached & np.isfinite(was)
@@ -104,7 +118,7 @@ def prove_surface(
     more[matters] = rest[matters] - was[matters]
     most = int(np.argmax(more))
     x, y = after.place[most]
-    return result, (float(more[most]), (float(x), float(y)))
+    return result, (float(more[most]), (float(x), float(y))), held
 
 
 def _change_in_error(
@@ -219,10 +233,13 @@ def _refuse_gouging_others(
     own: Floats,
     wanted: Floats,
     tolerance: float,
-) -> None:
-    """LimitError where another move of the written program cuts deeper into the corrected surface than before."""
+    beyond: Bools,
+) -> Held:
+    """LimitError where another move of the written program cuts deeper into the corrected surface than before.
+
+    Beyond what was measured it only says so: what is wanted there is what the wall is expected to do.
+    """
     places = np.flatnonzero(np.isfinite(own) & ~after.at_corner)
-    foot, normal = after.nominal[places], after.normal[places]
     through = np.zeros(len(made_by[0]), dtype=bool)
     # What cut deeper than the contour before, as a way over the part does, or a lead that is rounder than an inside
     # corner, makes no wall here: it is not for the contour to say where it may run. Each pass has such leads.
@@ -235,26 +252,29 @@ def _refuse_gouging_others(
         through[others.made_by(after.nominal[deeper] + was[:, None] * after.normal[deeper])] = True
     others = written.only(~made_by[1] & ~through[origin])
     now = _left(others, after, places)
-    rows = np.flatnonzero(np.isfinite(now))
-    over = np.zeros(len(places))
-    at = places[rows]
     # Where the original left something over what was wanted, there is room.
-    over[rows] = np.maximum(now[rows] - own[at] - wanted[at], now[rows] - after.moved[at])
-    # What it cut into the contour before, within the tolerance, stays.
+    over = np.fmax(now - own[places] - wanted[places], now - after.moved[places])
     low = np.flatnonzero(over < -tolerance)
-    was = np.fmin(own[places[low]], _left(original.only(~made_by[0] & ~through), after, places[low]))
-    over[low] = np.maximum(over[low], now[low] - was - wanted[places[low]])
-    worst = int(np.argmin(over)) if len(over) else -1
-    if worst < 0 or over[worst] >= -tolerance:
-        return
-    x, y = after.place[places[worst]]
-    row = others.made_by(foot[worst : worst + 1] + now[worst] * normal[worst : worst + 1])
-    line = int(written.toolpath.source[row[0]]) + 1
-    raise LimitError(
-        f"line {line} of the corrected program, which is not corrected itself, would cut {-over[worst] * 1000:.1f} um "
-        f"into the corrected surface at X{x:.3f} Y{y:.3f}: it leaves too little stock for it; --keep-allowance moves "
-        "such passes along"
-    )
+    places, now, over = places[low], now[low], over[low]
+    # What it cut into the contour before, within the tolerance, stays.
+    was = np.fmin(own[places], _left(original.only(~made_by[0] & ~through), after, places))
+    over = np.fmax(over, now - was - wanted[places])
+    held = NOT_HELD
+    for refused in (True, False):
+        cut = np.where(beyond[places] != refused, over, 0.0)
+        worst = int(np.argmin(cut)) if len(cut) else -1
+        if worst < 0 or cut[worst] >= -tolerance:
+            continue
+        (x, y), at = after.place[places[worst]].tolist(), places[worst : worst + 1]
+        row = others.made_by(after.nominal[at] + now[worst] * after.normal[at])
+        held = float(-cut[worst]), (x, y), int(written.toolpath.source[row[0]]) + 1
+        if refused:
+            raise LimitError(
+                f"line {held[2]} of the corrected program, which is not corrected itself, would cut "
+                f"{held[0] * 1000:.1f} um into the corrected surface at X{x:.3f} Y{y:.3f}: it leaves too little "
+                "stock for it; --keep-allowance moves such passes along"
+            )
+    return held
 
 
 def _left(others: CommandedSurface, after: WantedSurface, places: Ints) -> Floats:

@@ -80,6 +80,7 @@ def write(prepared: Prepared, aimed: Aimed, noted: Sequence[Ints]) -> Written:
             carried=passes.carried,
             exact=passes.drawn,
             original_error=passes.error,
+            measured=aimed.work.deviation if len(aimed.work.deviation) else None,
         )
         notes.extend(note for note in said if note not in notes)
         regeneration = replace(emission.regeneration, origin=moves.origin[emission.regeneration.origin])

@@ -457,3 +457,13 @@ def test_a_lead_on_the_tangent_turns_with_the_contour() -> None:
     assert (np.hypot(rim[..., 0], rim[..., 1]) - (30 + 0.25 * np.sin(3 * angle))).max() < 0.001
     before, after = (moves.direction(arcs[k : k + 1], np.array([at]))[0] for k, at in ((0, 1.0), (1, 0.0)))
     assert abs(before[0] * after[1] - before[1] * after[0]) < 2e-3
+
+
+def test_beyond_what_was_measured_a_pass_that_stays_is_only_told() -> None:
+    """Another pass makes the first 5 mm of an open wall, as a lead that two passes share does; the wall comes out."""
+    other = "G0 X-10. Y4.\nG0 Z2.\nG1 Z-3. F100.\nG1 X5. F400.\nG0 Z5.\n"
+    text = f"G21 G90\n{other}G0 X-10. Y4.\nG0 Z2.\nG1 Z-3.\nG1 X100. F400.\nG0 Z20.\nM30\n"
+    x = np.linspace(20.0, 99.0, 120)
+    part = measured(np.column_stack([x, np.full(120, -0.02), np.full(120, -2.0)]))
+    result, _ = correct(text, part, side="left")
+    assert any("cuts 20.0 um into" in w and "beyond what was measured" in w for w in result.warnings)

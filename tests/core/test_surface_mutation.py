@@ -12,6 +12,7 @@ import shapely
 from millcorr import gcode, pipeline
 from millcorr.errors import MillcorrError
 from millcorr.path import emission
+from millcorr.stages import written
 from millcorr.toolpath import Kind
 from tests.core import loop_programs as programs
 from tests.core.sweeps import slow
@@ -29,7 +30,7 @@ def laid(name: str, drawn: bool) -> tuple[tuple, dict, pipeline.Result]:
     measurement = programs.measured(nominal, lambda k, s: 0.02 + 0.005 * np.sin(2 * np.pi * s / 60.0), clear=clear)
     kept: list[tuple[tuple, dict]] = []
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(pipeline, "emit", lambda *args, **more: kept.append((args, more)) or emission.emit(*args, **more))
+        patch.setattr(written, "emit", lambda *args, **more: kept.append((args, more)) or emission.emit(*args, **more))
         chosen = pipeline.Settings(filter="none")
         result = pipeline.correct(pipeline.Request(program, radius, measurement, nominal if drawn else None, chosen))
     return *kept[-1], result
