@@ -66,7 +66,7 @@ FORMATS: dict[str, Format] = {
 """Module of each format by the name that ``--format`` takes; the last one takes whatever is left."""
 
 _UNITS = ("mm", "inch")
-_SEVERAL_PARTS = ("msr", "qif", "grbl", "linuxcnc", "dprnt", "renishaw", "qdas")
+_SEVERAL_PARTS = ("msr", "qif", "pcdmis", "grbl", "linuxcnc", "dprnt", "renishaw", "qdas")
 """Formats whose files can hold several measured parts."""
 _MACHINE_FRAME = ("grbl",)
 """Formats in the machine frame, which ask for the work offset where the file does not hold it."""

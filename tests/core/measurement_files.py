@@ -200,8 +200,21 @@ def pcdmis(
     pages: bool = False,
     comma: bool = False,
     decimals: int = 6,
+    blanks: bool = False,
+    between: bool = False,
+    ends: bool = True,
 ) -> str:
-    """PC-DMIS text report of the contact points, each with X, Y, Z, T and V rows."""
+    """PC-DMIS text report of the contact points, each with X, Y, Z, T and V rows.
+
+    Parameters
+    ----------
+    blanks : bool
+        Names of dimensions hold blanks, as operators number them after the drawing.
+    between : bool
+        After every point a hole's feature control frame, which has no DIM, and a distance, whose rows are no point's.
+    ends : bool
+        Dimensions end with a line of their own.
+    """
     scale = 25.4 if inch else 1.0
     heads = ["NOMINAL", "+TOL", "-TOL", *(["BONUS"] if bonus else []), "MEAS", "DEV", "OUTTOL"]
     heading = "AX  " + "".join(f"{h:>14}" for h in heads)
@@ -216,7 +229,8 @@ def pcdmis(
     unit = "IN" if inch else "MM"
     nominals, contacts, deviations = part.nominal / scale, part.contact / scale, part.deviations / scale
     for k, name in enumerate(part.names):
-        lines += [f"DIM LOC{k + 1}= LOCATION OF POINT {name}  UNITS={unit}", heading]
+        dimension = f"#{k + 1}A LOC{k + 1}" if blanks else f"LOC{k + 1}"
+        lines += [f"DIM {dimension}= LOCATION OF POINT {name}  UNITS={unit}", heading]
         for axis, a, b in zip("XYZ", nominals[k], contacts[k], strict=True):
             lines.append(row(axis, a, b))
             if pages and axis == "Y":
@@ -224,7 +238,21 @@ def pcdmis(
         if vectors:
             lines.append(row("T", 0.0, deviations[k]))
             lines.append("V   " + "".join(f"{v:14.9f}" for v in part.normals[k]) + "             -" * 4)
-        lines.append(f"END OF DIMENSION LOC{k + 1}")
+        if ends:
+            lines.append(f"END OF DIMENSION {dimension}")
+        if between:
+            frame = f"#{k + 1}.1 FCFLOC{k + 1}" if k % 2 else f"FCFLOC{k + 1}"
+            numbers = f"{9.5:14.{decimals}f}{' ' * 38}{9.6:14.{decimals}f}{0.1:14.{decimals}f}"
+            lines += [
+                f"{frame} = POSITION OF CIR{k + 1}      FIT TO DATUMS=ON  DEV PERPEN CENTERLINE=ON  UNITS={unit}",
+                "AX    NOMINAL       +TOL       -TOL      BONUS       MEAS         DEV     OUTTOL",
+                *(f"{axis:<4}{numbers}" for axis in "XYZ"),
+                "D1     12.000      0.250      0.250                12.065 CIRCLE CIR8 AT RFS           ",
+                "TP        RFS      0.400                 0.000      0.083       0.083      0.000 -#-------",
+                f"DIM {dimension}B DIST1= 2D DISTANCE FROM CIRCLE CIR7 TO CIRCLE CIR6 PAR TO   XAXIS  UNITS={unit}",
+                heading,
+                row("M", 273.0, 273.027),
+            ]
     lines += ["DIM D1= LOCATION OF CIRCLE CIR1  UNITS=MM", heading, row("D", 10.0, 10.01), "END OF DIMENSION D1"]
     lines += ["DIM A1= 2D ANGLE FROM LINE L1 TO LINE L2  UNITS=DEG", "Winkel 90°"]
     text = "\n".join([*lines, ""])
