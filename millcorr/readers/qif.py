@@ -2,9 +2,9 @@
 """QIF 2.x and 3.0 results (ISO 23952): measured point features and measured point sets, joined by id.
 
 A point feature is joined with its item and its nominal; whether its location is a ball centre or a contact point
-is what its point set says (``Compensated``, ``ProbeRadius``), else what the profile values stored in the file
-show: they equal (P - N) . n - r. Features of other kinds only give their point sets, and only where the file has
-no point, curve or surface features of its own.
+is what its point set says (``Compensated``, ``ProbeRadius``), or in documents of 2.x its MeasurePoint, else what the
+profile values stored in the file show: they equal (P - N) . n - r. Features of other kinds only give their point sets,
+and only where the file has no point, curve or surface features of its own.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from millcorr.errors import UsageError
 from millcorr.measurement import Measurement
 
 from .parts import chosen_part
-from .qif_document import POINTS, Document, Feature, PointSet
+from .qif_document import POINTS, Document, Feature, PointSet, Reference
 from .source import MM_PER_INCH, Source, shown
 from .xml_events import parse
 
@@ -85,7 +85,7 @@ def _keep_part(source: Source, document: Document) -> None:
         if m.result >= 0:
             of_result[m.result].add(m.reference)
             counts[m.result] += 1
-    in_features = {label for m in document.measured.values() for label in m.sets}
+    in_features = {of.id for m in document.measured.values() for of in m.sets}
     for s in document.sets.values():
         if s.result >= 0 and s.id not in in_features and not counts[s.result]:
             of_result[s.result].add("")
@@ -177,15 +177,20 @@ class _Joined:
     def _own_sets(self, features: list[Feature]) -> list[PointSet]:
         """Sets of curve and surface features; all sets where there are neither these nor point features."""
         document = self.document
-        of_curves = {label for m in document.measured.values() if m.kind in _CURVES for label in m.sets}
-        chosen = [s for label, s in document.sets.items() if label in of_curves]
+        wanted: dict[str, NDArray[np.bool_]] = {}
+        for m in document.measured.values():
+            for of in m.sets if m.kind in _CURVES else ():
+                if of.id in document.sets:
+                    rows = wanted.setdefault(of.id, np.zeros(document.sets[of.id].count, dtype=np.bool_))
+                    rows[self._rows(of)] = True
+        chosen = [s.only(wanted[label]) for label, s in document.sets.items() if label in wanted]
         if not chosen and not features:
             return list(document.sets.values())
-        used = {label for m in features for label in m.sets} | {s.id for s in chosen}
+        used = {of.id for m in features for of in m.sets} | wanted.keys()
         kinds: dict[str, int] = {}
         for m in document.measured.values():
             if m.kind not in POINTS | _CURVES:
-                for label in document.sets.keys() & (set(m.sets) - used):
+                for label in document.sets.keys() & ({of.id for of in m.sets} - used):
                     kinds[m.kind.lower()] = kinds.get(m.kind.lower(), 0) + document.sets[label].count
         if kinds:
             left = ", ".join(f"{count} of {kind} features" for kind, count in sorted(kinds.items()))
@@ -216,12 +221,22 @@ class _Joined:
                 normals[row] = normal
             stated[row] = values.get(m.id, np.nan)
             names.append((item.name if item is not None else "") or m.id)
-            own = next((document.sets[label] for label in m.sets if label in document.sets), None)
+            own = next((document.sets[of.id].only(self._rows(of)) for of in m.sets if of.id in document.sets), None)
             same = at_point.get(tuple(points[row].tolist()))
             radii[row] = self._radius(points[row], own, same)
         self._decide(radii, points, nominal, normals, stated)
         lines = np.array([m.line for m in features], dtype=np.int64)
         return (points, nominal, normals, radii, stated), lines, names
+
+    def _rows(self, of: Reference) -> slice:
+        """Which points of its set a reference means."""
+        count = self.document.sets[of.id].count
+        last = of.last or count
+        if not 1 <= of.first <= last <= count and count:
+            raise self.source.error(
+                f"points {of.first} to {last} are wanted of point set {of.id}, which has {count}", of.line
+            )
+        return slice(of.first - 1, last)
 
     def _ideal(self, m: Feature) -> tuple[Feature | None, Feature | None]:
         document = self.document
@@ -308,7 +323,8 @@ class _Joined:
         with np.errstate(over="ignore"):
             points = s.points * self._factor(s.unit, s.line)
         columns = (points, nothing, normals, self._radii(s), np.full(s.count, np.nan))
-        return columns, np.full(s.count, s.line, dtype=np.int64), [f"{s.id}.{k}" for k in range(1, s.count + 1)]
+        lines = np.full(s.count, s.line, dtype=np.int64) if s.lines is None else s.lines
+        return columns, lines, [f"{s.id}.{k}" for k in range(1, s.count + 1)]
 
     def _ball(self, radii: Floats) -> float | Floats:
         """Radius in mm, one for all or one a point, with what the caller says about rows the file leaves open."""

@@ -86,6 +86,9 @@ def msr(
 # --- QIF --------------------------------------------------------------------------------------------------
 
 
+SET_NINE = '<PointList n="1"><WholePointSetId>9</WholePointSetId></PointList>'
+
+
 def qif(
     part: Part,
     *,
@@ -98,8 +101,12 @@ def qif(
     inch: bool = False,
     prefix: str = "",
     comments: bool = False,
+    listed: bool = False,
 ) -> str:
-    """QIF results: point features joined to nominals, or with `scan` one point set of a curve feature."""
+    """QIF results: point features joined to nominals, or with `scan` one point set of a curve feature.
+
+    With `listed` the touches stand in the features as CheckMate writes them in documents of 2.1, and not in sets.
+    """
     scale = 25.4 if inch else 1.0
     where = (part.contact if compensated else part.centres) / scale
     nominal = part.nominal / scale
@@ -126,13 +133,24 @@ def qif(
             + f"<Compensated>{str(compensated).lower()}</Compensated>{radius}</MeasuredPointSet>\n"
         )
 
+    def touches(id: int, values: np.ndarray, normals: np.ndarray | None) -> str:
+        radius = "" if compensated else f"<ProbeRadius>{part.radius / scale!r}</ProbeRadius>"
+        told = f"<Compensated>{str(compensated).lower()}</Compensated>{radius}"
+        directions = [""] * len(values) if normals is None else [f"<Normal>{vector(v)}</Normal>" for v in normals]
+        inner = "".join(
+            f'<MeasurePoint id="{id + k}">{remark}<Point>{vector(v)}</Point>{direction}\n{told}</MeasurePoint>\n'
+            for k, (v, direction) in enumerate(zip(values, directions, strict=True))
+        )
+        return f'<PointList n="{len(values)}">{inner}</PointList>'
+
     ideals = items = measured = clouds = profiles = ""
     if scan:
         measured = (
             f'<PointDefinedCurveFeature{role} id="8"><FeatureItemId>7</FeatureItemId>'
-            f'<PointList n="1"><WholePointSetId>9</WholePointSetId></PointList></PointDefinedCurveFeature{role}>\n'
+            + (touches(10, where, part.normals) if listed else SET_NINE)
+            + f"</PointDefinedCurveFeature{role}>\n"
         )
-        clouds = point_set(9, where, part.normals)
+        clouds = "" if listed else point_set(9, where, part.normals)
     for k in range(0 if scan else n):
         a = 100 + 10 * k
         ideals += (
@@ -143,12 +161,14 @@ def qif(
             f'<PointFeatureItem id="{a + 1}"><FeatureNominalId>{a}</FeatureNominalId>'
             f"<FeatureName>{part.names[k]}</FeatureName></PointFeatureItem>\n"
         )
-        listed = f'<PointList n="1"><WholePointSetId>{a + 3}</WholePointSetId></PointList>' if sets else ""
+        points = f'<PointList n="1"><WholePointSetId>{a + 3}</WholePointSetId></PointList>' if sets else ""
+        if listed:
+            points = touches(a + 3, where[k : k + 1], None)
         measured += (
-            f'<PointFeature{role} id="{a + 2}"><FeatureItemId>{a + 1}</FeatureItemId>{listed}'
+            f'<PointFeature{role} id="{a + 2}"><FeatureItemId>{a + 1}</FeatureItemId>{points}'
             f"<Location>{vector(where[k])}</Location></PointFeature{role}>\n"
         )
-        if sets:
+        if sets and not listed:
             clouds += point_set(a + 3, where[k : k + 1], None)
         if stated:
             value = float(((where[k] - nominal[k]) * part.normals[k]).sum())

@@ -126,7 +126,10 @@ def _msr(n: int) -> list[Dress]:
 
 def _qif(n: int) -> list[Dress]:
     part = files.ellipse(n)
-    dresses = ({"scan": True}, {}, {"version": 2, "compensated": True, "inch": True}, {"scan": True, "binary": "<f8"})
+    dresses = (
+        {"scan": True}, {}, {"version": 2, "compensated": True, "inch": True}, {"scan": True, "binary": "<f8"},
+        {"version": 2, "listed": True}, {"version": 2, "listed": True, "scan": True},
+    )  # fmt: skip
     return [(files.qif(part, **dress).encode(), {}) for dress in dresses]  # type: ignore[arg-type]
 
 
@@ -138,7 +141,7 @@ def _xyzijk(n: int) -> list[Dress]:
 
 def _pcdmis(n: int) -> list[Dress]:
     part = files.ellipse(n)
-    dresses = ({}, {"inch": True, "bonus": True}, {"pages": True, "vectors": False}, {"comma": True})
+    dresses = ({}, {"inch": True, "bonus": True}, {"pages": True, "vectors": False}, {"comma": True}, {"blanks": True, "between": True})
     return [(files.pcdmis(part, **dress).encode("cp1252"), {"points": "contact"}) for dress in dresses]  # type: ignore[arg-type]
 
 
