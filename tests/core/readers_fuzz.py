@@ -141,7 +141,10 @@ def _xyzijk(n: int) -> list[Dress]:
 
 def _pcdmis(n: int) -> list[Dress]:
     part = files.ellipse(n)
-    dresses = ({}, {"inch": True, "bonus": True}, {"pages": True, "vectors": False}, {"comma": True}, {"blanks": True, "between": True})
+    dresses = (
+        {}, {"inch": True, "bonus": True}, {"pages": True, "vectors": False}, {"comma": True},
+        {"blanks": True, "between": True},
+    )  # fmt: skip
     return [(files.pcdmis(part, **dress).encode("cp1252"), {"points": "contact"}) for dress in dresses]  # type: ignore[arg-type]
 
 
