@@ -36,6 +36,8 @@ NAMES = (
     "same-part",
     "first-part",
     "coarse-resolution",
+    "implausible-radius",
+    "implausible-extent",
     "many-levels",
     "other-nominal",
     "stated-deviations",

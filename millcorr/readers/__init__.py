@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Protocol
 
 from millcorr.errors import FormatError, UsageError
-from millcorr.measurement import Measurement, Probe
+from millcorr.measurement import Basis, Measurement, Probe
 
 from . import dmis, dprnt, grbl, linuxcnc, mapped, msr, pcdmis, qdas, qif, renishaw, text, xyzijk
 from .mapping import TextMapping, load
@@ -68,6 +68,14 @@ FORMATS: dict[str, Format] = {
 _UNITS = ("mm", "inch")
 _SEVERAL_PARTS = ("msr", "qif", "pcdmis", "grbl", "linuxcnc", "dprnt", "renishaw", "qdas")
 """Formats whose files can hold several measured parts."""
+_FRAMES = {
+    "msr": Basis("stated", "what G330 leads back to"),
+    "qif": Basis("stated", "the document's common frame"),
+    "linuxcnc": Basis("stated", "the work frame in force, as LinuxCNC logs it"),
+    "grbl": Basis("stated", "the machine's, brought to the work frame by the offset in the log"),
+}
+"""How the frame of the points is known, by format; that of all others is as the software exported it."""
+_AS_EXPORTED = Basis("assumed", "the work frame; the file does not say")
 _MACHINE_FRAME = ("grbl",)
 """Formats in the machine frame, which ask for the work offset where the file does not hold it."""
 
@@ -162,6 +170,11 @@ def read(
         measurement = replace(measurement, axis_radii=source.axis_radii())
     if calibrated is not None:
         measurement = _calibrated(measurement, calibrated)
+        source.bases["radius"] = Basis("said", "--probe")
+    frame = Basis("said", "--work-offset, --work-rotation")
+    if work_offset is None and work_rotation is None:
+        frame = _FRAMES.get(name, _AS_EXPORTED)
+    measurement = replace(measurement, bases={**source.bases, "frame": frame})
     # A reader of the machine frame needs the offset itself, to compare it with what the file says.
     offset = None if name in _MACHINE_FRAME else work_offset
     return laid_in_work_frame(measurement, offset, work_rotation)

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.errors import UsageError
-from millcorr.measurement import Measurement
+from millcorr.measurement import Basis, Measurement
 
 from .parts import chosen_part
 from .qif_document import POINTS, Document, Feature, PointSet, Reference
@@ -117,6 +117,8 @@ class _Joined:
         self.source = source
         self.document = document
         self.notes: list[str] = []
+        self.inferred = ""
+        """What shows whether points are centres where the file does not say so itself."""
         self.factors, self.factor = self._units()
 
     def _units(self) -> tuple[dict[str, float], float]:
@@ -167,7 +169,14 @@ class _Joined:
         unit = source.unit(said or "mm")
         if said is None:
             self.notes.append(f"converted from a unit of {self.factor:g} mm")
+        if not any(u.primary for u in document.units):
+            source.bases["unit"] = Basis("said", "--units")
         ball = self._ball(radii)
+        if not (radii == _UNKNOWN).any():
+            basis = Basis("inferred", self.inferred) if self.inferred else Basis("stated")
+            source.bases["points"] = basis
+            if (radii > 0).any():
+                source.bases["radius"] = basis
         return source.measurement(
             "qif", points, lines, ball_radius=ball, normals=None if without else normals,
             nominal=None if np.isnan(nominal).all() else nominal, stated=None if np.isnan(stated).all() else stated,
@@ -301,14 +310,18 @@ class _Joined:
         """What stored profile values show of locations that no set explains, and of the rest of the file. In place."""
         with np.errstate(over="ignore", invalid="ignore"):
             along = ((points - nominal) * normals).sum(axis=1)
+        open_before = radii == _UNKNOWN
         balls = {float(r) for s in self.document.sets.values() for r in self._radii(s)[:1] if r > 0}
         for radius in (_CONTACT, *sorted(balls)):
             shows = (radii == _UNKNOWN) & (np.abs(along - radius - stated) <= STATED_TOLERANCE)
             radii[shows] = radius
+        if (radii[open_before] != _UNKNOWN).any():
+            self.inferred = "the profile values stored in the file"
         unknown = radii == _UNKNOWN
         kinds = set(radii[~unknown].tolist())
         if unknown.any() and len(kinds) == 1:
             radii[unknown] = kinds.pop()
+            self.inferred = "the file's other points"
             self.notes.append(f"{int(unknown.sum())} locations are taken for what the file's others are")
         with np.errstate(invalid="ignore"):
             differ = np.abs(along - np.maximum(radii, 0.0) - stated)
