@@ -19,6 +19,7 @@ from millcorr.measurement import Measurement
 
 from .parts import parts_by_place, rows_of_part
 from .source import MM_PER_INCH, Source, shown
+from .touches import remark, slow_touches
 
 Floats = NDArray[np.float64]
 
@@ -122,8 +123,12 @@ class _Log:
         factor = MM_PER_INCH if unit == "inch" else 1.0
         origin, note = self._origin(factor)
         points, lines = points - origin, np.array(self.lines)
+        slow = slow_touches(points * factor)
+        points, lines = points[slow], lines[slow]
         chosen = rows_of_part(source, lines, parts_by_place(points * factor))
-        return source.measurement("grbl", points[chosen], lines[chosen], ball_radius=ball, unit=unit, notes=[note])
+        return source.measurement(
+            "grbl", points[chosen], lines[chosen], ball_radius=ball, unit=unit, notes=[note, *remark(slow)]
+        )
 
     def _unit(self) -> str:
         """Unit by ``$13``, else by the decimals, of which GRBL prints three in mm and four in inch."""

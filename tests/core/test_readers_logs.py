@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Logs of probing on the machine: LinuxCNC, GRBL, DPRNT, Renishaw."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -117,6 +119,63 @@ def test_grbl_refused_with_the_line(log_file, line, says):
     with pytest.raises(FormatError, match=says) as caught:
         readers.read(log_file(f"$H\n[PRB:1,1,1:1]\n{line}\n"), probe_radius=1, work_offset=(0, 0, 0))
     assert caught.value.line == 3
+
+
+# --- two touches of one place ------------------------------------------------------------------------------
+
+LOGS = {
+    "grbl": lambda part: files.grbl(part, wco=True),
+    "grbl in inches": lambda part: files.grbl(part, wco=True, inch=True),
+    "linuxcnc": files.linuxcnc,
+}
+
+
+def touched_twice(part, fast=0.3, once=()):
+    """The part with a fast touch, that far into the material, before each slow one but those of the places `once`."""
+    centres = []
+    for k, (centre, normal) in enumerate(zip(part.centres, part.normals, strict=True)):
+        centres += [centre] if k in once else [centre - fast * normal, centre]
+    return replace(part, centres=np.array(centres))
+
+
+@pytest.mark.parametrize("once", [(), (0, 3, 11)])
+@pytest.mark.parametrize("kind", LOGS)
+def test_of_two_touches_of_a_place_the_slow_one_counts(log_file, kind, once):
+    part = files.ellipse(12)
+    path = log_file(LOGS[kind](touched_twice(part, once=once)))
+    m = readers.read(path, probe_radius=1.5)
+    np.testing.assert_allclose(m.points, part.centres, atol=6e-5)
+    assert f"{12 - len(once)} places touched twice: the second" in m.notes[-1]
+    first = readers.read(log_file(LOGS[kind](part), "once"), probe_radius=1.5)
+    assert len(first) == 12 and not any("twice" in note for note in first.notes)
+
+
+@pytest.mark.parametrize("kind", LOGS)
+def test_several_parts_of_places_touched_twice(log_file, kind):
+    parts = [files.ellipse(12, seed=seed) for seed in (1, 2)]
+    path = log_file("".join(LOGS[kind](touched_twice(part)) for part in parts))
+    for number, part in enumerate(parts, 1):
+        m = readers.read(path, probe_radius=1.5, part=number)
+        np.testing.assert_allclose(m.points, part.centres, atol=6e-5)
+
+
+@pytest.mark.parametrize(
+    "along",
+    [
+        np.arange(30) * 0.4,
+        # Fine in a corner only; and fine everywhere but for one step.
+        np.cumsum(np.r_[np.full(10, 2.0), np.full(6, 0.3), np.full(10, 2.0)]),
+        np.cumsum(np.r_[np.full(10, 0.3), 4.0, np.full(10, 0.3)]),
+        # Three touches of each place: which of them measures is not known.
+        (np.arange(12) * 3.0).repeat(3) + np.tile([0.0, 0.1, 0.05], 12),
+        # A few places touched again.
+        np.arange(12) * 3.0 + np.tile([0.0, -2.7, 0.0, 0.0], 3),
+    ],
+)
+def test_points_in_short_steps_all_stay(log_file, along):
+    part = files.ellipse(4)
+    row = replace(part, centres=np.column_stack([along, np.zeros((len(along), 2))]))
+    assert len(readers.read(log_file(files.linuxcnc(row)), probe_radius=1.5)) == len(along)
 
 
 # --- DPRNT ------------------------------------------------------------------------------------------------
