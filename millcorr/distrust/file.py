@@ -50,6 +50,7 @@ def examine_file(measurement: Measurement) -> tuple[Finding, ...]:
         _identical(measurement, step),
         _stated(measurement, step),
         _coarse(step),
+        _height_map(measurement),
         _radius(measurement),
         _extent(measurement),
     )
@@ -126,6 +127,17 @@ def _stated(measurement: Measurement, step: float) -> Finding | None:
         "of deviations out, or correct it"
     )
     return Finding("stated-deviations", text, True)
+
+
+def _height_map(measurement: Measurement) -> Finding | None:
+    """Whether the points were touched from above, on a grid, for levelling."""
+    if measurement.format != "height-map":
+        return None
+    text = (
+        f"the {len(measurement)} points are a height map, touched along Z: they show nothing of a contour; touch its "
+        "walls, as `probe` writes it"
+    )
+    return Finding("height-map", text, True)
 
 
 def _radius(measurement: Measurement) -> Finding | None:

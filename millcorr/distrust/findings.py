@@ -36,6 +36,7 @@ NAMES = (
     "same-part",
     "first-part",
     "coarse-resolution",
+    "height-map",
     "implausible-radius",
     "implausible-extent",
     "many-levels",

@@ -17,7 +17,7 @@ from typing import Protocol
 from millcorr.errors import FormatError, UsageError
 from millcorr.measurement import Basis, Measurement, Probe
 
-from . import dmis, dprnt, grbl, linuxcnc, mapped, msr, pcdmis, qdas, qif, renishaw, text, xyzijk
+from . import dmis, dprnt, grbl, height_map, linuxcnc, mapped, msr, pcdmis, qdas, qif, renishaw, text, xyzijk
 from .mapping import TextMapping, load
 from .point_clouds import E57, PCD, PLY
 from .probe_file import load as load_probe
@@ -53,6 +53,7 @@ FORMATS: dict[str, Format] = {
     "xyzijk": xyzijk,
     "pcdmis": pcdmis,
     "dmis": dmis,
+    "height-map": height_map,
     "linuxcnc": linuxcnc,
     "grbl": grbl,
     "dprnt": dprnt,

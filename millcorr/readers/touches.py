@@ -24,9 +24,9 @@ def slow_touches(points: Floats) -> NDArray[np.bool_]:
 
     Notes
     -----
-    A log has such pairs if there are three, and at least half of its places were touched twice, none more often, and any two places that
-    follow each other lie farther apart than `SAME_PLACE`. Then it cannot be a contour touched in short steps, whose
-    points would all be near the next one.
+    A log has such pairs if there are three, and at least half of its places were touched twice, none more often, and
+    any two places that follow each other lie farther apart than `SAME_PLACE`. Then it cannot be a contour touched in
+    short steps, whose points would all be near the next one.
     """
     with np.errstate(over="ignore"):
         steps = np.linalg.norm(np.diff(points, axis=0), axis=1)

@@ -358,6 +358,29 @@ def grbl(
     return "\r\n".join([*lines, ""])
 
 
+def bcnc(heights: np.ndarray, corners: tuple[float, ...] = (0.0, -5.0, 30.0, 20.0)) -> str:
+    """Height map, (rows in Y, columns in X), as bCNC saves it: %g, an empty line after every row of the grid."""
+    left, low, right, high = corners
+    rows, columns = heights.shape
+    lines = [f"{left:g} {right:g} {columns}", f"{low:g} {high:g} {rows}", "-10 3 10", "", ""]
+    for y, row in zip(np.linspace(low, high, rows), heights, strict=True):
+        lines += [f"{x:g} {y:g} {z:g}" for x, z in zip(np.linspace(left, right, columns), row, strict=True)] + [""]
+    return "\n".join(lines)
+
+
+def open_cnc_pilot(heights: np.ndarray, corners: tuple[float, ...] = (0.0, -5.0, 30.0, 20.0)) -> str:
+    """Height map, (rows in Y, columns in X), as OpenCNCPilot saves it."""
+    (left, low, right, high), (rows, columns) = corners, heights.shape
+    points = "".join(
+        f'  <point X="{i}" Y="{j}">{heights[j, i]:.4f}</point>\r\n' for i in range(columns) for j in range(rows)
+    )
+    return (
+        '<?xml version="1.0" encoding="utf-8"?>\r\n'
+        f'<heightmap MinX="{left:g}" MinY="{low:g}" MaxX="{right:g}" MaxY="{high:g}" SizeX="{columns}" SizeY="{rows}">'
+        f"\r\n{points}</heightmap>"
+    )
+
+
 def dprnt(part: Part, *, normals: bool = True, number: bool = True, ending: str = "\r", heads: bool = True) -> str:
     """Contact points as a macro prints them, letters padded."""
     lines = ["%", "POPEN", "PROBE RESULTS PART 12"] if heads else []

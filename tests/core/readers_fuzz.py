@@ -203,6 +203,11 @@ def _mapped(n: int) -> list[Dress]:
     return out
 
 
+def _height_map(n: int) -> list[Dress]:
+    heights = np.random.default_rng(n).normal(0.0, 0.05, (2, n + 1))
+    return [(files.bcnc(heights).encode(), {}), (files.open_cnc_pilot(heights).encode(), {})]
+
+
 def _ply(n: int) -> list[Dress]:
     part = files.ellipse(n)
     dresses = ({"kind": "ascii"}, {"kind": "binary"}, {"kind": "big", "number": "float", "mesh": True})
@@ -229,6 +234,7 @@ DRESSES: dict[str, Callable[[int], list[Dress]]] = {
     "linuxcnc": _linuxcnc,
     "grbl": _grbl,
     "dprnt": _dprnt,
+    "height-map": _height_map,
     "renishaw": _renishaw,
     "qdas": _qdas,
     "text": _text,

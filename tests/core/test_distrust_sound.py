@@ -534,6 +534,7 @@ def test_every_name_is_tested() -> None:
         "not-axis-compensated",
         "axis-radius",
         # A file's own, in test_inspect_and_convert.
+        "height-map",
         "implausible-radius",
         "implausible-extent",
     }

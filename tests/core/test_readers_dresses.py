@@ -92,8 +92,9 @@ EXAMPLES = {
     ("dmis.md", 0): ("dmis", {}, 2),
     ("probe-logs.md", 0): ("linuxcnc", {"probe_radius": 1.5}, 2),
     ("probe-logs.md", 1): ("grbl", {"probe_radius": 1.5}, 2),
-    ("probe-logs.md", 2): ("dprnt", {"points": "contact"}, 2),
-    ("probe-logs.md", 3): ("renishaw", {"points": "contact"}, 1),
+    ("probe-logs.md", 2): ("height-map", {}, 4),
+    ("probe-logs.md", 3): ("dprnt", {"points": "contact"}, 2),
+    ("probe-logs.md", 4): ("renishaw", {"points": "contact"}, 1),
     ("qdas.md", 0): ("qdas", CENTRE, 2),
     ("point-clouds.md", 0): ("ply", {"points": "contact"}, 2),
 }

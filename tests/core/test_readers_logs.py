@@ -9,6 +9,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from millcorr import readers
+from millcorr.distrust import examine_file
 from millcorr.errors import FormatError, UsageError
 from tests.core import measurement_files as files
 
@@ -176,6 +177,41 @@ def test_points_in_short_steps_all_stay(log_file, along):
     part = files.ellipse(4)
     row = replace(part, centres=np.column_stack([along, np.zeros((len(along), 2))]))
     assert len(readers.read(log_file(files.linuxcnc(row)), probe_radius=1.5)) == len(along)
+
+
+# --- height maps -------------------------------------------------------------------------------------------
+
+HEIGHTS = np.array([[0.01, 0.02, -0.03], [0.04, 0.05, 0.06]])
+
+
+@pytest.mark.parametrize("write", [files.bcnc, files.open_cnc_pilot])
+def test_height_maps(log_file, write):
+    path = log_file(write(HEIGHTS))
+    m = readers.read(path)
+    grid = {(x, y): HEIGHTS[j, i] for i, x in enumerate((0.0, 15.0, 30.0)) for j, y in enumerate((-5.0, 20.0))}
+    assert {(x, y): z for x, y, z in m.points.tolist()} == grid
+    assert m.format == "height-map" and m.ball_radius == 0 and "nothing of a contour" in m.notes[0]
+    (finding,) = [f for f in examine_file(m) if f.name == "height-map"]
+    assert finding.dangerous
+    with pytest.raises(UsageError, match="contradicts"):
+        readers.read(path, points="centre", probe_radius=1.0)
+
+
+def test_a_height_map_that_is_not_whole(log_file):
+    lines = files.bcnc(HEIGHTS).splitlines()
+    m = readers.read(log_file("\n".join(lines[:-1]) + "\n"))
+    assert len(m) == 5 and m.notes[1] == "1 of 6 places were not touched"
+    with pytest.raises(FormatError, match="where the grid has X15 Y-5") as caught:
+        readers.read(log_file("\n".join([*lines[:6], *lines[7:]]) + "\n"))
+    assert caught.value.line == 7
+    for old, new, says in (('Y="1"', 'Y="2"', "not on the grid"), ("0.0400", "x", "no coordinate"),
+                           ('SizeX="3"', 'SizeX="1"', "no grid"), ('MinX="0"', "", "no coordinate")):  # fmt: skip
+        with pytest.raises(FormatError, match=says):
+            readers.read(log_file(files.open_cnc_pilot(HEIGHTS).replace(old, new, 1)))
+
+
+def test_columns_that_only_begin_like_a_map(log_file):
+    assert readers.read(log_file("0 10 2\n0 20 2\n-5 1 50\n1 0 0.01\n"), points="contact").format == "text"
 
 
 # --- DPRNT ------------------------------------------------------------------------------------------------
