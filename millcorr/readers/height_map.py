@@ -9,9 +9,11 @@ first. OpenCNCPilot writes the corners and the size of the grid as attributes of
 from __future__ import annotations
 
 import re
+from array import array
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from millcorr.measurement import Measurement
 
@@ -19,6 +21,8 @@ from .decoding import beginning
 from .fields import NUMBER
 from .source import Source, shown
 from .xml_events import parse
+
+Floats = NDArray[np.float64]
 
 NOTE = "a height map, touched along Z: it shows the height of a surface and nothing of a contour"
 
@@ -63,19 +67,21 @@ def read(source: Source) -> Measurement:
     UsageError
         If the caller contradicts the file.
     """
+    lines: Sequence[int]
     if _ROOT.search(beginning(source.data, 4096)):
         document = _Map(source)
         parse(source, document, "heightmap")
-        points, lines, announced = document.points, document.lines, document.size[0] * document.size[1]
+        points = np.array(document.points).reshape(-1, 3)
+        lines, announced = document.lines, document.size[0] * document.size[1]
     else:
         points, lines, announced = _rows(source)
-    if not points:
+    if not len(points):
         raise source.error("no height in the map: it was not probed yet")
     notes = [NOTE]
     if len(points) < announced:
         notes.append(f"{announced - len(points)} of {announced} places were not touched")
     return source.measurement(
-        "height-map", np.array(points), lines, ball_radius=source.ball_radius(centres=False), unit=source.unit(None),
+        "height-map", points, lines, ball_radius=source.ball_radius(centres=False), unit=source.unit(None),
         notes=notes,
     )  # fmt: skip
 
@@ -93,27 +99,34 @@ def _counts(source: Source, numbers: Sequence[float], line: int) -> tuple[int, i
     return int(numbers[0]), int(numbers[1])
 
 
-def _rows(source: Source) -> tuple[list[tuple[float, ...]], list[int], int]:
-    """Points, their lines, and how many places bCNC's head announces."""
-    filled = [(number, line.split()) for number, line in source.lines() if line.strip()]
-    rows = []
-    for number, fields in filled:
+def _rows(source: Source) -> tuple[Floats, Sequence[int], int]:
+    """Points (n, 3), their lines, and how many places bCNC's head announces."""
+    values, lines = array("d"), array("q")
+    for number, line in source.lines():
+        fields = line.split()
+        if not fields:
+            continue
         if len(fields) != 3:
             raise source.error(f"{len(fields)} numbers where a height map has three in a line", number)
-        rows.append(tuple(_number(source, field, number) for field in fields))
-    if len(rows) < 3:
+        values.extend([_number(source, field, number) for field in fields])
+        lines.append(number)
+    table = np.array(values).reshape(-1, 3)
+    if len(table) < 3:
         raise source.error("a height map begins with three lines: x and y from, to and how many, and z")
-    (left, right, _), (low, high, _) = rows[:2]
-    across, along = _counts(source, (rows[0][2], rows[1][2]), filled[1][0])
-    if len(rows) - 3 > across * along:
-        raise source.error(f"more than the {across * along} places of the grid", filled[3 + across * along][0])
-    reach = _DIGITS * max(map(abs, (left, right, low, high)))
-    for k, (row, (number, _)) in enumerate(zip(rows[3:], filled[3:], strict=True)):
-        j, i = divmod(k, across)
-        x, y = left + (right - left) * i / (across - 1), low + (high - low) * j / (along - 1)
-        if abs(row[0] - x) > reach or abs(row[1] - y) > reach:
-            raise source.error(f"X{row[0]:g} Y{row[1]:g} where the grid has X{x:g} Y{y:g}: lines are missing", number)
-    return rows[3:], [number for number, _ in filled[3:]], across * along
+    (left, right, _), (low, high, _) = table[:2].tolist()
+    across, along = _counts(source, table[:2, 2].tolist(), lines[1])
+    points, own = table[3:], lines[3:]
+    if len(points) > across * along:
+        raise source.error(f"more than the {across * along} places of the grid", own[across * along])
+    j, i = np.divmod(np.arange(len(points)), across)
+    grid = np.column_stack([left + (right - left) * i / (across - 1), low + (high - low) * j / (along - 1)])
+    off = np.flatnonzero((np.abs(points[:, :2] - grid) > _DIGITS * np.abs(table[:2, :2]).max()).any(axis=1))
+    if len(off):
+        (x, y), (wanted_x, wanted_y) = points[off[0], :2], grid[off[0]]
+        raise source.error(
+            f"X{x:g} Y{y:g} where the grid has X{wanted_x:g} Y{wanted_y:g}: lines are missing", own[off[0]]
+        )
+    return points, own, across * along
 
 
 class _Map:
@@ -121,8 +134,8 @@ class _Map:
 
     def __init__(self, source: Source) -> None:
         self.source = source
-        self.points: list[tuple[float, ...]] = []
-        self.lines: list[int] = []
+        self.points = array("d")
+        self.lines = array("q")
         self.size = (0, 0)
         self.corners = (0.0, 0.0, 0.0, 0.0)
         self.place = (0, 0)
@@ -149,7 +162,7 @@ class _Map:
         left, low, right, high = self.corners
         x = left + (right - left) * self.place[0] / (self.size[0] - 1)
         y = low + (high - low) * self.place[1] / (self.size[1] - 1)
-        self.points.append((x, y, _number(self.source, content, line)))
+        self.points.extend((x, y, _number(self.source, content, line)))
         self.lines.append(line)
 
     def end(self, path: Sequence[str]) -> None:
