@@ -119,7 +119,8 @@ class _Joined:
         self.notes: list[str] = []
         self.inferred = ""
         """What shows whether points are centres where the file does not say so itself."""
-        self.factors, self.factor = self._units()
+        self.factors: dict[str, float] = {}
+        self.factor = 1.0
 
     def _units(self) -> tuple[dict[str, float], float]:
         """Factors to mm of every named unit and of the primary one."""
@@ -152,6 +153,7 @@ class _Joined:
         sets = self._own_sets(features)
         if not features and not sets:
             raise source.error(f"no measured points; {len(document.measured)} measured features without any")
+        self.factors, self.factor = self._units()
         parts = []
         if features:
             parts.append(self._of_features(features))

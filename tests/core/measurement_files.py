@@ -392,6 +392,35 @@ def dprnt(part: Part, *, normals: bool = True, number: bool = True, ending: str 
     return "\x12" + ending.join([*lines, *(["%"] if heads else []), ""]) + "\x14"
 
 
+def mixed_results(part: Part, *, inspected: bool = True, measured: bool = True) -> str:
+    """Results as Fusion's generator writes them: points of an inspection, then features of probing cycles."""
+    rule = "-" * 67
+    lines = ["START", "RESULTSFILE PLATE-RESULTS", "DOCUMENTID 6f1c", "MODELVERSION 3", "TIMESTAMP 251120 101502", ""]
+    number = 0
+    if inspected:
+        lines += ["TOOLPATHID 742.01001", "TOOLPATH INSPECT SURFACE1", "G331 N1 A0. B0. C0. X0. Y0. Z0."]
+        lines += ["G330 N1 A0. B0. C0. X0 Y0 Z0 I0 R0"]
+        for p, q, n in zip(part.nominal, part.centres, part.normals, strict=True):
+            number += 1
+            normal = " ".join(f"{c}{v:.6f}" for c, v in zip("IJK", n, strict=True))
+            lines.append(f"G800 N{number} X{p[0]:.4f} Y{p[1]:.4f} Z{p[2]:.4f} {normal} O0. U0.1 L0.1")
+            lines.append(f"G801 N{number} X{q[0]:.4f} Y{q[1]:.4f} Z{q[2]:.4f} R{part.radius:.4f}")
+    if measured:
+        lines += ["", "TOOLPATHID 744.02001", "TOOLPATH PROBE BORE"]
+        for rows in (
+            ["SIZE D12.  ACTUAL 12.0412  DEV 0.0412", "POSN X10.  ACTUAL 10.0123  DEV 0.0123",
+             "POSN Y20.  ACTUAL 20.2041  TOL TP 0.1  DEV 0.2041", "",
+             "          +++++OUT OF POS+++++ ERROR TP 0.1041 RADIAL"],
+            ["POSN X-5.  ACTUAL -5.0051  DEV -0.005132"],
+            ["ANG 30.  ACTUAL 30.2  TOL 0.1  DEV 0.2", "", "          +++++ANG OUT OF TOL+++++ ERROR 0.1"],
+            ["POSN X1.  ACTUAL 1.0101  DEV 0.010073", "POSN Y2.  ACTUAL 1.9899  DEV -0.010127"],
+            ["POSN X1.  ACTUAL 1.0101  DEV 0.0101", "POSN Y2.  ACTUAL NaN  DEV NaN"],
+        ):  # fmt: skip
+            number += 1
+            lines += ["CYCLEDEPTH -4.5", rule, f"   COMPONENT NO 1                   FEATURE NO {number}", rule, *rows]
+    return "\n".join([*lines, "END", ""])
+
+
 def renishaw(part: Part, *, has_z: bool = True, tight: bool = False, others: bool = True) -> str:
     """Print-out of inspection cycles with the contact points, and a bore and an axis touch if `others`."""
     rule, gap = "-" * 49, "" if tight else " "

@@ -272,6 +272,36 @@ def test_renishaw(log_file, tight, has_z):
         readers.read(path)
 
 
+def test_results_of_inspection_and_of_probing_cycles(log_file):
+    m = readers.read(log_file(files.mixed_results(PART)))
+    assert m.format == "msr" and len(m) == 4 and m.ball_radius == PART.radius
+    np.testing.assert_allclose(m.points, PART.centres, atol=6e-5)
+    assert m.notes == ("5 features of probing cycles left out: COMPONENT, SIZE and POSN blocks",)
+    whole = files.mixed_results(PART)
+    with pytest.raises(FormatError, match="no line of an MSR file"):
+        readers.read(log_file(whole.replace("SIZE D12.", "SI2E D12."), "spoilt"))
+
+
+def test_results_of_probing_cycles_alone(log_file):
+    path = log_file(files.mixed_results(PART, inspected=False))
+    m = readers.read(path, points="contact")
+    assert m.format == "renishaw" and m.elements == ("1.4",)
+    np.testing.assert_array_equal(m.points, [[1.0101, 1.9899, 0.0]])
+    assert any("1 features have an axis that was not measured (ACTUAL NaN)" in note for note in m.notes)
+    with pytest.raises(FormatError, match="DEV is not ACTUAL"):
+        readers.read(log_file(path.read_text().replace("-0.010127", "-0.010327")), points="contact")
+
+
+@pytest.mark.parametrize("measured", [False, True])
+def test_results_without_an_inspected_point_say_so(log_file, measured):
+    path = log_file(files.mixed_results(PART, inspected=False, measured=measured))
+    only = ", only 5 features of probing cycles" if measured else ""
+    with pytest.raises(FormatError, match=f"no measured points G800 and G801 in the file{only}: "):
+        readers.read(path, format="msr")
+    if not measured:
+        assert readers.recognised(path.read_bytes()) == "msr" == readers.recognised(b"START\r\nEND\r\n")
+
+
 FEATURE = """COMPONENT NO 1 FEATURE NO 2
 POSN X 10.0000 ACTUAL 10.0300 TOL 0.1000 DEV 0.0300
 POSN Y 5.0000 ACTUAL 4.9900 TOL 0.1000 DEV -0.0100

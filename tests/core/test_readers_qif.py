@@ -176,6 +176,12 @@ def test_what_the_file_does_not_say_is_asked_for(qif_file):
     assert readers.read(path, units="mm").unit == "mm"
 
 
+def test_a_file_without_points_says_so_before_a_unit_is_asked_for(qif_file):
+    empty = re.sub("<MeasuredFeatures>.*</MeasuredPointSets>", "", files.qif(PART), flags=re.DOTALL)
+    with pytest.raises(FormatError, match="no measured points"):
+        readers.read(qif_file(re.sub("<FileUnits>.*</FileUnits>", "", empty, flags=re.DOTALL)))
+
+
 def test_contradictions(qif_file):
     path = qif_file(files.qif(PART))
     for options in ({"points": "contact"}, {"points": "centre", "probe_radius": 2.0}, {"units": "inch"}):
