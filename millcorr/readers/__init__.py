@@ -17,7 +17,7 @@ from typing import Protocol
 from millcorr.errors import FormatError, UsageError
 from millcorr.measurement import Basis, Measurement, Probe
 
-from . import dmis, dprnt, grbl, height_map, linuxcnc, mapped, msr, pcdmis, qdas, qif, renishaw, text, xyzijk
+from . import calypso, dmis, dprnt, grbl, height_map, linuxcnc, mapped, msr, pcdmis, qdas, qif, renishaw, text, xyzijk
 from .mapping import TextMapping, load
 from .point_clouds import E57, PCD, PLY
 from .probe_file import load as load_probe
@@ -59,6 +59,7 @@ FORMATS: dict[str, Format] = {
     "dprnt": dprnt,
     "renishaw": renishaw,
     "qdas": qdas,
+    "calypso": calypso,
     "ply": PLY,
     "pcd": PCD,
     "e57": E57,
@@ -67,7 +68,7 @@ FORMATS: dict[str, Format] = {
 """Module of each format by the name that ``--format`` takes; the last one takes whatever is left."""
 
 _UNITS = ("mm", "inch")
-_SEVERAL_PARTS = ("msr", "qif", "pcdmis", "grbl", "linuxcnc", "dprnt", "renishaw", "qdas")
+_SEVERAL_PARTS = ("msr", "qif", "pcdmis", "grbl", "linuxcnc", "dprnt", "renishaw", "qdas", "calypso")
 """Formats whose files can hold several measured parts."""
 _FRAMES = {
     "msr": Basis("stated", "what G330 leads back to"),

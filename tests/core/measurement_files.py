@@ -279,6 +279,40 @@ def pcdmis(
     return text.replace(".", ",") if comma else text
 
 
+# --- Calypso ----------------------------------------------------------------------------------------------
+
+CALYPSO = (
+    "planid partnb id type idsymbol actual nominal uppertol lowertol deviation exceed warningLimitCF featureid "
+    "featuresigma comment link linkmode mmc useruppertol userlowertol fftphi fftphiunit zoneroundnessangle groupname "
+    "groupname2 datumAid datumBid datumCid natuppertolid natlowertolid decimalplaces featurePosX featurePosY "
+    "featurePosZ unit group1 group2 group3"
+).split()
+
+
+def calypso(part: Part, *, inch: bool = False, has_z: bool = True, number: int = 815, others: bool = True) -> str:
+    """Calypso's table of characteristics of the contact points, and a bore behind every third; rows end early."""
+    scale = 25.4 if inch else 1.0
+    rows = ["\t".join(CALYPSO) + "\t"]
+
+    def row(name: str, kind: str, nominal: float, actual: float) -> str:
+        a, b = round(actual / scale, 7), round(nominal / scale, 7)
+        cells = {
+            "planid": "00469-Gate", "partnb": str(number), "id": f"{name}_{kind[0]}", "type": f"{kind[0].upper()}1",
+            "idsymbol": kind, "actual": f"{a:.7f}", "nominal": f"{b:.7f}", "uppertol": "0.0050000",
+            "lowertol": "-0.0050000", "deviation": f"{a - b:.7f}", "warningLimitCF": "100.0000000", "featureid": name,
+            "featuresigma": "0.0000000", "unit": "inch" if inch else "mm", "group1": "Gate",
+        }  # fmt: skip
+        return "\t".join(cells.get(column, "") for column in CALYPSO).rstrip("\t")
+
+    for k, (name, n, p) in enumerate(zip(part.names, part.nominal, part.contact, strict=True)):
+        kinds = ["xValue", "yValue", *(["zValue"] if has_z else [])]
+        rows += [row(name, kind, n[c], p[c]) for c, kind in enumerate(kinds)]
+        if others and k % 3 == 0:
+            bore = (("xValue", 40.0), ("yValue", 20.0), ("diameter", 16.0))
+            rows += [row(f"Bore_{k}", kind, v, v + 0.01) for kind, v in bore]
+    return "\r\n".join([*rows, "END", ""])
+
+
 # --- DMIS -------------------------------------------------------------------------------------------------
 
 

@@ -203,6 +203,11 @@ def _mapped(n: int) -> list[Dress]:
     return out
 
 
+def _calypso(n: int) -> list[Dress]:
+    part = files.ellipse(n)
+    return [(files.calypso(part, has_z=has_z).encode(), {"points": "contact"}) for has_z in (True, False)]
+
+
 def _height_map(n: int) -> list[Dress]:
     heights = np.random.default_rng(n).normal(0.0, 0.05, (2, n + 1))
     return [(files.bcnc(heights).encode(), {}), (files.open_cnc_pilot(heights).encode(), {})]
@@ -237,6 +242,7 @@ DRESSES: dict[str, Callable[[int], list[Dress]]] = {
     "height-map": _height_map,
     "renishaw": _renishaw,
     "qdas": _qdas,
+    "calypso": _calypso,
     "text": _text,
     "mapped": _mapped,
     "ply": _ply,
