@@ -17,7 +17,23 @@ from typing import Protocol
 from millcorr.errors import FormatError, UsageError
 from millcorr.measurement import Basis, Measurement, Probe
 
-from . import calypso, dmis, dprnt, grbl, height_map, linuxcnc, mapped, msr, pcdmis, qdas, qif, renishaw, text, xyzijk
+from . import (
+    calypso,
+    dmis,
+    dprnt,
+    grbl,
+    height_map,
+    linuxcnc,
+    mapped,
+    msr,
+    pcdmis,
+    qdas,
+    qif,
+    renishaw,
+    text,
+    workbook,
+    xyzijk,
+)
 from .mapping import TextMapping, load
 from .point_clouds import E57, PCD, PLY
 from .probe_file import load as load_probe
@@ -155,6 +171,9 @@ def read(
     calibrated = load_probe(probe) if isinstance(probe, (str, Path)) else probe
     data = _content(path)
     digest = sha256(data).hexdigest()
+    sheet = ""
+    if workbook.recognises(data):
+        data, sheet = workbook.as_text(data, str(path))
     source = Source(data, str(path), digest, points, probe_radius, units, work_offset, part, calibrated)
     name = "mapped" if layout is not None else format or recognised(data)
     if part is not None and name not in _SEVERAL_PARTS:
@@ -173,6 +192,8 @@ def read(
     if calibrated is not None:
         measurement = _calibrated(measurement, calibrated)
         source.bases["radius"] = Basis("said", "--probe")
+    if sheet:
+        measurement = replace(measurement, notes=(sheet, *measurement.notes))
     frame = Basis("said", "--work-offset, --work-rotation")
     if work_offset is None and work_rotation is None:
         frame = _FRAMES.get(name, _AS_EXPORTED)
