@@ -29,9 +29,6 @@ _BOMS = (
     (codecs.BOM_UTF16_BE, "utf-16-be"),
 )
 
-_STL_HEAD, _STL_FACET = 84, 50
-"""Bytes of a binary STL file before its facets, its count with them, and of a facet."""
-
 _NOTHING = b"\x00 \t\r\n\x1a"
 _BLOCK = 1 << 18
 _CONTROL_CODES = bytes([*range(0x00, 0x09), *range(0x0E, 0x1C), 0x7F])
@@ -73,8 +70,6 @@ def decode(data: bytes, name: str, drop: bytes = b"") -> str:
     for magic, kind, remedy in _NOT_TEXT:
         if head.startswith(magic):
             raise FormatError(f"the file is {kind}: {remedy}", name)
-    if _is_stl(data):
-        raise FormatError("the file is a triangle mesh (STL): save the scanned points as PLY or as columns x,y,z", name)
     text = _decoded(data, name)
     # Not from the bytes: they are halves of characters in UTF-16.
     for control in drop.decode("ascii"):
@@ -95,13 +90,6 @@ def decode(data: bytes, name: str, drop: bytes = b"") -> str:
         for character, plain in _ALIKE.items():
             text = text.replace(character, plain)
     return text
-
-
-def _is_stl(data: bytes) -> bool:
-    """Whether a file is an STL mesh: facets in words, or a head with a count and bytes for so many."""
-    if re.match(rb"\s*solid\b[^\r\n]*[\r\n]+\s*facet\s+normal\b", data[:1024], re.IGNORECASE):
-        return True
-    return len(data) > _STL_HEAD and len(data) == _STL_HEAD + _STL_FACET * int.from_bytes(data[80:_STL_HEAD], "little")
 
 
 def _has_controls(data: bytes) -> bool:

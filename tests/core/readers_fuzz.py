@@ -213,6 +213,11 @@ def _height_map(n: int) -> list[Dress]:
     return [(files.bcnc(heights).encode(), {}), (files.open_cnc_pilot(heights).encode(), {})]
 
 
+def _stl(n: int) -> list[Dress]:
+    facets = files.cylinder_mesh(max(n, 3))
+    return [(files.stl(facets, binary=binary), {"points": "contact"}) for binary in (False, True)]
+
+
 def _ply(n: int) -> list[Dress]:
     part = files.ellipse(n)
     dresses = ({"kind": "ascii"}, {"kind": "binary"}, {"kind": "big", "number": "float", "mesh": True})
@@ -245,6 +250,7 @@ DRESSES: dict[str, Callable[[int], list[Dress]]] = {
     "calypso": _calypso,
     "text": _text,
     "mapped": _mapped,
+    "stl": _stl,
     "ply": _ply,
     "pcd": _pcd,
     "e57": _e57,

@@ -562,20 +562,6 @@ def test_a_row_that_is_made_otherwise_far_below_names_its_line(tmp_path):
     assert caught.value.line == 1501
 
 
-@pytest.mark.parametrize("facets", [0, 3])
-def test_a_mesh_is_called_one(tmp_path, facets):
-    path = tmp_path / "part.stl"
-    rng = np.random.default_rng(facets)
-    body = b"".join(rng.bytes(48) + b"\0\0" for _ in range(facets))
-    path.write_bytes(b"exported by a scanner".ljust(80) + facets.to_bytes(4, "little") + body)
-    if facets:
-        with pytest.raises(FormatError, match=r"a triangle mesh \(STL\)"):
-            readers.read(path, points="contact")
-    path.write_text("solid part\n  facet normal 0 0 1\n    outer loop\n      vertex 1 2 3\n")
-    with pytest.raises(FormatError, match=r"a triangle mesh \(STL\)"):
-        readers.read(path, points="contact")
-
-
 def test_a_solid_that_is_no_mesh_is_text(tmp_path):
     path = tmp_path / "points.txt"
     path.write_text("# solid\nx,y\n1,2\n")
