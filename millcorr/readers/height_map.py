@@ -27,7 +27,7 @@ Floats = NDArray[np.float64]
 NOTE = "a height map, touched along Z: it shows the height of a surface and nothing of a contour"
 
 _LARGEST = 1e9
-_MOST = 10_000
+_MOST = 1_000_000
 """More places than this along a side has no grid."""
 _DIGITS = 1e-5
 """bCNC prints six digits: places miss their grid by this share of the largest coordinate."""
