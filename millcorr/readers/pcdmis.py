@@ -159,7 +159,11 @@ class _Report:
         elif _ALIGNMENT.search(text):
             self._alignment(number, text)
         elif "=" in text:
-            self._open(None)
+            # The head of something unknown; behind a point that lacks axes it may be a remark as well.
+            if self.open is not None and self.open.missing:
+                self._close(number, text)
+            else:
+                self._open(None)
         else:
             self._other(number, text)
 

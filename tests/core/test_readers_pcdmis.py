@@ -228,7 +228,6 @@ def report(*blocks):
         "FCFLOC1 = POSITION OF {}      FIT TO DATUMS=ON  DEV PERPEN CENTERLINE=ON  UNITS=MM",
         "#20.1#21 LOC1 = POSITION OF {}          FIT TO DATUMS=ON  DEV PERPEN CENTERLINE=ON  UNITS=MM",
         "#100FCFPROF1 = SURFACE PROFILE OF {}  FORMANDLOCATION  UNITS=MM",
-        "{} =FEAT/CONTACT/CIRCLE/DEFAULT,CARTESIAN,IN,LEAST_SQR",
     ],
 )
 def test_rows_of_another_block_are_no_rows_of_the_point_before_it(written, foreign):
@@ -301,12 +300,18 @@ def test_a_recalled_alignment_is_the_frame_it_was(written):
         contact(written(text), part=3)
 
 
-@pytest.mark.parametrize("change", [*CHANGES, "END OF DIMENSION LOC1"])
+@pytest.mark.parametrize("change", [*CHANGES, "END OF DIMENSION LOC1", "TEMPERATURE = 20.5", "C1 =FEAT/CONTACT/CIRCLE"])
 def test_a_row_behind_what_closed_its_point_is_refused_with_both_lines(written, change):
     lines = block("PNT1")
     with pytest.raises(FormatError, match=r"row of axis Z .* in line 5 closed 'PNT1' of line 1") as caught:
         contact(written(report(lines[:4], change, lines[4:], block("PNT2"))))
     assert caught.value.line == 6
+
+
+def test_what_is_unknown_behind_a_whole_point_takes_its_rows_along(written):
+    feature = ["C1 =FEAT/CONTACT/CIRCLE/DEFAULT,CARTESIAN,IN,LEAST_SQR", *block("CIR1", "XZ")[1:]]
+    m = contact(written(report(block("PNT1"), feature, block("PNT2"))))
+    np.testing.assert_array_equal(m.points, [PLACES["PNT1"], PLACES["PNT2"]])
 
 
 @settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)
