@@ -305,6 +305,29 @@ def stl(facets: np.ndarray, *, binary: bool = True) -> bytes:
     return "\n".join([*lines, "endsolid wall 1", ""]).encode()
 
 
+# --- PTS and PTX ------------------------------------------------------------------------------------------
+
+
+def pts(part: Part, *, colour: bool = True) -> str:
+    """PTS file of the contact points with intensities and colours."""
+    tail = " -1023 128 0 255" if colour else ""
+    rows = [" ".join(f"{v:.6f}" for v in p) + tail for p in part.contact]
+    return "\r\n".join([str(len(rows)), *rows, ""])
+
+
+def ptx(part: Part, *, turn: float = 0.5, shift: tuple[float, float, float] = (3.0, -2.0, 1.0), missed: int = 1) -> str:
+    """PTX scan of the contact points from a scanner that was turned about Z and shifted; a ray a point met nothing."""
+    c, s = np.cos(turn), np.sin(turn)
+    # The scanner's axes as rows: registered = (x, y, z) R + shift.
+    rotation = np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
+    seen = (part.contact - shift) @ rotation.T
+    place = " ".join(f"{v:.9f}" for v in shift)
+    axes = [" ".join(f"{v:.12f}" for v in row) for row in rotation]
+    head = [str(1 + missed), str(len(seen)), place, *axes, *(f"{row} 0" for row in axes), f"{place} 1"]
+    rows = [" ".join(f"{v:.9f}" for v in p) + " 0.25" + "\n0 0 0 0.5" * missed for p in seen]
+    return "\n".join([*head, *rows, ""])
+
+
 # --- Calypso ----------------------------------------------------------------------------------------------
 
 CALYPSO = (

@@ -218,6 +218,12 @@ def _stl(n: int) -> list[Dress]:
     return [(files.stl(facets, binary=binary), {"points": "contact"}) for binary in (False, True)]
 
 
+def _ptx(n: int) -> list[Dress]:
+    part = files.ellipse(n)
+    texts = (files.ptx(part), files.pts(part), files.pts(part, colour=False))
+    return [(text.encode(), {"points": "contact"}) for text in texts]
+
+
 def _ply(n: int) -> list[Dress]:
     part = files.ellipse(n)
     dresses = ({"kind": "ascii"}, {"kind": "binary"}, {"kind": "big", "number": "float", "mesh": True})
@@ -251,6 +257,7 @@ DRESSES: dict[str, Callable[[int], list[Dress]]] = {
     "text": _text,
     "mapped": _mapped,
     "stl": _stl,
+    "ptx": _ptx,
     "ply": _ply,
     "pcd": _pcd,
     "e57": _e57,
