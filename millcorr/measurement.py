@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import hashlib
 import math
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +23,29 @@ UNIT_LENGTH = 1e-6
 
 LARGEST_LOBING = 0.1
 """Effective radii of one probe differ by less than this, in mm: its pre-travel is a few hundredths."""
+
+
+BASES = ("stated", "said", "inferred", "assumed")
+"""How something about a measured file is known: from the file or its format, the caller, its figures, or not at all."""
+
+
+@dataclass(frozen=True, slots=True)
+class Basis:
+    """How something about a measured file is known.
+
+    Parameters
+    ----------
+    how : str
+        One of `BASES`.
+    why : str
+        What says so, or what is assumed; empty where there is nothing to add.
+    """
+
+    how: str
+    why: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.how}: {self.why}" if self.why else self.how
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -150,6 +174,9 @@ class Measurement:
         Calibration that `millcorr.probe.contact_known` has still to apply.
     left_out : tuple of (int, str)
         Rows of the file's points, from 0 and increasing, that are not here, each with the reason.
+    bases : dict of str to Basis
+        How "unit", "points" (contact or centre), "radius" and "frame" are known; empty for points that come from no
+        file.
     """
 
     points: Floats
@@ -169,6 +196,7 @@ class Measurement:
     travel: Floats | None = None
     probe: Probe | None = None
     left_out: tuple[tuple[int, str], ...] = ()
+    bases: Mapping[str, Basis] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if self.points.ndim != 2 or self.points.shape[1] != 3:

@@ -12,11 +12,19 @@ from .findings import Finding
 
 Floats = NDArray[np.float64]
 
+MM_PER_INCH = 25.4
+
 STATED = 6e-4
 """Deviations that the file states agree with its own points within this, in mm: half a unit of 0.001 and a bit."""
 
 COARSE = 5e-3
 """Coordinates printed in steps above this, in mm, hide deviations that are worth correcting."""
+
+BALLS = (0.1, 10.0)
+"""Radii of probe balls, in mm: styli are made with balls from 0.3 to 12 mm in diameter, and a little beside."""
+
+EXTENTS = (2.0, 5000.0)
+"""Larger side of a measured contour, in mm: one of 2 m in metres is below, one of 5 mm in micrometres above."""
 
 NOTHING = 1e-6
 """Deviations up to this, in mm, are none."""
@@ -42,6 +50,9 @@ def examine_file(measurement: Measurement) -> tuple[Finding, ...]:
         _identical(measurement, step),
         _stated(measurement, step),
         _coarse(step),
+        _height_map(measurement),
+        _radius(measurement),
+        _extent(measurement),
     )
     return tuple(finding for finding in found if finding is not None)
 
@@ -53,7 +64,7 @@ def resolution(measurement: Measurement) -> float:
     """
     if len(measurement) < 3:
         return 0.0
-    unit = 25.4 if measurement.unit == "inch" else 1.0
+    unit = MM_PER_INCH if measurement.unit == "inch" else 1.0
     numbers = measurement.points[:, :2] / unit
     for decimals in range(6):
         scaled = numbers * 10.0**decimals
@@ -116,6 +127,52 @@ def _stated(measurement: Measurement, step: float) -> Finding | None:
         "of deviations out, or correct it"
     )
     return Finding("stated-deviations", text, True)
+
+
+def _height_map(measurement: Measurement) -> Finding | None:
+    """Whether the points were touched from above, on a grid, for levelling."""
+    if measurement.format != "height-map":
+        return None
+    text = (
+        f"the {len(measurement)} points are a height map, touched along Z: they show nothing of a contour; touch its "
+        "walls, as `probe` writes it"
+    )
+    return Finding("height-map", text, True)
+
+
+def _radius(measurement: Measurement) -> Finding | None:
+    """Whether a ball of this radius can be on a touch probe."""
+    radii = measurement.axis_radii or ((measurement.ball_radius,) if measurement.ball_radius else ())
+    radius = next((r for r in radii if not BALLS[0] <= r <= BALLS[1]), None)
+    if radius is None:
+        return None
+    text = f"a ball of radius {radius:.4g} mm is on no touch probe ({BALLS[0]:g} to {BALLS[1]:g} mm)"
+    inch = radius * MM_PER_INCH
+    if _assumed(measurement) and BALLS[0] <= inch <= BALLS[1]:
+        text += f"; {radius:.4g} inch are {inch:.4g} mm, and the file does not say its unit: --units inch"
+    else:
+        text += ": --probe-radius takes a radius in mm"
+    return Finding("implausible-radius", text, True)
+
+
+def _extent(measurement: Measurement) -> Finding | None:
+    """Whether the points are as far apart as those of a part, in a unit that nobody named."""
+    if len(measurement) < 3 or not _assumed(measurement):
+        return None
+    extent = float(np.ptp(measurement.points[:, :2], axis=0).max())
+    if EXTENTS[0] <= extent <= EXTENTS[1]:
+        return None
+    other = "metres or inches" if extent < EXTENTS[0] else "micrometres"
+    text = (
+        f"the points extend over {extent:.4g} mm, and the file does not say its unit: {other}? Say --units mm if it is "
+        "right, --units inch, or export in mm"
+    )
+    return Finding("implausible-extent", text, True)
+
+
+def _assumed(measurement: Measurement) -> bool:
+    """Whether neither file nor user named the unit, nor the file's figures show it."""
+    return "unit" in measurement.bases and measurement.bases["unit"].how == "assumed"
 
 
 def _coarse(step: float) -> Finding | None:

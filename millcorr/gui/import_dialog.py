@@ -273,7 +273,7 @@ class ImportDialog(QtWidgets.QDialog):
         text = translate("Millcorr", "Points: {}, heights: {}. {} mm. Format: {}, unit in the file: {}").format(
             len(measurement), levels, size, measurement.format, measurement.unit
         )
-        self._say("\n".join([text, *measurement.notes]), "good")
+        self._say("\n".join([text, *_known(measurement), *measurement.notes]), "good")
 
     def _failed(self, error: BaseException) -> None:
         self._state()
@@ -360,6 +360,11 @@ class ImportDialog(QtWidgets.QDialog):
         self._worker.cancel()
         _open.clear()
         super().done(result)
+
+
+def _known(measurement: Any) -> list[str]:
+    """What of a measurement neither its file nor the user said, a line each."""
+    return [f"{what}: {basis}" for what, basis in measurement.bases.items() if basis.how in ("inferred", "assumed")]
 
 
 def _kept(seen: Preview, columns: dict[str, int]) -> Path:

@@ -15,9 +15,27 @@ from pathlib import Path
 from typing import Protocol
 
 from millcorr.errors import FormatError, UsageError
-from millcorr.measurement import Measurement, Probe
+from millcorr.measurement import Basis, Measurement, Probe
 
-from . import dmis, dprnt, grbl, linuxcnc, mapped, msr, pcdmis, qdas, qif, renishaw, text, xyzijk
+from . import (
+    calypso,
+    dmis,
+    dprnt,
+    grbl,
+    height_map,
+    linuxcnc,
+    mapped,
+    msr,
+    pcdmis,
+    ptx,
+    qdas,
+    qif,
+    renishaw,
+    stl,
+    text,
+    workbook,
+    xyzijk,
+)
 from .mapping import TextMapping, load
 from .point_clouds import E57, PCD, PLY
 from .probe_file import load as load_probe
@@ -53,11 +71,15 @@ FORMATS: dict[str, Format] = {
     "xyzijk": xyzijk,
     "pcdmis": pcdmis,
     "dmis": dmis,
+    "height-map": height_map,
     "linuxcnc": linuxcnc,
     "grbl": grbl,
     "dprnt": dprnt,
     "renishaw": renishaw,
     "qdas": qdas,
+    "calypso": calypso,
+    "stl": stl,
+    "ptx": ptx,
     "ply": PLY,
     "pcd": PCD,
     "e57": E57,
@@ -66,8 +88,16 @@ FORMATS: dict[str, Format] = {
 """Module of each format by the name that ``--format`` takes; the last one takes whatever is left."""
 
 _UNITS = ("mm", "inch")
-_SEVERAL_PARTS = ("msr", "qif", "grbl", "linuxcnc", "dprnt", "renishaw", "qdas")
+_SEVERAL_PARTS = ("msr", "qif", "pcdmis", "grbl", "linuxcnc", "dprnt", "renishaw", "qdas", "calypso")
 """Formats whose files can hold several measured parts."""
+_FRAMES = {
+    "msr": Basis("stated", "what G330 leads back to"),
+    "qif": Basis("stated", "the document's common frame"),
+    "linuxcnc": Basis("stated", "the work frame in force, as LinuxCNC logs it"),
+    "grbl": Basis("stated", "the machine's, brought to the work frame by the offset in the log"),
+}
+"""How the frame of the points is known, by format; that of all others is as the software exported it."""
+_AS_EXPORTED = Basis("assumed", "the work frame; the file does not say")
 _MACHINE_FRAME = ("grbl",)
 """Formats in the machine frame, which ask for the work offset where the file does not hold it."""
 
@@ -145,6 +175,9 @@ def read(
     calibrated = load_probe(probe) if isinstance(probe, (str, Path)) else probe
     data = _content(path)
     digest = sha256(data).hexdigest()
+    sheet = ""
+    if workbook.recognises(data):
+        data, sheet = workbook.as_text(data, str(path))
     source = Source(data, str(path), digest, points, probe_radius, units, work_offset, part, calibrated)
     name = "mapped" if layout is not None else format or recognised(data)
     if part is not None and name not in _SEVERAL_PARTS:
@@ -162,6 +195,13 @@ def read(
         measurement = replace(measurement, axis_radii=source.axis_radii())
     if calibrated is not None:
         measurement = _calibrated(measurement, calibrated)
+        source.bases["radius"] = Basis("said", "--probe")
+    if sheet:
+        measurement = replace(measurement, notes=(sheet, *measurement.notes))
+    frame = Basis("said", "--work-offset, --work-rotation")
+    if work_offset is None and work_rotation is None:
+        frame = _FRAMES.get(name, _AS_EXPORTED)
+    measurement = replace(measurement, bases={**source.bases, "frame": frame})
     # A reader of the machine frame needs the offset itself, to compare it with what the file says.
     offset = None if name in _MACHINE_FRAME else work_offset
     return laid_in_work_frame(measurement, offset, work_rotation)

@@ -19,6 +19,7 @@ from millcorr.measurement import Measurement
 
 from .parts import parts_by_place, rows_of_part
 from .source import MM_PER_INCH, Source, shown
+from .touches import remark, slow_touches
 
 Floats = NDArray[np.float64]
 
@@ -74,6 +75,7 @@ class _Log:
         self.stored: dict[str, tuple[float, ...]] = {}
         self.active = "G54"
         self.inches: bool | None = None
+        self.decimals: set[int] = set()
         self.after_lengths = False
         """The report of ``$#`` repeats the last touch behind the tool length."""
 
@@ -107,6 +109,7 @@ class _Log:
             raise self.source.error(
                 "the touch failed, the ball met nothing: delete the line or measure the point again", number
             )
+        self.decimals |= {len(cell.partition(".")[2]) for cell in found[1].split(",")[:3]}
         self.values.extend(place)
         self.lines.append(number)
 
@@ -116,12 +119,26 @@ class _Log:
         if not len(points):
             raise source.error("no probe report [PRB:x,y,z:1] in the log")
         ball = source.ball_radius(centres=True)
-        unit = source.unit(None if self.inches is None else "inch" if self.inches else "mm")
+        unit = self._unit()
         factor = MM_PER_INCH if unit == "inch" else 1.0
         origin, note = self._origin(factor)
         points, lines = points - origin, np.array(self.lines)
+        slow = slow_touches(points * factor)
+        points, lines = points[slow], lines[slow]
         chosen = rows_of_part(source, lines, parts_by_place(points * factor))
-        return source.measurement("grbl", points[chosen], lines[chosen], ball_radius=ball, unit=unit, notes=[note])
+        return source.measurement(
+            "grbl", points[chosen], lines[chosen], ball_radius=ball, unit=unit, notes=[note, *remark(slow)]
+        )
+
+    def _unit(self) -> str:
+        """Unit by ``$13``, else by the decimals, of which GRBL prints three in mm and four in inch."""
+        if self.inches is None and self.decimals == {4} and self.source.units is None:
+            raise UsageError(
+                f"say --units inch or --units mm: {self.source.name} does not hold $13 and gives four decimals, as "
+                "GRBL prints inches, and some builds of it mm"
+            )
+        told = None if self.inches is None else "inch" if self.inches else "mm"
+        return self.source.unit(told, "mm", "three decimals, as GRBL prints mm" if self.decimals == {3} else "")
 
     def _origin(self, factor: float) -> tuple[Floats, str]:
         """Origin of the work frame for every touch, (n, 3) or (3,), in the log's unit, and where it comes from."""
@@ -141,7 +158,7 @@ class _Log:
             known, text = np.array(work[:3]) + np.array(g92) + np.array(lengths), f"{self.active} of the log"
         elif given is None:
             raise UsageError(
-                f"say --work-offset X,Y,Z: {source.name} is in the machine frame and does not hold the work offset"
+                f"say --work-offset X Y Z: {source.name} is in the machine frame and does not hold the work offset"
             )
         else:
             return np.array(given) / factor, "machine frame, work offset as given"

@@ -17,6 +17,7 @@ from millcorr.measurement import Measurement
 from .decoding import beginning
 from .parts import parts_by_place, rows_of_part
 from .source import MM_PER_INCH, Source, shown
+from .touches import remark, slow_touches
 
 _ROW = re.compile(rb"[ \t]*(?:[+-]?\d+\.\d+[ \t]+){8}[+-]?\d+\.\d+[ \t]*\r?")
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
@@ -72,8 +73,11 @@ def read(source: Source) -> Measurement:
     away = [f"{c}{v:g}" for c, v in zip(_COLUMNS[3:], values[0, 3:], strict=True) if abs(v) > _STILL]
     notes = [f"other axes stood at {' '.join(away)}"] if away else []
     unit, lines_of = source.unit(None), np.array(filled)
-    points = values[:, :3]
-    chosen = rows_of_part(source, lines_of, parts_by_place(points * (MM_PER_INCH if unit == "inch" else 1.0)))
+    factor = MM_PER_INCH if unit == "inch" else 1.0
+    slow = slow_touches(values[:, :3] * factor)
+    points, lines_of = values[slow, :3], lines_of[slow]
+    notes += remark(slow)
+    chosen = rows_of_part(source, lines_of, parts_by_place(points * factor))
     return source.measurement("linuxcnc", points[chosen], lines_of[chosen], ball_radius=ball, unit=unit, notes=notes)
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.errors import FormatError
-from millcorr.measurement import Measurement
+from millcorr.measurement import Basis, Measurement
 
 from .decimal_columns import decimal_columns
 from .decoding import decode
@@ -80,6 +80,10 @@ def read(source: Source, mapping: TextMapping) -> Measurement:
     ball_radius = told.ball_radius(radius=mapping.probe_radius if kind == "centre" else None)
     axis_radii = told.axis_radii(mapping.probe_radius) if kind == "axis" else None
     unit = told.unit(mapping.units)
+    by_mapping = Basis("said", told.name)
+    source.bases.update({key: by_mapping for key, basis in source.bases.items() if basis.how == "stated"})
+    if mapping.points is not None:
+        source.bases["points"] = by_mapping
     text = _text(source, mapping)
     table = _table(text, source, mapping)
     rows = _Rows(source, mapping, table)

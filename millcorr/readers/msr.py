@@ -4,7 +4,8 @@
 Written by the inspection macros of PowerInspect and Fusion through DPRNT, hence words that run together. The
 surface point is the ball centre less R times the nominal normal. After ``G330 A B C X Y Z`` points, normals and
 nominals p are those of a turned workplane; ``Rz(C) Ry(B) Rx(A) p + (X, Y, Z)``, about fixed axes and with angles
-in degrees, brings them back.
+in degrees, brings them back. Between them may stand what probing cycles print, COMPONENT, SIZE and POSN blocks, which
+is left out.
 """
 
 from __future__ import annotations
@@ -28,7 +29,13 @@ Floats = NDArray[np.float64]
 _RECOGNISED = re.compile(rb"(?:^|[\r\n\x00])[ \t]*(?:START[ \t]*[\r\n]|G80[01][ \t]*N[ \t]*\d)", re.IGNORECASE)
 _WORD = re.compile(r"([A-Z])[ \t]*([+-]?(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?)[ \t]*", re.ASCII)
 _CODE = re.compile(r"G[ \t]*(800|801|330|331)(?!\d)[ \t]*", re.ASCII)
-_REMARK = re.compile(r"[A-Z]{4,}(?![A-Z])", re.ASCII)
+_REMARK = re.compile(r"[A-Z]{4,}(?![A-Z])|-{3,}$|ANG\s|\+{3,}[A-Z ]+\+{3,}", re.ASCII)
+_FEATURE = re.compile(r"COMPONENT\s+NO\b")
+_CYCLES = re.compile(rb"(?:^|[\r\n])[ \t]*COMPONENT[ \t]+NO\b", re.IGNORECASE)
+_POINT = re.compile(rb"(?:^|[\r\n\x00])[ \t]*G[ \t]*80[01][ \t]*N", re.IGNORECASE)
+_HEAD = re.compile(
+    rb"\s*START[ \t]*[\r\n]+[ \t]*(?:RESULTSFILE|DOCUMENTID|MODELVERSION|TOOLPATH|END\b)", re.IGNORECASE
+)
 _COMMENT = re.compile(r";.*|\([^()]*\)")
 _CONTROLS = b"\x00\x11\x12\x13\x14\x1a"
 """What serial lines put around a print-out: device controls, fill bytes, end of file."""
@@ -49,8 +56,12 @@ _MEANINGS = {
 
 
 def recognises(data: bytes) -> bool:
-    """Whether a file holds G800 or G801 lines, or begins with START."""
+    """Whether a file holds G800 or G801 lines, or begins as results do and is not of probing cycles alone."""
     head = beginning(data, 65536)
+    if _CYCLES.search(head) and not _POINT.search(data):
+        return False
+    if _HEAD.match(head):
+        return True
     found = _RECOGNISED.search(data[:65536]) or _RECOGNISED.search(head)
     return bool(found and (re.search(rb"G\s*(?:800|801|330)", head, re.IGNORECASE) or b"MODELVERSION" in head))
 
@@ -104,6 +115,8 @@ class _Reading:
         self.values = array("d")
         self.blocks: list[tuple[int, Floats | None, Floats]] = [(0, None, np.zeros(3))]
         self.offsets = 0
+        self.features = 0
+        """Features of probing cycles."""
         self.ended = False
         self.starts: list[int] = []
         """Points read before each START or END."""
@@ -133,6 +146,8 @@ class _Reading:
             self.ended = False
             self.starts.append(len(self.lines))
             self._turn(None, np.zeros(3))
+        elif _FEATURE.match(text):
+            self.features += 1
         elif not _REMARK.match(text):
             raise self._error(f"{shown(text)} is no line of an MSR file: transmission may have spoilt it", number)
 
@@ -218,7 +233,12 @@ class _Reading:
             stated = float(radii[0])
             asked = source.ball_radius(centres=True if stated else None, radius=stated or None)
             radii = radii if stated or not asked else np.full(len(radii), asked)
+        else:
+            only = f", only {self.features} features of probing cycles" if self.features else ""
+            raise source.error(f"no measured points G800 and G801 in the file{only}: the inspection printed none")
         notes = self._apply(nominal, normals, points)
+        if self.features:
+            notes.append(f"{self.features} features of probing cycles left out: COMPONENT, SIZE and POSN blocks")
         if self.offsets:
             notes.append(f"{self.offsets} points have a nominal offset O, which is not applied")
         if not self.ended:

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """PC-DMIS text reports: locations of points as blocks of axes, with nominal, measured value and deviation.
 
-Columns are found by the words of the ``AX`` line above them. Every row is checked by DEV = MEAS - NOMINAL, which a
-value in the wrong column does not pass.
+A block begins with a head, ``DIM name= LOCATION OF POINT PNT1`` or ``FCFLOC1 = POSITION OF CIR1``, whose names may
+hold blanks, and ends with the next head, its END or a change of alignment; the heads of pages may interrupt it. A row
+belongs to the block it stands in or the report is refused. What stands between two changes of alignment is measured in
+one frame. Columns are found by the words of the ``AX`` line above them. Every row is checked by DEV = MEAS - NOMINAL,
+which a value in the wrong column does not pass.
 """
 
 from __future__ import annotations
@@ -15,15 +18,32 @@ import numpy as np
 
 from millcorr.measurement import Measurement
 
+from .parts import chosen_part, titled
 from .source import Source, shown
 
-_RECOGNISED = re.compile(rb"(?:^|\n|\r)[ \t]*DIM[ \t]+[^\r\n=]{1,60}=[^\r\n]{1,80}[ \t]OF[ \t]", re.IGNORECASE)
-_DIMENSION = re.compile(r"\s*DIM\s+(?P<dim>[^\s=]+)\s*=\s*(?P<what>\S.*?)\s+OF\s+(?P<rest>.*)", re.IGNORECASE)
-_PLAIN_POINT = re.compile(r"DIM ([^\s=]+)= ?LOCATION OF POINT ([^\s,$]+) +UNITS=(MM|IN)[ \t]*")
+_RECOGNISED = re.compile(
+    rb"(?:^|\n|\r)[ \t]*DIM[ \t]+[^\r\n=]{1,60}=[^\r\n]{1,80}[ \t](?:OF|FROM|TO)[ \t]", re.IGNORECASE
+)
+_DIMENSION = re.compile(r"\s*DIM\s+[^=]*=\s*(?P<what>.*)", re.IGNORECASE)
+_TOLERANCE = re.compile(r"[^=]*=\s*(?P<what>[A-Z][A-Z ]*\s(?:OF|FROM|TO)\s.*)", re.IGNORECASE)
+"""Head of a feature control frame, which has no DIM; its name need not hold FCF."""
+_KIND = re.compile(r"(?P<kind>\S.*?)\s+(?:OF|FROM|TO)\s+(?P<features>.*)", re.IGNORECASE)
+_POINT = re.compile(r"(?:(?:VECTOR|SURFACE|EDGE|CORNER|ANGLE|HIGH)\s+)?POINT[\s,]+(?P<name>\S.*)", re.IGNORECASE)
+_PLAIN_POINT = re.compile(r"DIM [^=]+= ?LOCATION OF POINT ([^\s,$]+) +UNITS=(MM|IN)[ \t]*")
+_PAGE = re.compile(
+    r"\s*$|.*\bPAGE\s*#?\s*=?\s*\d|\s*(?:PART\s+(?:NAME|NUMBER)|REV\s+NUMBER|SER(?:IAL)?\s+NUMBER|STATS\s+COUNT|DATE|TIME)"
+    r"\s*[:=]",
+    re.IGNORECASE,
+)
+"""Head of a page, between whatever rows the page ends."""
+_OPTIONS = re.compile(r"\s*(?:GRAPH|TEXT|MULT|OUTPUT)\s*=", re.IGNORECASE)
+_ALIGNMENT = re.compile(r"\bALIGNMENT\b", re.IGNORECASE)
+_RECALLED = re.compile(r"\s*(?:RECALL/ALIGNMENT|ALIGNMENT RECALLED)\W+\w", re.IGNORECASE)
 _UNITS = re.compile(r"\bUNITS\s*=\s*([A-Z]+)", re.IGNORECASE)
 _END = re.compile(r"\s*END\s+OF\s+DIMENSION\b", re.IGNORECASE)
 _HEADING = re.compile(r"\s*AX\s+\S", re.IGNORECASE)
 _AXIS = re.compile(r"\s*([XYZTV])\s+(?=[\d.,+-])", re.IGNORECASE)
+_OTHER_ROW = re.compile(r"\s*(?:WORST|[A-Z]{1,3}\d?)\s+(?:[\d.,+-]|RFS|MMC|LMC)", re.IGNORECASE)
 _VALUE = re.compile(r"[+-]?(?:\d+[.,]?\d*|[.,]\d+)(?![\w.,])", re.ASCII)
 _GRAPH = re.compile(r"\s[<>\-#=|]{2,}(?:\s|$)|\s[#<>]")
 """Where the bar of deviation or an arrow begins behind the numbers."""
@@ -50,9 +70,16 @@ class _Location:
     feature: str
     line: int
     unit: str
+    frame: int
+    """Which of the report's alignments it was measured in."""
     axes: dict[str, tuple[float, float]] = field(default_factory=dict)
     normal: tuple[float, float, float] | None = None
     along: float = float("nan")
+
+    @property
+    def missing(self) -> str:
+        """Axes without a row, for messages; empty for a point."""
+        return ", ".join(a for a in "XYZ" if a not in self.axes)
 
 
 def recognises(data: bytes) -> bool:
@@ -77,9 +104,11 @@ def read(source: Source) -> Measurement:
     Raises
     ------
     FormatError
-        If a row is spoilt, its DEV is not MEAS - NOMINAL, units are mixed, or no point has all its axes.
+        If a row is spoilt or it is open whose it is, its DEV is not MEAS - NOMINAL, units are mixed, or no point has
+        all its axes.
     UsageError
-        If the caller contradicts the file, or does not say what the points are.
+        If the caller contradicts the file, or does not say what the points are or in which of several alignments they
+        are wanted.
     """
     report = _Report(source)
     for number, line in source.lines(drop=b"\x0c"):
@@ -99,40 +128,101 @@ class _Report:
         self.slices: list[tuple[int, int]] = []
         """Where the cell of each column begins and ends."""
         self.open: _Location | None = None
-        self.foreign = False
+        self.continued = False
+        """Whether the head goes on in the next line."""
+        self.stranger: tuple[int, str] | None = None
+        """Line among the rows of the open location that is none of a report's."""
+        self.closed: tuple[int, str, _Location] | None = None
+        """Line that closed the last location, other than the head of the next block."""
+        self.frame = 0
+        self.frames: list[str] = ["first alignment"]
+        self.recalled: dict[str, int] = {}
         self.locations: list[_Location] = []
         self.others: dict[str, int] = {}
 
     def line(self, number: int, text: str) -> None:
         if self._plain(number, text):
             return
-        found = _DIMENSION.match(text)
-        if found:
-            self._dimension(number, found)
-        elif _END.match(text):
-            self.open, self.foreign = None, False
-        elif _HEADING.match(text):
+        continued, self.continued = self.continued, False
+        found = _DIMENSION.match(text) or _TOLERANCE.match(text)
+        if _HEADING.match(text):
             self._columns(number, text)
-        elif self.open is not None:
-            axis = _AXIS.match(text)
+        elif continued or _OPTIONS.match(text):
+            self.continued = continued and text.rstrip().endswith("$")
+        elif _PAGE.match(text) and not _DIMENSION.match(text):
+            pass
+        elif found:
+            self._dimension(number, found["what"])
+            self.continued = text.rstrip().endswith("$")
+        elif _END.match(text):
+            self._close(number, text)
+        elif _ALIGNMENT.search(text):
+            self._alignment(number, text)
+        elif "=" in text:
+            # The head of something unknown; behind a point that lacks axes it may be a remark as well.
+            if self.open is not None and self.open.missing:
+                self._close(number, text)
+            else:
+                self._open(None)
+        else:
+            self._other(number, text)
+
+    def _other(self, number: int, text: str) -> None:
+        """Take a row, or a line that may stand anywhere but among the rows of a location."""
+        axis = _AXIS.match(text)
+        if self.open is not None:
             if axis:
                 self._row(number, axis[1].upper(), text, axis.end())
             elif re.match(r"\s*[XYZ](?:\s|$)", text):
                 raise self.source.error(f"{shown(text)} is no row of an axis: export the report again", number)
+            elif not _OTHER_ROW.match(text) and self.stranger is None:
+                self.stranger = number, text
+        elif self.closed is not None and axis:
+            line, by, location = self.closed
+            raise self.source.error(
+                f"whose row of axis {axis[1].upper()} is this? {shown(by)} in line {line} closed "
+                f"{shown(location.feature)} of line {location.line}",
+                number,
+            )
+
+    def _open(self, location: _Location | None) -> None:
+        """Begin a block of rows: those of a point, or of what is none."""
+        self.open, self.heading, self.wanted, self.stranger, self.closed = location, [], None, None, None
+        if location is not None:
+            self.locations.append(location)
+
+    def _close(self, number: int, text: str) -> None:
+        location = self.open
+        self._open(None)
+        self.closed = None if location is None else (number, text, location)
+
+    def _alignment(self, number: int, text: str) -> None:
+        """From here on another frame, or the one that an alignment of this name had when it was recalled before."""
+        self._close(number, text)
+        name = " ".join(text.upper().split())
+        if _RECALLED.match(text) and name in self.recalled:
+            self.frame = self.recalled[name]
+            return
+        self.frame = len(self.frames)
+        self.frames.append(f"after {shown(text)} in line {number}")
+        if _RECALLED.match(text):
+            self.recalled[name] = self.frame
 
     def _plain(self, number: int, text: str) -> bool:
         """Take a line as nearly all are: a point's head, or a row with nothing blank or spoilt that adds up."""
         if text.startswith("DIM "):
             found = _PLAIN_POINT.fullmatch(text)
             if found is not None:
-                self.open, self.heading, self.wanted = _Location(found[2], number, _UNIT_NAMES[found[3]]), [], None
-                self.locations.append(self.open)
+                self._open(_Location(found[1], number, _UNIT_NAMES[found[2]], self.frame))
+                self.continued = False
             return found is not None
         if "," in text:
             text = text.replace(",", ".")
         cells, location = text.split(), self.open
-        if location is None or not cells or cells[0] not in _AXES:
-            return not cells
+        if not cells:
+            return True
+        if location is None or self.continued or self.stranger is not None or cells[0] not in _AXES:
+            return False
         axis = cells[0]
         if axis != "V" and (self.wanted is None or axis in location.axes):
             return False
@@ -168,22 +258,24 @@ class _Report:
             location.axes[axis] = (nominal, measured)
         return True
 
-    def _dimension(self, number: int, found: re.Match[str]) -> None:
-        self.open, self.heading, self.wanted = None, [], None
-        what = found["what"].upper().split()
-        rest = re.split(r"\bUNITS\b", found["rest"], maxsplit=1, flags=re.IGNORECASE)[0].strip().rstrip(",$ ")
-        words = rest.split()
-        if what != ["LOCATION"] or not words or "POINT" not in (w.upper() for w in words[:-1]):
-            kind = f"{found['what'].lower()} of {' '.join(words[:-1]).lower() or 'something'}"
+    def _dimension(self, number: int, what: str) -> None:
+        unit = _UNITS.search(what)
+        parts = _KIND.match(what[: unit.start()] if unit else what)
+        point = _POINT.match(parts["features"]) if parts and parts["kind"].upper() == "LOCATION" else None
+        name = point["name"].rstrip(",$ \t") if point else ""
+        if not name:
+            kind = (parts["kind"] if parts else what).lower()
+            feature = parts["features"].split()[0].lower() if parts and parts["features"] else ""
+            # A feature control frame names the feature without its kind.
+            kind = f"{kind} of {feature}" if feature.isalpha() else kind
             self.others[kind[:40]] = self.others.get(kind[:40], 0) + 1
+            self._open(None)
             return
-        unit = _UNITS.search(found["rest"])
-        name = _UNIT_NAMES.get(unit[1].upper()) if unit else ""
-        if name is None:
+        unit_name = _UNIT_NAMES.get(unit[1].upper()) if unit else ""
+        if unit_name is None:
             assert unit is not None
             raise self.source.error(f"unit {shown(unit[1])}: only MM and IN are read", number)
-        self.open = _Location(words[-1], number, name)
-        self.locations.append(self.open)
+        self._open(_Location(name, number, unit_name, self.frame))
 
     def _columns(self, number: int, text: str) -> None:
         heading = self.headings.get(text)
@@ -210,6 +302,13 @@ class _Report:
         assert location is not None
         if not self.heading:
             raise source.error("a row of an axis without column heads (AX NOMINAL ...) above it", number)
+        if self.stranger is not None:
+            line, between = self.stranger
+            raise source.error(
+                f"whose row of axis {axis} is this? {shown(between)} in line {line} stands between it and "
+                f"{shown(location.feature)} of line {location.line}: delete what is no line of the report",
+                number,
+            )
         graph = _GRAPH.search(text, start)
         end = graph.start() if graph else len(text)
         spoilt = _VALUE.sub(" ", text[start:end]).strip(" \t-\xb0")
@@ -248,28 +347,38 @@ class _Report:
         below = {names[k]: v for k, v in zip(nearest, values, strict=True)}
         return below if len(set(nearest)) == len(nearest) and _adds_up(below, "DEV" in names, step) else None
 
+    def _chosen(self) -> list[_Location]:
+        """Locations in the alignment that the caller wants, of those that have points."""
+        frames = list(dict.fromkeys(location.frame for location in self.locations if not location.missing))
+        if not frames:
+            return self.locations
+        titles = []
+        for frame in frames:
+            own = np.array([location.line for location in self.locations if location.frame == frame])
+            titles.append(titled(own) + (f", {self.frames[frame]}" if len(frames) > 1 else ""))
+        wanted = frames[chosen_part(self.source, titles)]
+        return [location for location in self.locations if location.frame == wanted]
+
     def measurement(self) -> Measurement:
         source = self.source
         whole, notes = [], []
         seen: dict[str, _Location] = {}
-        for location in self.locations:
-            missing = "XYZ" if not location.axes else "".join(a for a in "XYZ" if a not in location.axes)
-            if missing:
-                notes.append((location, missing))
+        for location in self._chosen():
+            if location.missing:
+                notes.append((location, location.missing))
                 continue
             first = seen.setdefault(location.feature, location)
             if first is location:
                 whole.append(location)
             elif first.axes != location.axes:
                 raise source.error(
-                    f"{shown(location.feature)} lies elsewhere than in line {first.line}: report every point once, "
-                    "in one alignment",
+                    f"{shown(location.feature)} lies elsewhere than in line {first.line}: report every point once",
                     location.line,
                 )
         remarks = []
         if notes:
             first, missing = notes[0]
-            text = f"{shown(first.feature)} lacks {', '.join(missing)} and is no point"
+            text = f"{shown(first.feature)} lacks {missing} and is no point"
             if not whole:
                 raise source.error(f"no point has all its axes: {text}; report X, Y and Z", first.line)
             remarks.append(f"{len(notes)} locations left out: {text} (line {first.line})")

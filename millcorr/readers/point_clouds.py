@@ -202,12 +202,21 @@ def _load_pcd(pypcd4: Any, source: Source) -> _Points:
         packed, size = struct.unpack("<II", source.data[end : end + 8])
         if packed > len(source.data) - end - 8 or size > _SMALLEST_PACKED * max(packed, 1):
             raise source.error("the compressed data are damaged or cut off")
-    cloud = pypcd4.PointCloud.from_fileobj(io.BytesIO(source.data))
+    # Versions differ in what their headers may leave out; the library knows the last one's name only.
+    data = source.data
+    if b"COUNT" not in keys and b"SIZE" in keys:
+        sizes, at = keys[b"SIZE"]
+        data = data[:at] + b"COUNT" + b" 1" * len(sizes) + b"\n" + data[at:]
+    data = _PCD_OLDER.sub(rb"\g<1>7", data, count=1)
+    cloud = pypcd4.PointCloud.from_fileobj(io.BytesIO(data))
     # Of one point in ASCII the library makes a scalar.
     table = np.atleast_1d(cloud.pc_data)
     if table.shape != (count,):
         raise source.error(f"{len(table)} points where the header says {count}: the file was cut off")
     return _table(source, tuple(cloud.fields), lambda name: table[name])
+
+
+_PCD_OLDER = re.compile(rb"^(VERSION[ \t]+0?\.)[56](?=\s)", re.MULTILINE)
 
 
 def _pcd_header(data: bytes) -> list[tuple[bytes, bytes, int]]:

@@ -2,9 +2,9 @@
 """QIF 2.x and 3.0 results (ISO 23952): measured point features and measured point sets, joined by id.
 
 A point feature is joined with its item and its nominal; whether its location is a ball centre or a contact point
-is what its point set says (``Compensated``, ``ProbeRadius``), else what the profile values stored in the file
-show: they equal (P - N) . n - r. Features of other kinds only give their point sets, and only where the file has
-no point, curve or surface features of its own.
+is what its point set says (``Compensated``, ``ProbeRadius``), or in documents of 2.x its MeasurePoint, else what the
+profile values stored in the file show: they equal (P - N) . n - r. Features of other kinds only give their point sets,
+and only where the file has no point, curve or surface features of its own.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.errors import UsageError
-from millcorr.measurement import Measurement
+from millcorr.measurement import Basis, Measurement
 
 from .parts import chosen_part
-from .qif_document import POINTS, Document, Feature, PointSet
+from .qif_document import POINTS, Document, Feature, PointSet, Reference
 from .source import MM_PER_INCH, Source, shown
 from .xml_events import parse
 
@@ -85,7 +85,7 @@ def _keep_part(source: Source, document: Document) -> None:
         if m.result >= 0:
             of_result[m.result].add(m.reference)
             counts[m.result] += 1
-    in_features = {label for m in document.measured.values() for label in m.sets}
+    in_features = {of.id for m in document.measured.values() for of in m.sets}
     for s in document.sets.values():
         if s.result >= 0 and s.id not in in_features and not counts[s.result]:
             of_result[s.result].add("")
@@ -117,7 +117,10 @@ class _Joined:
         self.source = source
         self.document = document
         self.notes: list[str] = []
-        self.factors, self.factor = self._units()
+        self.inferred = ""
+        """What shows whether points are centres where the file does not say so itself."""
+        self.factors: dict[str, float] = {}
+        self.factor = 1.0
 
     def _units(self) -> tuple[dict[str, float], float]:
         """Factors to mm of every named unit and of the primary one."""
@@ -150,6 +153,7 @@ class _Joined:
         sets = self._own_sets(features)
         if not features and not sets:
             raise source.error(f"no measured points; {len(document.measured)} measured features without any")
+        self.factors, self.factor = self._units()
         parts = []
         if features:
             parts.append(self._of_features(features))
@@ -167,7 +171,14 @@ class _Joined:
         unit = source.unit(said or "mm")
         if said is None:
             self.notes.append(f"converted from a unit of {self.factor:g} mm")
+        if not any(u.primary for u in document.units):
+            source.bases["unit"] = Basis("said", "--units")
         ball = self._ball(radii)
+        if not (radii == _UNKNOWN).any():
+            basis = Basis("inferred", self.inferred) if self.inferred else Basis("stated")
+            source.bases["points"] = basis
+            if (radii > 0).any():
+                source.bases["radius"] = basis
         return source.measurement(
             "qif", points, lines, ball_radius=ball, normals=None if without else normals,
             nominal=None if np.isnan(nominal).all() else nominal, stated=None if np.isnan(stated).all() else stated,
@@ -177,15 +188,20 @@ class _Joined:
     def _own_sets(self, features: list[Feature]) -> list[PointSet]:
         """Sets of curve and surface features; all sets where there are neither these nor point features."""
         document = self.document
-        of_curves = {label for m in document.measured.values() if m.kind in _CURVES for label in m.sets}
-        chosen = [s for label, s in document.sets.items() if label in of_curves]
+        wanted: dict[str, NDArray[np.bool_]] = {}
+        for m in document.measured.values():
+            for of in m.sets if m.kind in _CURVES else ():
+                if of.id in document.sets:
+                    rows = wanted.setdefault(of.id, np.zeros(document.sets[of.id].count, dtype=np.bool_))
+                    rows[self._rows(of)] = True
+        chosen = [s.only(wanted[label]) for label, s in document.sets.items() if label in wanted]
         if not chosen and not features:
             return list(document.sets.values())
-        used = {label for m in features for label in m.sets} | {s.id for s in chosen}
+        used = {of.id for m in features for of in m.sets} | wanted.keys()
         kinds: dict[str, int] = {}
         for m in document.measured.values():
             if m.kind not in POINTS | _CURVES:
-                for label in document.sets.keys() & (set(m.sets) - used):
+                for label in document.sets.keys() & ({of.id for of in m.sets} - used):
                     kinds[m.kind.lower()] = kinds.get(m.kind.lower(), 0) + document.sets[label].count
         if kinds:
             left = ", ".join(f"{count} of {kind} features" for kind, count in sorted(kinds.items()))
@@ -216,12 +232,22 @@ class _Joined:
                 normals[row] = normal
             stated[row] = values.get(m.id, np.nan)
             names.append((item.name if item is not None else "") or m.id)
-            own = next((document.sets[label] for label in m.sets if label in document.sets), None)
+            own = next((document.sets[of.id].only(self._rows(of)) for of in m.sets if of.id in document.sets), None)
             same = at_point.get(tuple(points[row].tolist()))
             radii[row] = self._radius(points[row], own, same)
         self._decide(radii, points, nominal, normals, stated)
         lines = np.array([m.line for m in features], dtype=np.int64)
         return (points, nominal, normals, radii, stated), lines, names
+
+    def _rows(self, of: Reference) -> slice:
+        """Which points of its set a reference means."""
+        count = self.document.sets[of.id].count
+        last = of.last or count
+        if not 1 <= of.first <= last <= count and count:
+            raise self.source.error(
+                f"points {of.first} to {last} are wanted of point set {of.id}, which has {count}", of.line
+            )
+        return slice(of.first - 1, last)
 
     def _ideal(self, m: Feature) -> tuple[Feature | None, Feature | None]:
         document = self.document
@@ -286,14 +312,18 @@ class _Joined:
         """What stored profile values show of locations that no set explains, and of the rest of the file. In place."""
         with np.errstate(over="ignore", invalid="ignore"):
             along = ((points - nominal) * normals).sum(axis=1)
+        open_before = radii == _UNKNOWN
         balls = {float(r) for s in self.document.sets.values() for r in self._radii(s)[:1] if r > 0}
         for radius in (_CONTACT, *sorted(balls)):
             shows = (radii == _UNKNOWN) & (np.abs(along - radius - stated) <= STATED_TOLERANCE)
             radii[shows] = radius
+        if (radii[open_before] != _UNKNOWN).any():
+            self.inferred = "the profile values stored in the file"
         unknown = radii == _UNKNOWN
         kinds = set(radii[~unknown].tolist())
         if unknown.any() and len(kinds) == 1:
             radii[unknown] = kinds.pop()
+            self.inferred = "the file's other points"
             self.notes.append(f"{int(unknown.sum())} locations are taken for what the file's others are")
         with np.errstate(invalid="ignore"):
             differ = np.abs(along - np.maximum(radii, 0.0) - stated)
@@ -308,7 +338,8 @@ class _Joined:
         with np.errstate(over="ignore"):
             points = s.points * self._factor(s.unit, s.line)
         columns = (points, nothing, normals, self._radii(s), np.full(s.count, np.nan))
-        return columns, np.full(s.count, s.line, dtype=np.int64), [f"{s.id}.{k}" for k in range(1, s.count + 1)]
+        lines = np.full(s.count, s.line, dtype=np.int64) if s.lines is None else s.lines
+        return columns, lines, [f"{s.id}.{k}" for k in range(1, s.count + 1)]
 
     def _ball(self, radii: Floats) -> float | Floats:
         """Radius in mm, one for all or one a point, with what the caller says about rows the file leaves open."""

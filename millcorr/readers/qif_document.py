@@ -7,7 +7,7 @@ import base64
 import binascii
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import NoReturn
 
 import numpy as np
@@ -28,12 +28,35 @@ _SET_FIELDS = {
     "Points", "BinaryPoints", "Normals", "BinaryNormals", "Compensated", "Compensations", "BinaryCompensated",
     "ProbeRadius", "ProbeRadii", "BinaryProbeRadii",
 }  # fmt: skip
+_TOUCH_FIELDS = {"Point", "Normal", "Compensated", "ProbeRadius"}
+"""Children of a MeasurePoint, in which documents of 2.x give every touch of a feature."""
 _FOREIGN_FRAMES = ("CoordinateSystemId", "TransformId", "TranformId", "Units")
 """Children of a point set that give it a frame or unit of its own; the schema of 3.0 has the third, misspelt."""
 
 _NUMBER_CHARACTERS = str.maketrans("", "", "0123456789+-.eE \t\n\r")
 _BLOCK = 1 << 20
 _LARGEST = 1e9
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """Points `first` to `last`, from 1, of a point set; `last` is 0 for all of them."""
+
+    id: str
+    line: int
+    first: int = 1
+    last: int = 0
+
+
+@dataclass(slots=True)
+class Touch:
+    """MeasurePoint of a feature; None is what it does not say."""
+
+    line: int
+    point: tuple[float, float, float] | None = None
+    normal: tuple[float, float, float] | None = None
+    compensated: bool | None = None
+    radius: float | None = None
 
 
 @dataclass(slots=True)
@@ -47,7 +70,8 @@ class Feature:
     normal: tuple[float, float, float] | None = None
     reference: str = ""
     name: str = ""
-    sets: list[str] = field(default_factory=list)
+    sets: list[Reference] = field(default_factory=list)
+    touches: list[Touch] = field(default_factory=list)
     unit: str = ""
     result: int = -1
     """Which of the document's results holds it; -1 for none."""
@@ -55,7 +79,10 @@ class Feature:
 
 @dataclass(slots=True)
 class PointSet:
-    """Measured point set; `compensated` and `radius` are one for all points or one a point, None if not said."""
+    """Measured point set; `compensated` and `radius` are one for all points or one a point, None if not said.
+
+    A radius is NaN where only other points say theirs.
+    """
 
     id: str
     line: int
@@ -66,6 +93,21 @@ class PointSet:
     radius: Floats | None = None
     unit: str = ""
     result: int = -1
+    lines: NDArray[np.int64] | None = None
+    """Line of each point where it has one of its own."""
+
+    def only(self, rows: slice | NDArray[np.bool_]) -> PointSet:
+        """Some points of the set."""
+        assert self.points is not None
+
+        def kept(values: Floats | None) -> Floats | None:
+            return values if values is None or len(values) != self.count else values[rows]
+
+        points = self.points[rows]
+        return replace(
+            self, count=len(points), points=points, normals=kept(self.normals), compensated=kept(self.compensated),
+            radius=kept(self.radius), lines=None if self.lines is None else self.lines[rows],
+        )  # fmt: skip
 
 
 @dataclass(slots=True)
@@ -102,6 +144,8 @@ class Document:
         """Id and line of every MeasurementResults."""
         self.record: Feature | PointSet | ProfileValue | Unit | None = None
         self.depth = 0
+        self.span = ""
+        """Which points of a set a reference means, as it stands there."""
 
     def begin(self, path: Sequence[str], attributes: dict[str, str], line: int) -> bool:
         """Open a record, or say whether the text of this element is wanted."""
@@ -123,7 +167,14 @@ class Document:
         if isinstance(self.record, Feature):
             if below == 1 and name == "Location" and "linearUnit" in attributes:
                 self.record.unit = attributes["linearUnit"]
-            return (below == 1 and name in _FEATURE_FIELDS) or (below == 2 and name.endswith("PointSetId"))
+            if below == 2 and name.endswith("PointSetId"):
+                self.span = attributes.get("range", attributes.get("index", ""))
+                return True
+            if below == 2 and name == "MeasurePoint" and path[-2] == "PointList":
+                self.record.touches.append(Touch(line))
+            if below == 3:
+                return path[-2] == "MeasurePoint" and bool(self.record.touches) and name in _TOUCH_FIELDS
+            return below == 1 and name in _FEATURE_FIELDS
         if isinstance(self.record, Unit):
             return name in ("UnitName", "Factor")
         return (below == 1 and name == "Value") or (below == 2 and name == "Id" and path[-2].startswith("Feature"))
@@ -134,7 +185,9 @@ class Document:
         if isinstance(record, PointSet):
             self._set_field(record, name, content, line)
         elif isinstance(record, Feature):
-            if name in ("Location", "Normal"):
+            if path[-2] == "MeasurePoint":
+                self._touch_field(record, record.touches[-1], name, content, line)
+            elif name in ("Location", "Normal"):
                 x, y, z = self._numbers(content, record.id, line, 3).tolist()
                 if name == "Location":
                     record.location = (x, y, z)
@@ -143,7 +196,7 @@ class Document:
             elif name == "FeatureName":
                 record.name = content.strip()
             elif name.endswith("PointSetId"):
-                record.sets.append(content.strip())
+                record.sets.append(self._referred(content.strip(), line))
             else:
                 record.reference = content.strip()
         elif isinstance(record, ProfileValue):
@@ -170,6 +223,8 @@ class Document:
             group = {"Nominal": self.nominals, "Item": self.items}.get(role[2], self.measured)
             self._once(record.id, group, record.line)
             group[record.id] = record
+            if record.touches and group is self.measured:
+                self._add_touches(record)
         elif isinstance(record, PointSet):
             self._once(record.id, self.sets, record.line)
             self._check_set(record)
@@ -209,6 +264,50 @@ class Document:
     def _once(self, label: str, group: dict[str, Feature] | dict[str, PointSet], line: int) -> None:
         if label in group:
             self._refuse(f"id {shown(label)} is there twice, first in line {group[label].line}", line)
+
+    def _referred(self, label: str, line: int) -> Reference:
+        if not self.span.strip():
+            return Reference(label, line)
+        ends = self.span.split()
+        if not all(re.fullmatch(r"\d{1,9}", end, re.ASCII) for end in ends) or len(ends) > 2:
+            self._refuse(f"{shown(self.span)} is no range of points of set {label}", line)
+        return Reference(label, line, int(ends[0]), int(ends[-1]))
+
+    def _touch_field(self, record: Feature, touch: Touch, name: str, content: str, line: int) -> None:
+        if name == "Compensated":
+            if content.strip() not in ("true", "1", "false", "0"):
+                self._refuse(f"feature {record.id}: Compensated {shown(content)} is not true or false", line)
+            touch.compensated = content.strip() in ("true", "1")
+        elif name == "ProbeRadius":
+            touch.radius = float(self._numbers(content, record.id, line, 1)[0])
+        else:
+            x, y, z = self._numbers(content, record.id, line, 3).tolist()
+            if name == "Point":
+                touch.point = (x, y, z)
+            else:
+                touch.normal = (x, y, z)
+
+    def _add_touches(self, record: Feature) -> None:
+        """Put the touches that stand in a feature among the point sets, and refer to them."""
+        touches, label = record.touches, f"of feature {record.id}"
+        for t in touches:
+            if t.point is None:
+                self._refuse(f"a MeasurePoint of feature {record.id} has no Point", t.line)
+            if t.compensated is not touches[0].compensated and None in (t.compensated, touches[0].compensated):
+                self._refuse(f"a MeasurePoint of feature {record.id} lacks Compensated, or all others do", t.line)
+        normals = [t.normal for t in touches if t.normal is not None]
+        radii = np.array([np.nan if t.radius is None else t.radius for t in touches])
+        found = PointSet(
+            label, record.line, len(touches), np.array([t.point for t in touches]),
+            np.array(normals) if len(normals) == len(touches) else None,
+            None if touches[0].compensated is None else np.array([float(bool(t.compensated)) for t in touches]),
+            None if np.isnan(radii).all() else radii, record.unit, record.result,
+            np.array([t.line for t in touches], dtype=np.int64),
+        )  # fmt: skip
+        self._check_set(found)
+        self.sets[label] = found
+        record.sets.append(Reference(label, record.line))
+        record.touches = []
 
     def _set_field(self, record: PointSet, name: str, content: str, line: int) -> None:
         n = record.count
@@ -254,7 +353,7 @@ class Document:
     def _check_set(self, record: PointSet) -> None:
         if record.points is None:
             self._refuse(f"point set {record.id} has no Points", record.line)
-        if record.radius is not None and not (record.radius > 0).all() and not self._all_compensated(record):
+        if record.radius is not None and (record.radius <= 0).any() and not self._all_compensated(record):
             self._refuse(f"point set {record.id}: its ProbeRadius is not positive", record.line)
 
     @staticmethod

@@ -2,7 +2,8 @@
 """Print-outs of Renishaw's inspection cycles: a heading a feature, a POSN line an axis.
 
 A point is a feature with POSN lines of X and Y, and Z where they all have it, and without SIZE. Every line is
-checked by DEV = ACTUAL less nominal. The layout is from descriptions, no public real print-out was available.
+checked by DEV = ACTUAL less nominal. The layout is that of the results a common CAM's post writes for these cycles:
+``ACTUAL NaN`` is an axis that a cycle did not measure.
 """
 
 from __future__ import annotations
@@ -22,8 +23,11 @@ _NUMBER = r"([+-]?[ \t]*(?:\d+\.?\d*|\.\d+))(?![\w.,])"
 _POSITION = re.compile(
     rf"POSN\s*([A-Z])\s*{_NUMBER}\s+ACTUAL\s*{_NUMBER}(?:\s+TOL\s*(?:TP)?\s*{_NUMBER})?\s+DEV\s*{_NUMBER}", re.ASCII
 )
+_UNMEASURED = re.compile(rf"POSN\s*[A-Z]\s*{_NUMBER}\s+ACTUAL\s*NAN\b", re.ASCII)
 _CONTROLS = b"\x00\x11\x12\x13\x14\x1a"
 _LARGEST = 1e6
+_BESIDES = 1.07
+"""A deviation may miss the difference of two rounded numbers by all roundings, and a bit for the binary."""
 
 
 @dataclass(slots=True)
@@ -35,6 +39,8 @@ class _Feature:
     line: int
     axes: dict[str, tuple[float, float]] = field(default_factory=dict)
     sized: bool = False
+    unmeasured: bool = False
+    """Whether an axis is there that was not measured."""
 
 
 def recognises(data: bytes) -> bool:
@@ -88,6 +94,9 @@ def _of_part(source: Source, features: list[_Feature]) -> list[_Feature]:
 
 
 def _position(source: Source, features: list[_Feature], number: int, text: str) -> None:
+    if _UNMEASURED.match(text) and features:
+        features[-1].unmeasured = True
+        return
     found = _POSITION.match(text)
     if found is None:
         raise source.error(f"{shown(text)} is no whole POSN line: print the results again", number)
@@ -97,8 +106,10 @@ def _position(source: Source, features: list[_Feature], number: int, text: str) 
     nominal, actual, deviation = (float(re.sub(r"\s", "", f)) for f in fields)
     if not max(abs(nominal), abs(actual), abs(deviation)) <= _LARGEST:
         raise source.error("a value is no length that a machine can travel", number)
-    step = 10.0 ** -max(len(f.partition(".")[2]) for f in fields)
-    if abs(deviation - (actual - nominal)) > 1.6 * step:
+    # Nominal and actual are printed alike, perhaps without last zeros, the deviation sometimes finer.
+    places = [len(f.partition(".")[2]) for f in fields]
+    rounding = 10.0 ** -max(places[:2]) + 10.0 ** -max(places) / 2
+    if abs(deviation - (actual - nominal)) > _BESIDES * rounding:
         raise source.error(f"axis {axis}: DEV is not ACTUAL less nominal, the line is damaged", number)
     if axis in features[-1].axes:
         raise source.error(f"axis {axis} of feature {features[-1].name} is there twice", number)
@@ -130,6 +141,9 @@ def _measurement(source: Source, features: list[_Feature], ball: float) -> Measu
     sized = sum(f.sized for f in features)
     if sized:
         notes.append(f"{sized} features with a size left out")
+    unmeasured = sum(f.unmeasured for f in features)
+    if unmeasured:
+        notes.append(f"{unmeasured} features have an axis that was not measured (ACTUAL NaN)")
     rest = len(features) - len(points) - len(lone) - sized
     if rest:
         notes.append(f"{rest} features without POSN of X and Y left out")

@@ -7,13 +7,13 @@ Here the caller's words meet the file's: what the file does not say is demanded,
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.errors import FormatError, UsageError
-from millcorr.measurement import LARGEST_LOBING, Measurement, Probe
+from millcorr.measurement import LARGEST_LOBING, Basis, Measurement, Probe
 
 from .decoding import decode
 
@@ -70,6 +70,8 @@ class Source:
         Origin of the work frame in the machine frame, in mm, for files in the machine frame.
     part : int or None
         Which of several measured parts in the file, from 1.
+    bases : dict of str to Basis
+        How unit, points and radius came to be known, written down here as each is settled.
     """
 
     data: bytes
@@ -81,6 +83,7 @@ class Source:
     work_offset: tuple[float, float, float] | None = None
     part: int | None = None
     probe: Probe | None = None
+    bases: dict[str, Basis] = field(default_factory=dict)
 
     def text(self, *, drop: bytes = b"") -> str:
         r"""Text of the file, lines ending in ``\n``.
@@ -108,10 +111,31 @@ class Source:
         """Error that names the file, and the line where known (from 1)."""
         return FormatError(message, self.name, line)
 
-    def unit(self, stated: str | None, default: str = "mm") -> str:
-        """Unit of the coordinates, "mm" or "inch"; UsageError where the caller contradicts the file."""
+    def unit(self, stated: str | None, default: str = "mm", shows: str = "") -> str:
+        """Unit of the coordinates, "mm" or "inch".
+
+        Parameters
+        ----------
+        stated : {"mm", "inch"} or None
+            What the file says.
+        default : {"mm", "inch"}
+            What it is if neither file nor caller say it.
+        shows : str
+            What in the file shows `default`, which is inferred then and else assumed.
+
+        Raises
+        ------
+        UsageError
+            If the caller contradicts the file.
+        """
         if self.units is not None and stated is not None and self.units != stated:
             raise UsageError(f"--units {self.units} contradicts {self.name}, which says {stated}")
+        if stated is not None:
+            self.bases["unit"] = Basis("stated")
+        elif self.units is not None:
+            self.bases["unit"] = Basis("said", "--units")
+        else:
+            self.bases["unit"] = Basis("inferred", shows) if shows else Basis("assumed", "the file does not say")
         return self.units or stated or default
 
     def kind(self, stated: str | None) -> str:
@@ -137,6 +161,7 @@ class Source:
                 "say --points contact or --points centre (or axis): the file does not say whether its coordinates are "
                 "contact points or centres of the probe ball"
             )
+        self.bases["points"] = Basis("said", "--points") if stated is None else Basis("stated")
         return kind
 
     def ball_radius(self, *, centres: bool | None = None, radius: float | None = None) -> float:
@@ -201,6 +226,10 @@ class Source:
                 f"--probe-radius {said:g} contradicts {self.name}, which says {stated:g} mm: leave --probe-radius out"
             )
         radius = said if stated is None else stated
+        if stated is not None:
+            self.bases["radius"] = Basis("stated")
+        else:
+            self.bases["radius"] = Basis("said", "--probe-radius" if said is not None else "--probe")
         if self.probe is None:
             return None if radius is None else float(radius)
         calibrated = self.probe.radius

@@ -73,8 +73,17 @@ def read(source: Source) -> Measurement:
         for k in range(0, len(normals), _PIECE):
             normals[k : k + _PIECE] = unit_normals(normals[k : k + _PIECE], lines[k : k + _PIECE], name)
     return Measurement(
-        points, normals, ball_radius, lines, name, source.digest, "z" in layout.columns, unit=unit, format="text"
-    )
+        points, normals, ball_radius, lines, name, source.digest, "z" in layout.columns, unit=unit, format="text",
+        elements=_names(source, layout, lines), notes=(layout.note,) if layout.note else (),
+    )  # fmt: skip
+
+
+def _names(source: Source, layout: Layout, lines: Ints) -> tuple[str, ...] | None:
+    """What a column of words without a header calls the points."""
+    if layout.name is None:
+        return None
+    rows = source.text().replace('"', "").split("\n")
+    return tuple(split(rows[line - 1].strip(" "), layout.separator)[layout.name] for line in lines.tolist())
 
 
 def write(path: str | Path, measurement: Measurement, *, comments: Sequence[str] = ()) -> Path:

@@ -6,10 +6,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 
 from millcorr.errors import FormatError
 
-from .fields import COMMENT, is_number, split, why_no_number
+from .fields import COMMENT, is_number, lines_of, split, why_no_number
 from .source import shown
 
 _NAMES = {
@@ -27,9 +28,17 @@ _BRACKETS = re.compile(r"\s*[\[(]\s*([^\])]*?)\s*[\])]")
 
 _SEPARATORS = ("\t", ";", ",", None)
 
+_WORD = re.compile(r"(?!(?:nan|inf|infinity|null|none|n/a|na)$)(?=.*[^\W\d_]).+", re.IGNORECASE)
+"""What can name a point: letters are among it, and it says not that something is missing."""
+_COUNT = re.compile(r"\d{1,9}", re.ASCII)
+_SAMPLE = 1000
+"""So many rows show what a column is."""
+
 _EXPECTED = "expected a header x,y,z or x,y,z,i,j,k above the numbers (or say --mapping FILE.toml)"
 _HEADER_DEPTH = 1000
 LINE_LIMIT = 20_000
+_FEWEST = 3
+"""Fewer numbers in a row do not count up."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,6 +55,10 @@ class Layout:
     """Line number from 1 of the header."""
     unit: str | None
     """What header or preamble say."""
+    name: int | None = None
+    """Column of words that name the points, where no header says so."""
+    note: str = ""
+    """What was taken for what without a header."""
 
 
 def _numeric_separator(line: str) -> tuple[str | None, list[str]] | None:
@@ -107,6 +120,10 @@ def find_layout(text: str, name: str) -> Layout:
             if first_text is not None:
                 raise FormatError(f"{_EXPECTED}, found {shown(first_text[1])}", name, first_text[0] + 1)
             return _layout_without_header(text, numeric[0], numeric[1], index, unit, name)
+        if first_text is None:
+            layout = _layout_of_named_rows(text, content, index, unit)
+            if layout is not None:
+                return layout
         first_text = first_text or (index, content)
     if header is not None:
         raise FormatError("no points below the header", name, header[0] + 1)
@@ -116,6 +133,57 @@ def find_layout(text: str, name: str) -> Layout:
     if _split_like_numbers(content):
         _refuse_field(content, name, index + 1)
     raise FormatError(f"{_EXPECTED}, found {shown(content)}", name, index + 1)
+
+
+def _rows_below(text: str, first: int, separator: str | None) -> list[list[str]]:
+    """Fields of the rows from a line on, as many as show what a column is."""
+    begin = 0
+    for _ in range(first):
+        begin = text.index("\n", begin) + 1
+    rows = []
+    for line in lines_of(text, begin):
+        content = COMMENT.sub("", line).strip(" ")
+        if content.strip():
+            fields = split(content, separator)
+            rows.append(fields[:-1] if separator is not None and fields[-1] == "" else fields)
+        if len(rows) == _SAMPLE:
+            break
+    return rows
+
+
+def _counts_up(rows: list[list[str]], separator: str | None) -> bool:
+    """Whether the first column counts: whole numbers, each one more than the last, beside numbers with decimals."""
+    if len(rows) < _FEWEST or not all(_COUNT.fullmatch(row[0]) for row in rows):
+        return False
+    counts = [int(row[0]) for row in rows]
+    marks = "." if separator == "," else ".,"
+    decimals = any(mark in field for row in rows for field in row[1:] for mark in marks)
+    return decimals and all(b - a == 1 for a, b in pairwise(counts))
+
+
+def _layout_of_named_rows(text: str, content: str, first: int, unit: str | None) -> Layout | None:
+    """Layout of rows of a word and two, three or six numbers; None where one of them is made otherwise."""
+    for separator in _SEPARATORS:
+        if separator is not None and separator not in content:
+            continue
+        rows = _rows_below(text, first, separator)
+        width = len(rows[0])
+        if width - 1 not in (2, 3, 6) or len(rows) < 2:
+            continue
+        if all(
+            len(row) == width and _WORD.fullmatch(row[0]) and all(is_number(f, separator) for f in row[1:])
+            for row in rows
+        ):
+            return _layout_behind_first(separator, width, first, unit, 0, "holds words: the points' names")
+    return None
+
+
+def _layout_behind_first(
+    separator: str | None, width: int, first: int, unit: str | None, name: int | None, what: str
+) -> Layout:
+    columns = {c: n for n, c in enumerate("xyzijk"[: width - 1], 1)}
+    note = f"no header: the first column {what}, then {' '.join(columns)}; a header says otherwise"
+    return Layout(separator, width, columns, first, None, unit, name, note)
 
 
 def _split_like_numbers(content: str) -> bool:
@@ -218,6 +286,9 @@ def _layout_without_header(
     text: str, separator: str | None, fields: list[str], first: int, unit: str | None, name: str
 ) -> Layout:
     width = len(fields)
+    if width - 1 in (2, 3, 6) and _counts_up(_rows_below(text, first, separator), separator):
+        what = f"counts up from {fields[0]}: the points' numbers"
+        return _layout_behind_first(separator, width, first, unit, None, what)
     if width not in (2, 3, 6):
         raise FormatError(f"{width} columns without a header: {_EXPECTED}", name, first + 1)
     if separator == "," and width != 3 and "." not in COMMENT.sub("", text):

@@ -61,7 +61,12 @@ def check_last_number(data: bytes, name: str) -> None:
     shorter = gaps[count - 1] in marks and len(digits) == 1 and len(runs[-1]) < min(digits)
     if goes_on or shorter:
         line = len(re.findall(rb"\r\n|\r|\n", data.replace(b"\x00", b"").rstrip(b"\x11\x12\x13\x14\x1a"))) + 1
-        raise FormatError("the file ends within a number: it was cut off, export it again", name, line)
+        raise FormatError(
+            "the file ends within a number: it was cut off, or a spreadsheet dropped the last zeros; export it again, "
+            "or end the last line",
+            name,
+            line,
+        )
 
 
 def _taken_apart(line: str) -> tuple[list[str], list[str]]:

@@ -84,7 +84,7 @@ def _unit(source: Source, head: str) -> str:
         return source.unit("mm")
     if not rest:
         # Without METRIC PC-DMIS takes inch, but the file does not say so.
-        return source.unit(None, "inch")
+        return source.unit(None, "inch", "no METRIC in the first line, which PC-DMIS takes for inch")
     if rest != "METRIC":
         raise source.error(f"{shown(rest)} behind XYZIJK: only METRIC may stand there, in columns 11 to 16", 1)
     if source.units is None:

@@ -11,7 +11,7 @@ import numpy as np
 from millcorr import distrust
 from millcorr.deviation import statistics
 from millcorr.errors import UsageError
-from millcorr.measurement import Measurement
+from millcorr.measurement import Basis, Measurement
 from millcorr.readers import Reading, text
 from millcorr.whole_file import refuse_places
 
@@ -49,8 +49,10 @@ def inspect(measured: Path, reading: Reading = UNSAID) -> str:
     lines = [
         f"file        {measured}",
         f"format      {measurement.format}",
-        f"unit        {measurement.unit}" + ("" if measurement.unit == "mm" else "; all lengths here in mm"),
+        f"unit        {measurement.unit}, {_basis(measurement, 'unit')}"
+        + ("" if measurement.unit == "mm" else "; all lengths here in mm"),
         f"points      {len(measurement)}, {said or _kind(measurement)}",
+        f"frame       {_basis(measurement, 'frame')}",
         f"normals     {'none' if measurement.normals is None else 'of every point'}",
         f"nominal     {'none' if measurement.nominal is None else 'in the file'}",
         f"extents     X{low[0]:.3f} to {high[0]:.3f}, Y{low[1]:.3f} to {high[1]:.3f}"
@@ -67,10 +69,19 @@ def inspect(measured: Path, reading: Reading = UNSAID) -> str:
 
 
 def _kind(measurement: Measurement) -> str:
+    known = _basis(measurement, "points")
     if measurement.axis_radii is not None:
         radii = " and ".join(f"{radius:g}" for radius in sorted(set(measurement.axis_radii)))
-        return f"centres shifted along an axis by the ball's radius {radii}"
-    return f"centres of a ball of radius {measurement.ball_radius:g}" if measurement.ball_radius else "contact"
+        return f"centres shifted along an axis by the ball's radius {radii} ({known})"
+    if not measurement.ball_radius:
+        return f"contact ({known})"
+    known = f"centres {known}; radius {_basis(measurement, 'radius')}"
+    return f"centres of a ball of radius {measurement.ball_radius:g} ({known})"
+
+
+def _basis(measurement: Measurement, what: str) -> str:
+    """How something is known, in words; a person said it where nothing was written down."""
+    return str(measurement.bases.get(what, Basis("said")))
 
 
 def convert(measured: Path, output: Path, reading: Reading = UNSAID) -> str:

@@ -86,6 +86,9 @@ def msr(
 # --- QIF --------------------------------------------------------------------------------------------------
 
 
+SET_NINE = '<PointList n="1"><WholePointSetId>9</WholePointSetId></PointList>'
+
+
 def qif(
     part: Part,
     *,
@@ -98,8 +101,12 @@ def qif(
     inch: bool = False,
     prefix: str = "",
     comments: bool = False,
+    listed: bool = False,
 ) -> str:
-    """QIF results: point features joined to nominals, or with `scan` one point set of a curve feature."""
+    """QIF results: point features joined to nominals, or with `scan` one point set of a curve feature.
+
+    With `listed` the touches stand in the features as CheckMate writes them in documents of 2.1, and not in sets.
+    """
     scale = 25.4 if inch else 1.0
     where = (part.contact if compensated else part.centres) / scale
     nominal = part.nominal / scale
@@ -126,13 +133,24 @@ def qif(
             + f"<Compensated>{str(compensated).lower()}</Compensated>{radius}</MeasuredPointSet>\n"
         )
 
+    def touches(id: int, values: np.ndarray, normals: np.ndarray | None) -> str:
+        radius = "" if compensated else f"<ProbeRadius>{part.radius / scale!r}</ProbeRadius>"
+        told = f"<Compensated>{str(compensated).lower()}</Compensated>{radius}"
+        directions = [""] * len(values) if normals is None else [f"<Normal>{vector(v)}</Normal>" for v in normals]
+        inner = "".join(
+            f'<MeasurePoint id="{id + k}">{remark}<Point>{vector(v)}</Point>{direction}\n{told}</MeasurePoint>\n'
+            for k, (v, direction) in enumerate(zip(values, directions, strict=True))
+        )
+        return f'<PointList n="{len(values)}">{inner}</PointList>'
+
     ideals = items = measured = clouds = profiles = ""
     if scan:
         measured = (
             f'<PointDefinedCurveFeature{role} id="8"><FeatureItemId>7</FeatureItemId>'
-            f'<PointList n="1"><WholePointSetId>9</WholePointSetId></PointList></PointDefinedCurveFeature{role}>\n'
+            + (touches(10, where, part.normals) if listed else SET_NINE)
+            + f"</PointDefinedCurveFeature{role}>\n"
         )
-        clouds = point_set(9, where, part.normals)
+        clouds = "" if listed else point_set(9, where, part.normals)
     for k in range(0 if scan else n):
         a = 100 + 10 * k
         ideals += (
@@ -143,12 +161,14 @@ def qif(
             f'<PointFeatureItem id="{a + 1}"><FeatureNominalId>{a}</FeatureNominalId>'
             f"<FeatureName>{part.names[k]}</FeatureName></PointFeatureItem>\n"
         )
-        listed = f'<PointList n="1"><WholePointSetId>{a + 3}</WholePointSetId></PointList>' if sets else ""
+        points = f'<PointList n="1"><WholePointSetId>{a + 3}</WholePointSetId></PointList>' if sets else ""
+        if listed:
+            points = touches(a + 3, where[k : k + 1], None)
         measured += (
-            f'<PointFeature{role} id="{a + 2}"><FeatureItemId>{a + 1}</FeatureItemId>{listed}'
+            f'<PointFeature{role} id="{a + 2}"><FeatureItemId>{a + 1}</FeatureItemId>{points}'
             f"<Location>{vector(where[k])}</Location></PointFeature{role}>\n"
         )
-        if sets:
+        if sets and not listed:
             clouds += point_set(a + 3, where[k : k + 1], None)
         if stated:
             value = float(((where[k] - nominal[k]) * part.normals[k]).sum())
@@ -200,8 +220,21 @@ def pcdmis(
     pages: bool = False,
     comma: bool = False,
     decimals: int = 6,
+    blanks: bool = False,
+    between: bool = False,
+    ends: bool = True,
 ) -> str:
-    """PC-DMIS text report of the contact points, each with X, Y, Z, T and V rows."""
+    """PC-DMIS text report of the contact points, each with X, Y, Z, T and V rows.
+
+    Parameters
+    ----------
+    blanks : bool
+        Names of dimensions hold blanks, as operators number them after the drawing.
+    between : bool
+        After every point a hole's feature control frame, which has no DIM, and a distance, whose rows are no point's.
+    ends : bool
+        Dimensions end with a line of their own.
+    """
     scale = 25.4 if inch else 1.0
     heads = ["NOMINAL", "+TOL", "-TOL", *(["BONUS"] if bonus else []), "MEAS", "DEV", "OUTTOL"]
     heading = "AX  " + "".join(f"{h:>14}" for h in heads)
@@ -216,7 +249,8 @@ def pcdmis(
     unit = "IN" if inch else "MM"
     nominals, contacts, deviations = part.nominal / scale, part.contact / scale, part.deviations / scale
     for k, name in enumerate(part.names):
-        lines += [f"DIM LOC{k + 1}= LOCATION OF POINT {name}  UNITS={unit}", heading]
+        dimension = f"#{k + 1}A LOC{k + 1}" if blanks else f"LOC{k + 1}"
+        lines += [f"DIM {dimension}= LOCATION OF POINT {name}  UNITS={unit}", heading]
         for axis, a, b in zip("XYZ", nominals[k], contacts[k], strict=True):
             lines.append(row(axis, a, b))
             if pages and axis == "Y":
@@ -224,11 +258,108 @@ def pcdmis(
         if vectors:
             lines.append(row("T", 0.0, deviations[k]))
             lines.append("V   " + "".join(f"{v:14.9f}" for v in part.normals[k]) + "             -" * 4)
-        lines.append(f"END OF DIMENSION LOC{k + 1}")
+        if ends:
+            lines.append(f"END OF DIMENSION {dimension}")
+        if between:
+            frame = f"#{k + 1}.1 FCFLOC{k + 1}" if k % 2 else f"FCFLOC{k + 1}"
+            numbers = f"{9.5:14.{decimals}f}{' ' * 38}{9.6:14.{decimals}f}{0.1:14.{decimals}f}"
+            lines += [
+                f"{frame} = POSITION OF CIR{k + 1}      FIT TO DATUMS=ON  DEV PERPEN CENTERLINE=ON  UNITS={unit}",
+                "AX    NOMINAL       +TOL       -TOL      BONUS       MEAS         DEV     OUTTOL",
+                *(f"{axis:<4}{numbers}" for axis in "XYZ"),
+                "D1     12.000      0.250      0.250                12.065 CIRCLE CIR8 AT RFS           ",
+                "TP        RFS      0.400                 0.000      0.083       0.083      0.000 -#-------",
+                f"DIM {dimension}B DIST1= 2D DISTANCE FROM CIRCLE CIR7 TO CIRCLE CIR6 PAR TO   XAXIS  UNITS={unit}",
+                heading,
+                row("M", 273.0, 273.027),
+            ]
     lines += ["DIM D1= LOCATION OF CIRCLE CIR1  UNITS=MM", heading, row("D", 10.0, 10.01), "END OF DIMENSION D1"]
     lines += ["DIM A1= 2D ANGLE FROM LINE L1 TO LINE L2  UNITS=DEG", "Winkel 90°"]
     text = "\n".join([*lines, ""])
     return text.replace(".", ",") if comma else text
+
+
+# --- STL --------------------------------------------------------------------------------------------------
+
+
+def cylinder_mesh(n: int, *, radius: float = 20.0, height: float = 8.0) -> np.ndarray:
+    """Facets (2n, 3, 3) of a cylinder's wall, corners anticlockwise seen from outside, exact in 32 bits."""
+    turns = np.arange(n + 1) % n * 2 * np.pi / n
+    low = np.column_stack([radius * np.cos(turns), radius * np.sin(turns), np.zeros(n + 1)]).astype(np.float32)
+    high = low + np.array([0.0, 0.0, height], dtype=np.float32)
+    return np.concatenate(
+        [[[low[k], low[k + 1], high[k + 1]], [low[k], high[k + 1], high[k]]] for k in range(n)]
+    ).astype(np.float64)
+
+
+def stl(facets: np.ndarray, *, binary: bool = True) -> bytes:
+    """STL file by hand; the normals in it are left blank, as many programs do."""
+    if binary:
+        body = b"".join(struct.pack("<12fH", 0, 0, 0, *facet.ravel(), 0) for facet in facets)
+        return b"solid of a scanner, binary".ljust(80) + struct.pack("<I", len(facets)) + body
+    lines = ["solid wall 1"]
+    for facet in facets:
+        lines += ["  facet normal 0.0 0.0 0.0", "    outer loop"]
+        lines += [f"      vertex {x!r} {y!r} {z!r}" for x, y, z in facet.tolist()]
+        lines += ["    endloop", "  endfacet"]
+    return "\n".join([*lines, "endsolid wall 1", ""]).encode()
+
+
+# --- PTS and PTX ------------------------------------------------------------------------------------------
+
+
+def pts(part: Part, *, colour: bool = True) -> str:
+    """PTS file of the contact points with intensities and colours."""
+    tail = " -1023 128 0 255" if colour else ""
+    rows = [" ".join(f"{v:.6f}" for v in p) + tail for p in part.contact]
+    return "\r\n".join([str(len(rows)), *rows, ""])
+
+
+def ptx(part: Part, *, turn: float = 0.5, shift: tuple[float, float, float] = (3.0, -2.0, 1.0), missed: int = 1) -> str:
+    """PTX scan of the contact points from a scanner that was turned about Z and shifted; a ray a point met nothing."""
+    c, s = np.cos(turn), np.sin(turn)
+    # The scanner's axes as rows: registered = (x, y, z) R + shift.
+    rotation = np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
+    seen = (part.contact - shift) @ rotation.T
+    place = " ".join(f"{v:.9f}" for v in shift)
+    axes = [" ".join(f"{v:.12f}" for v in row) for row in rotation]
+    head = [str(1 + missed), str(len(seen)), place, *axes, *(f"{row} 0" for row in axes), f"{place} 1"]
+    rows = [" ".join(f"{v:.9f}" for v in p) + " 0.25" + "\n0 0 0 0.5" * missed for p in seen]
+    return "\n".join([*head, *rows, ""])
+
+
+# --- Calypso ----------------------------------------------------------------------------------------------
+
+CALYPSO = (
+    "planid partnb id type idsymbol actual nominal uppertol lowertol deviation exceed warningLimitCF featureid "
+    "featuresigma comment link linkmode mmc useruppertol userlowertol fftphi fftphiunit zoneroundnessangle groupname "
+    "groupname2 datumAid datumBid datumCid natuppertolid natlowertolid decimalplaces featurePosX featurePosY "
+    "featurePosZ unit group1 group2 group3"
+).split()
+
+
+def calypso(part: Part, *, inch: bool = False, has_z: bool = True, number: int = 815, others: bool = True) -> str:
+    """Calypso's table of characteristics of the contact points, and a bore behind every third; rows end early."""
+    scale = 25.4 if inch else 1.0
+    rows = ["\t".join(CALYPSO) + "\t"]
+
+    def row(name: str, kind: str, nominal: float, actual: float) -> str:
+        a, b = round(actual / scale, 7), round(nominal / scale, 7)
+        cells = {
+            "planid": "00469-Gate", "partnb": str(number), "id": f"{name}_{kind[0]}", "type": f"{kind[0].upper()}1",
+            "idsymbol": kind, "actual": f"{a:.7f}", "nominal": f"{b:.7f}", "uppertol": "0.0050000",
+            "lowertol": "-0.0050000", "deviation": f"{a - b:.7f}", "warningLimitCF": "100.0000000", "featureid": name,
+            "featuresigma": "0.0000000", "unit": "inch" if inch else "mm", "group1": "Gate",
+        }  # fmt: skip
+        return "\t".join(cells.get(column, "") for column in CALYPSO).rstrip("\t")
+
+    for k, (name, n, p) in enumerate(zip(part.names, part.nominal, part.contact, strict=True)):
+        kinds = ["xValue", "yValue", *(["zValue"] if has_z else [])]
+        rows += [row(name, kind, n[c], p[c]) for c, kind in enumerate(kinds)]
+        if others and k % 3 == 0:
+            bore = (("xValue", 40.0), ("yValue", 20.0), ("diameter", 16.0))
+            rows += [row(f"Bore_{k}", kind, v, v + 0.01) for kind, v in bore]
+    return "\r\n".join([*rows, "END", ""])
 
 
 # --- DMIS -------------------------------------------------------------------------------------------------
@@ -310,6 +441,29 @@ def grbl(
     return "\r\n".join([*lines, ""])
 
 
+def bcnc(heights: np.ndarray, corners: tuple[float, ...] = (0.0, -5.0, 30.0, 20.0)) -> str:
+    """Height map, (rows in Y, columns in X), as bCNC saves it: %g, an empty line after every row of the grid."""
+    left, low, right, high = corners
+    rows, columns = heights.shape
+    lines = [f"{left:g} {right:g} {columns}", f"{low:g} {high:g} {rows}", "-10 3 10", "", ""]
+    for y, row in zip(np.linspace(low, high, rows), heights, strict=True):
+        lines += [f"{x:g} {y:g} {z:g}" for x, z in zip(np.linspace(left, right, columns), row, strict=True)] + [""]
+    return "\n".join(lines)
+
+
+def open_cnc_pilot(heights: np.ndarray, corners: tuple[float, ...] = (0.0, -5.0, 30.0, 20.0)) -> str:
+    """Height map, (rows in Y, columns in X), as OpenCNCPilot saves it."""
+    (left, low, right, high), (rows, columns) = corners, heights.shape
+    points = "".join(
+        f'  <point X="{i}" Y="{j}">{heights[j, i]:.4f}</point>\r\n' for i in range(columns) for j in range(rows)
+    )
+    return (
+        '<?xml version="1.0" encoding="utf-8"?>\r\n'
+        f'<heightmap MinX="{left:g}" MinY="{low:g}" MaxX="{right:g}" MaxY="{high:g}" SizeX="{columns}" SizeY="{rows}">'
+        f"\r\n{points}</heightmap>"
+    )
+
+
 def dprnt(part: Part, *, normals: bool = True, number: bool = True, ending: str = "\r", heads: bool = True) -> str:
     """Contact points as a macro prints them, letters padded."""
     lines = ["%", "POPEN", "PROBE RESULTS PART 12"] if heads else []
@@ -319,6 +473,35 @@ def dprnt(part: Part, *, normals: bool = True, number: bool = True, ending: str 
             words += [f"{c}{v:8.5f}" for c, v in zip("IJK", n, strict=True)]
         lines.append("".join(words))
     return "\x12" + ending.join([*lines, *(["%"] if heads else []), ""]) + "\x14"
+
+
+def mixed_results(part: Part, *, inspected: bool = True, measured: bool = True) -> str:
+    """Results as Fusion's generator writes them: points of an inspection, then features of probing cycles."""
+    rule = "-" * 67
+    lines = ["START", "RESULTSFILE PLATE-RESULTS", "DOCUMENTID 6f1c", "MODELVERSION 3", "TIMESTAMP 251120 101502", ""]
+    number = 0
+    if inspected:
+        lines += ["TOOLPATHID 742.01001", "TOOLPATH INSPECT SURFACE1", "G331 N1 A0. B0. C0. X0. Y0. Z0."]
+        lines += ["G330 N1 A0. B0. C0. X0 Y0 Z0 I0 R0"]
+        for p, q, n in zip(part.nominal, part.centres, part.normals, strict=True):
+            number += 1
+            normal = " ".join(f"{c}{v:.6f}" for c, v in zip("IJK", n, strict=True))
+            lines.append(f"G800 N{number} X{p[0]:.4f} Y{p[1]:.4f} Z{p[2]:.4f} {normal} O0. U0.1 L0.1")
+            lines.append(f"G801 N{number} X{q[0]:.4f} Y{q[1]:.4f} Z{q[2]:.4f} R{part.radius:.4f}")
+    if measured:
+        lines += ["", "TOOLPATHID 744.02001", "TOOLPATH PROBE BORE"]
+        for rows in (
+            ["SIZE D12.  ACTUAL 12.0412  DEV 0.0412", "POSN X10.  ACTUAL 10.0123  DEV 0.0123",
+             "POSN Y20.  ACTUAL 20.2041  TOL TP 0.1  DEV 0.2041", "",
+             "          +++++OUT OF POS+++++ ERROR TP 0.1041 RADIAL"],
+            ["POSN X-5.  ACTUAL -5.0051  DEV -0.005132"],
+            ["ANG 30.  ACTUAL 30.2  TOL 0.1  DEV 0.2", "", "          +++++ANG OUT OF TOL+++++ ERROR 0.1"],
+            ["POSN X1.  ACTUAL 1.0101  DEV 0.010073", "POSN Y2.  ACTUAL 1.9899  DEV -0.010127"],
+            ["POSN X1.  ACTUAL 1.0101  DEV 0.0101", "POSN Y2.  ACTUAL NaN  DEV NaN"],
+        ):  # fmt: skip
+            number += 1
+            lines += ["CYCLEDEPTH -4.5", rule, f"   COMPONENT NO 1                   FEATURE NO {number}", rule, *rows]
+    return "\n".join([*lines, "END", ""])
 
 
 def renishaw(part: Part, *, has_z: bool = True, tight: bool = False, others: bool = True) -> str:

@@ -126,7 +126,10 @@ def _msr(n: int) -> list[Dress]:
 
 def _qif(n: int) -> list[Dress]:
     part = files.ellipse(n)
-    dresses = ({"scan": True}, {}, {"version": 2, "compensated": True, "inch": True}, {"scan": True, "binary": "<f8"})
+    dresses = (
+        {"scan": True}, {}, {"version": 2, "compensated": True, "inch": True}, {"scan": True, "binary": "<f8"},
+        {"version": 2, "listed": True}, {"version": 2, "listed": True, "scan": True},
+    )  # fmt: skip
     return [(files.qif(part, **dress).encode(), {}) for dress in dresses]  # type: ignore[arg-type]
 
 
@@ -138,7 +141,10 @@ def _xyzijk(n: int) -> list[Dress]:
 
 def _pcdmis(n: int) -> list[Dress]:
     part = files.ellipse(n)
-    dresses = ({}, {"inch": True, "bonus": True}, {"pages": True, "vectors": False}, {"comma": True})
+    dresses = (
+        {}, {"inch": True, "bonus": True}, {"pages": True, "vectors": False}, {"comma": True},
+        {"blanks": True, "between": True},
+    )  # fmt: skip
     return [(files.pcdmis(part, **dress).encode("cp1252"), {"points": "contact"}) for dress in dresses]  # type: ignore[arg-type]
 
 
@@ -197,6 +203,27 @@ def _mapped(n: int) -> list[Dress]:
     return out
 
 
+def _calypso(n: int) -> list[Dress]:
+    part = files.ellipse(n)
+    return [(files.calypso(part, has_z=has_z).encode(), {"points": "contact"}) for has_z in (True, False)]
+
+
+def _height_map(n: int) -> list[Dress]:
+    heights = np.random.default_rng(n).normal(0.0, 0.05, (2, n + 1))
+    return [(files.bcnc(heights).encode(), {}), (files.open_cnc_pilot(heights).encode(), {})]
+
+
+def _stl(n: int) -> list[Dress]:
+    facets = files.cylinder_mesh(max(n, 3))
+    return [(files.stl(facets, binary=binary), {"points": "contact"}) for binary in (False, True)]
+
+
+def _ptx(n: int) -> list[Dress]:
+    part = files.ellipse(n)
+    texts = (files.ptx(part), files.pts(part), files.pts(part, colour=False))
+    return [(text.encode(), {"points": "contact"}) for text in texts]
+
+
 def _ply(n: int) -> list[Dress]:
     part = files.ellipse(n)
     dresses = ({"kind": "ascii"}, {"kind": "binary"}, {"kind": "big", "number": "float", "mesh": True})
@@ -223,10 +250,14 @@ DRESSES: dict[str, Callable[[int], list[Dress]]] = {
     "linuxcnc": _linuxcnc,
     "grbl": _grbl,
     "dprnt": _dprnt,
+    "height-map": _height_map,
     "renishaw": _renishaw,
     "qdas": _qdas,
+    "calypso": _calypso,
     "text": _text,
     "mapped": _mapped,
+    "stl": _stl,
+    "ptx": _ptx,
     "ply": _ply,
     "pcd": _pcd,
     "e57": _e57,

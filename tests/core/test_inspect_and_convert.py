@@ -42,6 +42,91 @@ def test_inspect_of_text_names_what_is_missing(tmp_path: Path, capsys: pytest.Ca
     assert "no Z" in said
 
 
+GRBL = """>>> $X
+<Idle|MPos:0.000,0.000,0.000|FS:0,0|WCO:1.000,1.000,0.000>
+[PRB:11.000,6.000,-5.000:1]
+[PRB:21.000,6.000,-5.000:1]
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "options", "unit", "points", "frame"),
+    [
+        ("a.csv", "x,y\n1,2\n3,4\n", "--points contact", "mm, assumed: the file does not say",
+         "2, contact (said: --points)", "assumed: the work frame; the file does not say"),
+        ("a.csv", "x [inch],y\n1,2\n3,4\n", "--points centre --probe-radius 1 --work-offset 1 2 3",
+         "inch, stated; all lengths here in mm",
+         "2, centres of a ball of radius 1 (centres said: --points; radius said: --probe-radius)",
+         "said: --work-offset, --work-rotation"),
+        ("a.csv", "x,y\n1,2\n3,4\n", "--units inch", "inch, said: --units; all lengths here in mm",
+         "2, the file does not say of what", "assumed"),
+        ("a.msr", MSR, "", "mm, assumed: the file does not say",
+         "2, centres of a ball of radius 2 (centres stated; radius stated)", "stated: what G330 leads back to"),
+        ("a.xyz", "XYZIJK\n1,2,3\n2,3,4\n", "--points contact", "inch, inferred: no METRIC in the first line",
+         "2, contact", "assumed"),
+        ("a.log", GRBL, "--probe-radius 1", "mm, inferred: three decimals, as GRBL prints mm",
+         "2, centres of a ball of radius 1 (centres stated; radius said: --probe-radius)", "stated: the machine's"),
+    ],
+)  # fmt: skip
+def test_inspect_says_how_it_knows(
+    name: str, content: str, options: str, unit: str, points: str, frame: str,
+    tmp_path: Path, capsys: pytest.CaptureFixture[str],
+) -> None:  # fmt: skip
+    file = tmp_path / name
+    file.write_text(content)
+    assert main(["inspect", str(file), *options.split()]) == 0
+    said = dict(line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines())
+    assert said["unit"].startswith(unit) and said["points"].startswith(points) and said["frame"].startswith(frame)
+
+
+def test_a_mapping_says_what_the_file_does_not(tmp_path: Path) -> None:
+    mapping, file = tmp_path / "m.toml", tmp_path / "a.csv"
+    mapping.write_text('separator = "comma"\npoints = "centre"\nprobe_radius = 1.0\n[columns]\nx = 1\ny = 2\n')
+    file.write_text("1,2\n3,4\n")
+    m = readers.read(file, mapping=mapping)
+    assert {key: basis.how for key, basis in m.bases.items()} == {
+        "points": "said", "radius": "said", "unit": "assumed", "frame": "assumed",
+    }  # fmt: skip
+    assert "m.toml" in m.bases["points"].why
+
+
+def test_four_decimals_of_a_grbl_log_are_asked_about(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "a.log"
+    inches = GRBL.replace("11.000,6.000,-5.000", "0.4331,0.2362,-0.1969")
+    file.write_text(inches.replace("21.000,6.000,-5.000", "0.8268,0.2362,-0.1969"))
+    assert main(["inspect", str(file), "--probe-radius", "1"]) == 2
+    assert "--units inch or --units mm" in capsys.readouterr().err
+    m = readers.read(file, probe_radius=1.0, units="inch")
+    assert m.points[1, 0] - m.points[0, 0] == pytest.approx((0.8268 - 0.4331) * 25.4)
+    file.write_text("$13=1\n" + file.read_text())
+    assert readers.read(file, probe_radius=1.0).bases["unit"].how == "stated"
+
+
+@pytest.mark.parametrize(
+    ("content", "options", "finding", "says"),
+    [
+        # An inch job's results: the radius of 0.0345 is that of a ball of 1.75 mm.
+        (MSR.replace("R2", "R.0345"), {}, "implausible-radius", "0.0345 inch are 0.8763 mm"),
+        (MSR.replace("R2", "R25"), {}, "implausible-radius", "--probe-radius takes a radius in mm"),
+        ("x,y\n0.01,0.02\n0.03,0.04\n0.05,0.01\n", {"points": "contact"}, "implausible-extent", "metres or inches"),
+        ("x,y\n1000,2\n90000,4\n5,5\n", {"points": "contact"}, "implausible-extent", "micrometres"),
+    ],
+)
+def test_a_unit_that_makes_no_part_is_a_question(
+    content: str, options: dict[str, str], finding: str, says: str, tmp_path: Path
+) -> None:
+    file = tmp_path / "a.txt"
+    file.write_text(content)
+    found = {f.name: f for f in examine_file(readers.read(file, **options))}
+    assert found[finding].dangerous and says in found[finding].text
+    if finding == "implausible-extent":
+        # Who says the unit has been asked.
+        assert finding not in {f.name for f in examine_file(readers.read(file, units="mm", **options))}
+    else:
+        file.write_text(content.replace("R25", "R.0345"))
+        assert finding not in {f.name for f in examine_file(readers.read(file, units="inch", **options))}
+
+
 def test_convert_writes_text_that_reads_back(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file, points = tmp_path / "probe.msr", tmp_path / "points.csv"
     file.write_text(MSR)

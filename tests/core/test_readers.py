@@ -14,6 +14,7 @@ from millcorr import readers
 from millcorr.errors import FormatError, MillcorrError, UsageError
 from millcorr.measurement import Measurement, Probe
 from millcorr.readers import read, text
+from millcorr.readers.preview import preview
 
 
 @pytest.fixture
@@ -477,3 +478,91 @@ def test_content_is_looked_at_before_what_a_format_says(tmp_path):
     for name, says in (("linuxcnc", "1 numbers where X Y Z"), ("grbl", "no probe report")):
         with pytest.raises(FormatError, match=says):
             readers.read(path, points="contact", format=name)
+
+
+PLACES = [(10.25, 20.5, -3.0), (12.5, 20.75, -3.0), (14.0, 21.125, -3.0)]
+
+
+def columns(first, width, separator, mark=".", quote=""):
+    """Rows of what is in the first column and the first `width` coordinates of each place."""
+    places = [[f"{v:.4f}".replace(".", mark) for v in place[:width]] for place in PLACES]
+    rows = [[str(head), *place] for head, place in zip(first, places, strict=True)]
+    return "".join(separator.join(f"{quote}{field}{quote}" for field in row) + "\n" for row in rows)
+
+
+@pytest.mark.parametrize("first", [(1, 2, 3), (0, 1, 2), (17, 18, 19), ("P0", "P1", "P2"), ("P 5", "P 6", "7a")])
+@pytest.mark.parametrize("width", [2, 3])
+@pytest.mark.parametrize(
+    ("separator", "mark", "quote"), [(",", ".", ""), (";", ",", '"'), ("\t", ".", ""), (" ", ".", "")]
+)
+def test_numbers_and_names_before_the_columns(tmp_path, first, width, separator, mark, quote):
+    if separator == " " and first[0] == "P 5":
+        first = ("P5", "P6", "7a")
+    path = tmp_path / "points.txt"
+    path.write_text(columns(first, width, separator, mark, quote))
+    m = readers.read(path, points="contact")
+    np.testing.assert_array_equal(m.points[:, :width], np.array(PLACES)[:, :width])
+    assert m.has_z == (width == 3)
+    named = isinstance(first[0], str)
+    assert m.elements == (first if named else None)
+    assert m.notes == (
+        f"no header: the first column {'holds words' if named else f'counts up from {first[0]}'}: the points' "
+        f"{'names' if named else 'numbers'}, then {'x y z' if width == 3 else 'x y'}; a header says otherwise",
+    )
+    seen = preview(path.read_bytes(), path.name)
+    if not quote:
+        assert seen.columns == dict(zip("xyz"[:width], range(2, 2 + width), strict=True))
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        # No decimals beside: places on a grid of 1 mm are places.
+        "1 10 20\n2 10 20\n3 10 20\n",
+        # Steps that are not 1, decimals, or too few.
+        "10 10.5 20.5\n20 10.5 20.5\n30 10.5 20.5\n",
+        "1.0 10.5 20.5\n2.0 10.5 20.5\n3.0 10.5 20.5\n",
+        "1 10.5 20.5\n2 10.5 20.5\n",
+        "3 10.5 20.5\n2 10.5 20.5\n1 10.5 20.5\n",
+        "# x y z\n1 10.5 20.5\n2 10.5 20.5\n3 10.5 20.5\n",
+    ],
+)
+def test_a_first_coordinate_is_no_number_of_a_point(tmp_path, content):
+    path = tmp_path / "points.txt"
+    path.write_text(content)
+    m = readers.read(path, points="contact")
+    assert m.has_z and m.notes == () and m.points[0, 0] == float(content.replace("# x y z\n", "").split()[0])
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "nan 1.5 2.5 3.5\nnan 1.5 2.5 3.5\n",
+        "**** 1.5 2.5 3.5\n**** 1.5 2.5 3.5\n",
+        "P0 1.5 2.5 3.5\n2 1.5 2.5 3.5\n",
+        "P0 1.5 2.5 3.5\nP1 1.5 2.5\n",
+        "P0 1.5 2.5 3.5\nP1 1.5 2.5 x\n",
+        "P0 1.5 2.5 3.5\n",
+        "P0 1.5 2.5 3.5 0.1\nP1 1.5 2.5 3.5 0.1\n",
+        "Date 1.5 2.5\n1.5 2.5 3.5\n",
+    ],
+)
+def test_words_that_are_no_names_are_refused(tmp_path, content):
+    path = tmp_path / "points.txt"
+    path.write_text(content)
+    with pytest.raises(FormatError):
+        readers.read(path, points="contact")
+
+
+def test_a_row_that_is_made_otherwise_far_below_names_its_line(tmp_path):
+    path = tmp_path / "points.txt"
+    path.write_text("".join(f"P{k};1,5;2,5;3,5\n" for k in range(1500)) + "P1500;1,5;2,5\n")
+    with pytest.raises(FormatError, match="3 columns where 4") as caught:
+        readers.read(path, points="contact")
+    assert caught.value.line == 1501
+
+
+def test_a_solid_that_is_no_mesh_is_text(tmp_path):
+    path = tmp_path / "points.txt"
+    path.write_text("# solid\nx,y\n1,2\n")
+    assert len(readers.read(path, points="contact")) == 1

@@ -16,8 +16,8 @@ from tests.core import measurement_files as files
 from tests.core import readers_fuzz
 
 PAGES = Path(__file__).parents[2] / "docs" / "formats"
-XML_OR_BINARY = ("qif", "ply", "pcd", "e57")
-TEXTS = [s for s in readers_fuzz.subjects() if s.format not in XML_OR_BINARY]
+BINARY = ("stl", "ply", "pcd", "e57")
+TEXTS = [s for s in readers_fuzz.subjects() if s.format not in BINARY and not s.data.startswith(b"<?xml")]
 
 
 def written(subject):
@@ -89,11 +89,13 @@ EXAMPLES = {
     ("qif.md", 0): ("qif", {}, 1),
     ("xyzijk.md", 0): ("xyzijk", {"points": "contact"}, 2),
     ("pcdmis.md", 0): ("pcdmis", {"points": "contact"}, 1),
+    ("calypso.md", 0): ("calypso", {"points": "contact"}, 1),
     ("dmis.md", 0): ("dmis", {}, 2),
     ("probe-logs.md", 0): ("linuxcnc", {"probe_radius": 1.5}, 2),
     ("probe-logs.md", 1): ("grbl", {"probe_radius": 1.5}, 2),
-    ("probe-logs.md", 2): ("dprnt", {"points": "contact"}, 2),
-    ("probe-logs.md", 3): ("renishaw", {"points": "contact"}, 1),
+    ("probe-logs.md", 2): ("height-map", {}, 4),
+    ("probe-logs.md", 3): ("dprnt", {"points": "contact"}, 2),
+    ("probe-logs.md", 4): ("renishaw", {"points": "contact"}, 1),
     ("qdas.md", 0): ("qdas", CENTRE, 2),
     ("point-clouds.md", 0): ("ply", {"points": "contact"}, 2),
 }

@@ -60,7 +60,7 @@ def test_no_reader_trips_over_another_format(reader):
 def test_undamaged_files_are_recognised_and_read(subject):
     assert readers.recognised(subject.data) == {"mapped": "text"}.get(subject.format, subject.format)
     assert readers_fuzz.outcome(subject.format, subject.data, subject.options) == "points"
-    if subject.format in readers_fuzz.LIBRARIES:
+    if subject.format in readers_fuzz.LIBRARIES or b"\x00" in subject.data:
         return
     # With a mark, as Windows programs save text.
     encoding = "utf-8" if subject.format == "mapped" else "cp1252"

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Logs of probing on the machine: LinuxCNC, GRBL, DPRNT, Renishaw."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from millcorr import readers
+from millcorr.distrust import examine_file
 from millcorr.errors import FormatError, UsageError
 from tests.core import measurement_files as files
 
@@ -119,6 +122,98 @@ def test_grbl_refused_with_the_line(log_file, line, says):
     assert caught.value.line == 3
 
 
+# --- two touches of one place ------------------------------------------------------------------------------
+
+LOGS = {
+    "grbl": lambda part: files.grbl(part, wco=True),
+    "grbl in inches": lambda part: files.grbl(part, wco=True, inch=True),
+    "linuxcnc": files.linuxcnc,
+}
+
+
+def touched_twice(part, fast=0.3, once=()):
+    """The part with a fast touch, that far into the material, before each slow one but those of the places `once`."""
+    centres = []
+    for k, (centre, normal) in enumerate(zip(part.centres, part.normals, strict=True)):
+        centres += [centre] if k in once else [centre - fast * normal, centre]
+    return replace(part, centres=np.array(centres))
+
+
+@pytest.mark.parametrize("once", [(), (0, 3, 11)])
+@pytest.mark.parametrize("kind", LOGS)
+def test_of_two_touches_of_a_place_the_slow_one_counts(log_file, kind, once):
+    part = files.ellipse(12)
+    path = log_file(LOGS[kind](touched_twice(part, once=once)))
+    m = readers.read(path, probe_radius=1.5)
+    np.testing.assert_allclose(m.points, part.centres, atol=6e-5)
+    assert f"{12 - len(once)} places touched twice: the second" in m.notes[-1]
+    first = readers.read(log_file(LOGS[kind](part), "once"), probe_radius=1.5)
+    assert len(first) == 12 and not any("twice" in note for note in first.notes)
+
+
+@pytest.mark.parametrize("kind", LOGS)
+def test_several_parts_of_places_touched_twice(log_file, kind):
+    parts = [files.ellipse(12, seed=seed) for seed in (1, 2)]
+    path = log_file("".join(LOGS[kind](touched_twice(part)) for part in parts))
+    for number, part in enumerate(parts, 1):
+        m = readers.read(path, probe_radius=1.5, part=number)
+        np.testing.assert_allclose(m.points, part.centres, atol=6e-5)
+
+
+@pytest.mark.parametrize(
+    "along",
+    [
+        np.arange(30) * 0.4,
+        # Fine in a corner only; and fine everywhere but for one step.
+        np.cumsum(np.r_[np.full(10, 2.0), np.full(6, 0.3), np.full(10, 2.0)]),
+        np.cumsum(np.r_[np.full(10, 0.3), 4.0, np.full(10, 0.3)]),
+        # Three touches of each place: which of them measures is not known.
+        (np.arange(12) * 3.0).repeat(3) + np.tile([0.0, 0.1, 0.05], 12),
+        # A few places touched again.
+        np.arange(12) * 3.0 + np.tile([0.0, -2.7, 0.0, 0.0], 3),
+    ],
+)
+def test_points_in_short_steps_all_stay(log_file, along):
+    part = files.ellipse(4)
+    row = replace(part, centres=np.column_stack([along, np.zeros((len(along), 2))]))
+    assert len(readers.read(log_file(files.linuxcnc(row)), probe_radius=1.5)) == len(along)
+
+
+# --- height maps -------------------------------------------------------------------------------------------
+
+HEIGHTS = np.array([[0.01, 0.02, -0.03], [0.04, 0.05, 0.06]])
+
+
+@pytest.mark.parametrize("write", [files.bcnc, files.open_cnc_pilot])
+def test_height_maps(log_file, write):
+    path = log_file(write(HEIGHTS))
+    m = readers.read(path)
+    grid = {(x, y): HEIGHTS[j, i] for i, x in enumerate((0.0, 15.0, 30.0)) for j, y in enumerate((-5.0, 20.0))}
+    assert {(x, y): z for x, y, z in m.points.tolist()} == grid
+    assert m.format == "height-map" and m.ball_radius == 0 and "nothing of a contour" in m.notes[0]
+    (finding,) = [f for f in examine_file(m) if f.name == "height-map"]
+    assert finding.dangerous
+    with pytest.raises(UsageError, match="contradicts"):
+        readers.read(path, points="centre", probe_radius=1.0)
+
+
+def test_a_height_map_that_is_not_whole(log_file):
+    lines = files.bcnc(HEIGHTS).splitlines()
+    m = readers.read(log_file("\n".join(lines[:-1]) + "\n"))
+    assert len(m) == 5 and m.notes[1] == "1 of 6 places were not touched"
+    with pytest.raises(FormatError, match="where the grid has X15 Y-5") as caught:
+        readers.read(log_file("\n".join([*lines[:6], *lines[7:]]) + "\n"))
+    assert caught.value.line == 7
+    for old, new, says in (('Y="1"', 'Y="2"', "not on the grid"), ("0.0400", "x", "no coordinate"),
+                           ('SizeX="3"', 'SizeX="1"', "no grid"), ('MinX="0"', "", "no coordinate")):  # fmt: skip
+        with pytest.raises(FormatError, match=says):
+            readers.read(log_file(files.open_cnc_pilot(HEIGHTS).replace(old, new, 1)))
+
+
+def test_columns_that_only_begin_like_a_map(log_file):
+    assert readers.read(log_file("0 10 2\n0 20 2\n-5 1 50\n1 0 0.01\n"), points="contact").format == "text"
+
+
 # --- DPRNT ------------------------------------------------------------------------------------------------
 
 
@@ -175,6 +270,36 @@ def test_renishaw(log_file, tight, has_z):
     assert "one axis only, as feature 12.901" in m.notes[0] and "1 features with a size" in m.notes[1]
     with pytest.raises(UsageError, match="--points"):
         readers.read(path)
+
+
+def test_results_of_inspection_and_of_probing_cycles(log_file):
+    m = readers.read(log_file(files.mixed_results(PART)))
+    assert m.format == "msr" and len(m) == 4 and m.ball_radius == PART.radius
+    np.testing.assert_allclose(m.points, PART.centres, atol=6e-5)
+    assert m.notes == ("5 features of probing cycles left out: COMPONENT, SIZE and POSN blocks",)
+    whole = files.mixed_results(PART)
+    with pytest.raises(FormatError, match="no line of an MSR file"):
+        readers.read(log_file(whole.replace("SIZE D12.", "SI2E D12."), "spoilt"))
+
+
+def test_results_of_probing_cycles_alone(log_file):
+    path = log_file(files.mixed_results(PART, inspected=False))
+    m = readers.read(path, points="contact")
+    assert m.format == "renishaw" and m.elements == ("1.4",)
+    np.testing.assert_array_equal(m.points, [[1.0101, 1.9899, 0.0]])
+    assert any("1 features have an axis that was not measured (ACTUAL NaN)" in note for note in m.notes)
+    with pytest.raises(FormatError, match="DEV is not ACTUAL"):
+        readers.read(log_file(path.read_text().replace("-0.010127", "-0.010327")), points="contact")
+
+
+@pytest.mark.parametrize("measured", [False, True])
+def test_results_without_an_inspected_point_say_so(log_file, measured):
+    path = log_file(files.mixed_results(PART, inspected=False, measured=measured))
+    only = ", only 5 features of probing cycles" if measured else ""
+    with pytest.raises(FormatError, match=f"no measured points G800 and G801 in the file{only}: "):
+        readers.read(path, format="msr")
+    if not measured:
+        assert readers.recognised(path.read_bytes()) == "msr" == readers.recognised(b"START\r\nEND\r\n")
 
 
 FEATURE = """COMPONENT NO 1 FEATURE NO 2

@@ -195,6 +195,125 @@ def test_units_of_a_report(written):
         contact(written(REPORT), units="inch")
 
 
+HEAD = "AX    NOMINAL       +TOL       -TOL       MEAS        DEV     OUTTOL"
+PLACES = {"PNT1": (10.03, -5.01, 0.002), "PNT2": (20.04, -6.02, 0.001), "PNT3": (30.01, -7.03, 0.003)}
+
+
+def block(name, axes="XYZ", head="DIM {0}LOC= LOCATION OF POINT {0}  UNITS=MM"):
+    """Lines of one dimension as reports print them, with no line at its end."""
+    nominal = [round(v, 1) for v in PLACES.get(name, (1.04, 2.04, 3.04))]
+    measured = PLACES.get(name, (1.04, 2.04, 3.04))
+    rows = [
+        f"{a}  {n:11.3f}      0.400      0.400{m:11.3f}{m - n:11.3f}      0.000 ----#----"
+        for a, n, m in zip("XYZ", nominal, measured, strict=True)
+        if a in axes
+    ]
+    return [head.format(name), HEAD, *rows]
+
+
+def report(*blocks):
+    return "\n".join(line for lines in blocks for line in ([lines] if isinstance(lines, str) else lines)) + "\n"
+
+
+@pytest.mark.parametrize(
+    "foreign",
+    [
+        "DIM #25A LOC12= LOCATION OF PLANE {}  UNITS=MM",
+        "DIM #24B#22 LOC4= LOCATION OF CIRCLE {}  UNITS=MM",
+        "DIM #27A LOC14= POSITION OF CYLINDER {}  USE AXIS=AVERAGE  REF LENGTH=0.000  UNITS=MM",
+        "DIM #10 DIST1= 2D DISTANCE FROM CIRCLE {} TO CIRCLE CIR6 PAR TO   XAXIS,NO_RADIUS  UNITS=MM",
+        "DIM ANGL10= 2D ANGLE TO LINE {} FROM LINE LIN3",
+        "DIM LOC9= LOCATION OF CIRCLE POINT 7  UNITS=MM",
+        "DIM LOC9= LAGE VON KREIS {}  UNITS=MM",
+        "FCFLOC1 = POSITION OF {}      FIT TO DATUMS=ON  DEV PERPEN CENTERLINE=ON  UNITS=MM",
+        "#20.1#21 LOC1 = POSITION OF {}          FIT TO DATUMS=ON  DEV PERPEN CENTERLINE=ON  UNITS=MM",
+        "#100FCFPROF1 = SURFACE PROFILE OF {}  FORMANDLOCATION  UNITS=MM",
+    ],
+)
+def test_rows_of_another_block_are_no_rows_of_the_point_before_it(written, foreign):
+    # Each of these would have closed nothing, and given its X, Y or Z to the point, which lacks it or has it already.
+    m = contact(written(report(block("PNT1"), block("PNT2", "XY"), block("CIR1", "XZ", foreign), block("PNT3"))))
+    assert m.elements == ("PNT1", "PNT3")
+    np.testing.assert_array_equal(m.points, [PLACES["PNT1"], PLACES["PNT3"]])
+    assert "'PNT2' lacks Z and is no point (line 6)" in m.notes[0]
+
+
+def test_names_with_blanks(written):
+    text = report(
+        block("PNT1", head="DIM #25A LOC12= LOCATION OF POINT {}  UNITS=MM"),
+        block("PNT2", head="DIM #10,6 OP 20= LOCATION OF POINT READ {}  UNITS=MM ,$"),
+        block("PNT3", head="DIM LOC 3 = LOCATION OF VECTOR POINT READ {} UNITS=MM"),
+    )
+    m = contact(written(text))
+    assert m.elements == ("PNT1", "READ PNT2", "READ PNT3")
+    np.testing.assert_array_equal(m.points, list(PLACES.values()))
+
+
+PAGE = "PART NUMBER=CALIPER OF STEEL, POSITION FROM A    DATE=17-Sep-25     TIME=10:09:15 AM           PAGE#=4"
+
+
+@pytest.mark.parametrize("between", [[PAGE], ["", PAGE, "", HEAD], ["SERIAL NUMBER : AKH 182", PAGE]])
+def test_a_page_ends_between_two_rows(written, between):
+    lines = block("PNT1")
+    m = contact(written(report(lines[:3], between, lines[3:])))
+    np.testing.assert_array_equal(m.points, [PLACES["PNT1"]])
+
+
+@pytest.mark.parametrize("heading", [[], [HEAD]])
+def test_a_line_of_no_report_among_the_rows_is_refused_with_both_lines(written, heading):
+    lines = block("PNT1")
+    with pytest.raises(FormatError, match=r"row of axis Y .*'Kegelrad 5' in line 4 .*'PNT1' of line 1") as caught:
+        contact(written(report(lines[:3], "Kegelrad 5", heading, lines[3:])))
+    assert caught.value.line == 5 + len(heading)
+    # Between blocks it may stand: operators print remarks.
+    assert len(contact(written(report(lines, "Kegelrad 5", block("PNT2"))))) == 2
+
+
+CHANGES = ("Active alignment changed", "A2         =ALIGNMENT/START,RECALL:A1,LIST=YES", "RECALL/ALIGNMENT,INTERNAL,A2")
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_alignments_are_parts_to_choose_from(written, change):
+    moved = [line.replace("PNT1", "PNT3") for line in block("PNT1")]
+    path = written(report("PART NAME  : ALIGNMENT PLATE", block("PNT1"), change, block("PNT2"), moved))
+    with pytest.raises(UsageError, match=r"2 measured parts \(1: 1 points .*; 2: 2 points .*in line 7\)"):
+        contact(path)
+    assert contact(path, part=1).elements == ("PNT1",)
+    second = contact(path, part=2)
+    assert second.elements == ("PNT2", "PNT3") and second.notes == ("measured part 2",)
+    # The same name in another frame is no contradiction.
+    again = written(report(block("PNT1"), change, [line.replace("PNT2", "PNT1") for line in block("PNT2")]), "again")
+    assert contact(again, part=2).points[0, 0] == PLACES["PNT2"][0]
+
+
+def test_an_alignment_that_measures_no_point_is_no_part(written):
+    circle = block("CIR1", head="DIM L= LOCATION OF CIRCLE {}")
+    text = report(CHANGES[0], block("PNT1"), block("PNT2"), CHANGES[1], circle)
+    assert len(contact(written(text))) == 2
+
+
+def test_a_recalled_alignment_is_the_frame_it_was(written):
+    text = report("RECALL/ALIGNMENT,INTERNAL,A1", block("PNT1"), CHANGES[2], block("PNT2"),
+                  "RECALL/ALIGNMENT,INTERNAL,A1", block("PNT3"))  # fmt: skip
+    assert contact(written(text), part=1).elements == ("PNT1", "PNT3")
+    with pytest.raises(UsageError, match="counted from 1"):
+        contact(written(text), part=3)
+
+
+@pytest.mark.parametrize("change", [*CHANGES, "END OF DIMENSION LOC1", "TEMPERATURE = 20.5", "C1 =FEAT/CONTACT/CIRCLE"])
+def test_a_row_behind_what_closed_its_point_is_refused_with_both_lines(written, change):
+    lines = block("PNT1")
+    with pytest.raises(FormatError, match=r"row of axis Z .* in line 5 closed 'PNT1' of line 1") as caught:
+        contact(written(report(lines[:4], change, lines[4:], block("PNT2"))))
+    assert caught.value.line == 6
+
+
+def test_what_is_unknown_behind_a_whole_point_takes_its_rows_along(written):
+    feature = ["C1 =FEAT/CONTACT/CIRCLE/DEFAULT,CARTESIAN,IN,LEAST_SQR", *block("CIR1", "XZ")[1:]]
+    m = contact(written(report(block("PNT1"), feature, block("PNT2"))))
+    np.testing.assert_array_equal(m.points, [PLACES["PNT1"], PLACES["PNT2"]])
+
+
 @settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)
 @given(
     n=st.integers(1, 6),
@@ -204,6 +323,9 @@ def test_units_of_a_report(written):
     bonus=st.booleans(),
     pages=st.booleans(),
     comma=st.booleans(),
+    blanks=st.booleans(),
+    between=st.booleans(),
+    ends=st.booleans(),
 )
 def test_report_written_and_read_back(tmp_path, n, seed, **dress):
     part = files.ellipse(n, seed=seed)

@@ -107,6 +107,15 @@ def test_pcd(read, kind, number):
     assert m.format == "pcd" and len(m.notes) == (0 if exact else 1)
 
 
+@pytest.mark.parametrize("kind", ["ascii", "binary"])
+@pytest.mark.parametrize(("version", "without"), [(b".6", b"VIEWPOINT"), (b"0.6", b""), (b".5", b"COUNT")])
+def test_pcd_of_older_versions(read, kind, version, without):
+    library("pcd")
+    lines = pcd(PART, kind=kind).replace(b"VERSION 0.7", b"VERSION " + version).split(b"\n")
+    lines = [line for line in lines if not (without and line.startswith(without))]
+    np.testing.assert_allclose(read(b"\n".join(lines)).points, PART.contact, atol=1e-5)
+
+
 def test_pcd_compressed_by_its_own_library_and_points_without_a_place(read, tmp_path):
     pypcd4 = library("pcd")
     table = PART.contact.astype(np.float32)

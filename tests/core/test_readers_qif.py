@@ -37,6 +37,10 @@ def qif_file(tmp_path):
         {"comments": True},
         {"sets": False, "compensated": True},
         {"stated": False},
+        {"version": 2, "listed": True},
+        {"version": 2, "listed": True, "inch": True, "stated": False, "comments": True},
+        {"version": 2, "listed": True, "compensated": True, "stated": False},
+        {"listed": True, "prefix": "q", "stated": False},
     ],
 )
 def test_point_features(qif_file, dress):
@@ -62,6 +66,58 @@ def test_scans(qif_file, binary, comments):
     np.testing.assert_allclose(m.normals, PART.normals, atol=exact)
     assert m.ball_radius == PART.radius and m.nominal is None and m.stated is None
     assert m.elements[:2] == ("9.1", "9.2")
+
+
+@pytest.mark.parametrize("kind", ["PointDefinedCurve", "Circle"])
+def test_touches_in_the_feature(qif_file, kind):
+    text = files.qif(PART, scan=True, version=2, listed=True, inch=True).replace("PointDefinedCurve", kind)
+    path = qif_file(text)
+    m = readers.read(path)
+    np.testing.assert_allclose(m.points, PART.centres, atol=1e-12)
+    np.testing.assert_allclose(m.normals, PART.normals, atol=1e-14)
+    assert m.ball_radius == pytest.approx(PART.radius, abs=1e-12) and m.elements[1] == "of feature 8.2"
+    first = text[: text.index("<MeasurePoint ")].count("\n") + 1
+    assert (np.diff(m.lines) == 2).all() and m.lines[0] == first
+    # What the file says is no contradiction, what it does not say is.
+    assert len(readers.read(path, points="centre")) == 5
+    with pytest.raises(UsageError, match="contradicts"):
+        readers.read(path, points="contact")
+
+
+def test_a_radius_that_only_other_touches_say(qif_file):
+    text = files.qif(PART, scan=True, version=2, listed=True)
+    path = qif_file(re.sub("<ProbeRadius>.*?</ProbeRadius>", "", text, count=1))
+    with pytest.raises(UsageError, match="--probe-radius"):
+        readers.read(path)
+    assert readers.read(path, probe_radius=PART.radius).ball_radius == PART.radius
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ("<Point>.*?</Point>", "", "MeasurePoint of feature 8 has no Point"),
+        ("<Point>.*?</Point>", "<Point>1 2</Point>", "element 8: 2 numbers where 3"),
+        ("<Compensated>.*?</Compensated>", "", "lacks Compensated, or all others do"),
+        ("<Compensated>.*?</Compensated>", "<Compensated>no</Compensated>", "'no' is not true or false"),
+        ("<ProbeRadius>.*?</ProbeRadius>", "<ProbeRadius>0</ProbeRadius>", "is not positive"),
+    ],
+)
+def test_spoilt_touches_are_refused(qif_file, old, new, says):
+    with pytest.raises(FormatError, match=says):
+        readers.read(qif_file(re.sub(old, new, files.qif(PART, scan=True, version=2, listed=True), count=1)))
+
+
+def test_features_of_a_part_of_a_set(qif_file):
+    text = files.qif(PART, scan=True)
+    some = (
+        '<PointList n="2"><SinglePointSetId index="1">9</SinglePointSetId>'
+        '<RangePointSetId range="4 5">9</RangePointSetId></PointList>'
+    )
+    m = readers.read(qif_file(text.replace(files.SET_NINE, some)))
+    np.testing.assert_array_equal(m.points, PART.centres[[0, 3, 4]])
+    for span in ("0 2", "4 6", "3 2", "1 2 3", "x"):
+        with pytest.raises(FormatError, match="point"):
+            readers.read(qif_file(text.replace(files.SET_NINE, some.replace("4 5", span))))
 
 
 def test_flags_and_radii_one_a_point(qif_file):
@@ -118,6 +174,12 @@ def test_what_the_file_does_not_say_is_asked_for(qif_file):
     with pytest.raises(UsageError, match="--units"):
         readers.read(path)
     assert readers.read(path, units="mm").unit == "mm"
+
+
+def test_a_file_without_points_says_so_before_a_unit_is_asked_for(qif_file):
+    empty = re.sub("<MeasuredFeatures>.*</MeasuredPointSets>", "", files.qif(PART), flags=re.DOTALL)
+    with pytest.raises(FormatError, match="no measured points"):
+        readers.read(qif_file(re.sub("<FileUnits>.*</FileUnits>", "", empty, flags=re.DOTALL)))
 
 
 def test_contradictions(qif_file):

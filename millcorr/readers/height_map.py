@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Height maps that senders probe for levelling: bCNC's ``.probe`` and OpenCNCPilot's XML.
+
+bCNC writes three lines, ``xmin xmax xn``, ``ymin ymax yn`` and ``zmin zmax feed``, and then x y z of the grid, x
+first. OpenCNCPilot writes the corners and the size of the grid as attributes of ``heightmap`` and every height in a
+``point`` with its place in the grid. Both are where the tip of a tool stood that came down along Z.
+"""
+
+from __future__ import annotations
+
+import re
+from array import array
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from millcorr.measurement import Measurement
+
+from .decoding import beginning
+from .fields import NUMBER
+from .source import Source, shown
+from .xml_events import parse
+
+Floats = NDArray[np.float64]
+
+NOTE = "a height map, touched along Z: it shows the height of a surface and nothing of a contour"
+
+_LARGEST = 1e9
+_MOST = 1_000_000
+"""More places than this along a side has no grid."""
+_DIGITS = 1e-5
+"""bCNC prints six digits: places miss their grid by this share of the largest coordinate."""
+_SIZES = ("MinX", "MinY", "MaxX", "MaxY", "SizeX", "SizeY")
+_ROOT = re.compile(rb"<heightmap[\s>]")
+
+
+def recognises(data: bytes) -> bool:
+    """Whether a file is the XML of a height map, or begins with the three lines of one and its first place."""
+    head = beginning(data, 4096)
+    if _ROOT.search(head):
+        return True
+    rows = [line.split() for line in head.decode("latin-1").splitlines() if line.strip()][:4]
+    if len(rows) < 4 or not all(len(row) == 3 and all(NUMBER.fullmatch(field) for field in row) for row in rows):
+        return False
+    (left, right, across), (low, high, along), _, (x, y, _) = ([float(field) for field in row] for row in rows)
+    whole = all(n == int(n) and 2 <= n <= _MOST for n in (across, along))
+    return whole and left < right and low < high and (x, y) == (left, low)
+
+
+def read(source: Source) -> Measurement:
+    """Heights of a map.
+
+    Parameters
+    ----------
+    source : Source
+        The file says that its points are places of the tip; its unit is mm unless the caller says otherwise.
+
+    Returns
+    -------
+    Measurement
+
+    Raises
+    ------
+    FormatError
+        If a number is spoilt, or a place is not on the grid that the head announces; names the line.
+    UsageError
+        If the caller contradicts the file.
+    """
+    lines: Sequence[int]
+    if _ROOT.search(beginning(source.data, 4096)):
+        document = _Map(source)
+        parse(source, document, "heightmap")
+        points = np.array(document.points).reshape(-1, 3)
+        lines, announced = document.lines, document.size[0] * document.size[1]
+    else:
+        points, lines, announced = _rows(source)
+    if not len(points):
+        raise source.error("no height in the map: it was not probed yet")
+    notes = [NOTE]
+    if len(points) < announced:
+        notes.append(f"{announced - len(points)} of {announced} places were not touched")
+    return source.measurement(
+        "height-map", points, lines, ball_radius=source.ball_radius(centres=False), unit=source.unit(None),
+        notes=notes,
+    )  # fmt: skip
+
+
+def _number(source: Source, text: str, line: int) -> float:
+    text = text.strip()
+    if not NUMBER.fullmatch(text) or not abs(float(text)) < _LARGEST:
+        raise source.error(f"{shown(text)} is no coordinate", line)
+    return float(text)
+
+
+def _counts(source: Source, numbers: Sequence[float], line: int) -> tuple[int, int]:
+    if not all(n == int(n) and 2 <= n <= _MOST for n in numbers):
+        raise source.error(f"{numbers[0]:g} by {numbers[1]:g} places are no grid", line)
+    return int(numbers[0]), int(numbers[1])
+
+
+def _rows(source: Source) -> tuple[Floats, Sequence[int], int]:
+    """Points (n, 3), their lines, and how many places bCNC's head announces."""
+    values, lines = array("d"), array("q")
+    for number, line in source.lines():
+        fields = line.split()
+        if not fields:
+            continue
+        if len(fields) != 3:
+            raise source.error(f"{len(fields)} numbers where a height map has three in a line", number)
+        values.extend([_number(source, field, number) for field in fields])
+        lines.append(number)
+    table = np.array(values).reshape(-1, 3)
+    if len(table) < 3:
+        raise source.error("a height map begins with three lines: x and y from, to and how many, and z")
+    (left, right, _), (low, high, _) = table[:2].tolist()
+    across, along = _counts(source, table[:2, 2].tolist(), lines[1])
+    points, own = table[3:], lines[3:]
+    if len(points) > across * along:
+        raise source.error(f"more than the {across * along} places of the grid", own[across * along])
+    j, i = np.divmod(np.arange(len(points)), across)
+    grid = np.column_stack([left + (right - left) * i / (across - 1), low + (high - low) * j / (along - 1)])
+    off = np.flatnonzero((np.abs(points[:, :2] - grid) > _DIGITS * np.abs(table[:2, :2]).max()).any(axis=1))
+    if len(off):
+        (x, y), (wanted_x, wanted_y) = points[off[0], :2], grid[off[0]]
+        raise source.error(
+            f"X{x:g} Y{y:g} where the grid has X{wanted_x:g} Y{wanted_y:g}: lines are missing", own[off[0]]
+        )
+    return points, own, across * along
+
+
+class _Map:
+    """OpenCNCPilot's document; a `millcorr.readers.xml_events.Handler`."""
+
+    def __init__(self, source: Source) -> None:
+        self.source = source
+        self.points = array("d")
+        self.lines = array("q")
+        self.size = (0, 0)
+        self.corners = (0.0, 0.0, 0.0, 0.0)
+        self.place = (0, 0)
+        self.seen: set[tuple[int, int]] = set()
+
+    def begin(self, path: Sequence[str], attributes: dict[str, str], line: int) -> bool:
+        """Take the grid from the root, and the place from a point."""
+        if len(path) == 1:
+            numbers = [_number(self.source, attributes.get(name, ""), line) for name in _SIZES]
+            self.size = _counts(self.source, numbers[4:], line)
+            self.corners = (numbers[0], numbers[1], numbers[2], numbers[3])
+            return False
+        if path[-1] != "point":
+            return False
+        i, j = (_number(self.source, attributes.get(name, ""), line) for name in "XY")
+        self.place = int(i), int(j)
+        if (i, j) != self.place or not (0 <= i < self.size[0] and 0 <= j < self.size[1]) or self.place in self.seen:
+            raise self.source.error(f"point {i:g}, {j:g} is not on the grid, or there twice", line)
+        self.seen.add(self.place)
+        return True
+
+    def text(self, path: Sequence[str], content: str, line: int) -> None:
+        """Take the height of a point."""
+        left, low, right, high = self.corners
+        x = left + (right - left) * self.place[0] / (self.size[0] - 1)
+        y = low + (high - low) * self.place[1] / (self.size[1] - 1)
+        self.points.extend((x, y, _number(self.source, content, line)))
+        self.lines.append(line)
+
+    def end(self, path: Sequence[str]) -> None:
+        """Nothing is left to do."""

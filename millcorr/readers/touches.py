@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Two touches of one place: a fast one that finds the surface, and a slow one that measures it."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .parts import SAME_PLACE
+
+Floats = NDArray[np.float64]
+
+_FEWEST = 3
+"""Fewer pairs are no habit."""
+
+
+def slow_touches(points: Floats) -> NDArray[np.bool_]:
+    """Which touches measure, (n,): of two at one place the second, which controls and their manuals make slow.
+
+    Parameters
+    ----------
+    points : (n, 3) float64
+        In mm, in the order of the touches.
+
+    Notes
+    -----
+    A log has such pairs if there are three, and at least half of its places were touched twice, none more often, and
+    any two places that follow each other lie farther apart than `SAME_PLACE`. Then it cannot be a contour touched in
+    short steps, whose points would all be near the next one.
+    """
+    with np.errstate(over="ignore"):
+        steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    # Touches that the next one repeats.
+    again = np.append(steps <= SAME_PLACE, False)
+    pairs = int(again.sum())
+    if (again[1:] & again[:-1]).any() or pairs < max(_FEWEST, (len(points) - pairs) / 2):
+        return np.ones(len(points), dtype=np.bool_)
+    return ~again
+
+
+def remark(kept: NDArray[np.bool_]) -> list[str]:
+    """Note about the touches that `slow_touches` left out, if any."""
+    count = int((~kept).sum())
+    return [f"{count} places touched twice: the second touch of each counts, the slow one"] if count else []
