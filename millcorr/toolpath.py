@@ -127,8 +127,16 @@ class Toolpath:
         return len(self.kind)
 
     def take(self, index: Ints | Bools | slice) -> Toolpath:
-        """Moves chosen by index or mask, in that order."""
-        return Toolpath(**{name: getattr(self, name)[index].copy() for name in self.__slots__})
+        """Moves chosen by index or mask, in that order; most of them in one piece are no copy."""
+        if not isinstance(index, slice) and index.dtype == np.bool_:
+            rows = np.flatnonzero(index)
+            in_one = len(rows) > 0 and rows[-1] - rows[0] + 1 == len(rows)
+            index = slice(int(rows[0]), int(rows[-1]) + 1) if in_one else rows
+        out = {name: getattr(self, name)[index] for name in self.__slots__}
+        if isinstance(index, slice) and 2 * len(out["kind"]) < len(self):
+            # A few moves do not hold the memory of all.
+            out = {name: values.copy() for name, values in out.items()}
+        return Toolpath(**out)
 
     def with_moves(self, **arrays: NDArray[np.generic]) -> Toolpath:
         """Copy with some of the arrays replaced."""
@@ -139,6 +147,12 @@ class Toolpath:
         """One toolpath after another."""
         names = Toolpath.__slots__
         return Toolpath(**{n: np.concatenate([getattr(p, n) for p in parts]) for n in names})
+
+    @staticmethod
+    def merged(first: Toolpath, rows: Ints, second: Toolpath, order: Ints) -> Toolpath:
+        """Rows of one toolpath and then all of another, in an order of both."""
+        names = Toolpath.__slots__
+        return Toolpath(**{n: np.concatenate([getattr(first, n)[rows], getattr(second, n)])[order] for n in names})
 
     def position(self, t: Floats) -> Floats:
         """Positions along every move.

@@ -104,8 +104,8 @@ class PlainMoves(ReadOnlyArrays):
         """The same moves as a `Toolpath`; arcs out of the XY plane, whose centre nothing asks for, have none."""
         flat = (self.plane == Plane.XY) & (self.kind == Kind.ARC)
         centre = np.where(flat[:, None], np.column_stack([self.centre, self.start[:, 2]]), np.nan)
-        arrays = {name: getattr(self, name).copy() for name in Toolpath.__slots__ if name not in ("centre", "source")}
-        return Toolpath(**arrays, centre=centre, source=self.line.copy())
+        arrays = {name: getattr(self, name) for name in Toolpath.__slots__ if name not in ("centre", "source")}
+        return Toolpath(**arrays, centre=centre, source=self.line)
 
 
 @dataclass(frozen=True, eq=False, slots=True)

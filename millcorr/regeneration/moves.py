@@ -94,17 +94,17 @@ def put_together(
     """
     rewritten = np.zeros(len(toolpath), dtype=bool)
     rewritten[replaced] = True
-    rigid = _moved_rigidly(toolpath, shift0, shift1, ~rewritten)
-    base = toolpath.with_moves(start=rigid.start, end=rigid.end, centre=rigid.centre, control=rigid.control)
-    rest = np.flatnonzero(~rewritten)
-    moves = Toolpath.concatenate([base.take(rest), _dressed(fitted, toolpath, replaced[owner])])
-    origin = np.concatenate([rest, replaced[owner]])
+    shifted = (shift0 != 0).any(axis=1) | (shift1 != 0).any(axis=1)
+    rigid, rest = np.flatnonzero(shifted & ~rewritten), np.flatnonzero(~shifted & ~rewritten)
+    along = _moved_rigidly(toolpath.take(rigid), shift0[rigid], shift1[rigid])
+    new = Toolpath.concatenate([along, _dressed(fitted, toolpath, replaced[owner])])
+    origin = np.concatenate([rest, rigid, replaced[owner]])
     # Fitted moves come part by part and in order within a part; a stable sort restores the program's order.
     order = np.argsort(origin, kind="stable")
     shift = np.concatenate([shift0[np.isfinite(shift0).all(axis=1)], shift1[np.isfinite(shift1).all(axis=1)]])
     changed = rewritten | (np.abs(shift0) > 0).any(axis=1) | (np.abs(shift1) > 0).any(axis=1)
     return Regeneration(
-        moves.take(order),
+        Toolpath.merged(toolpath, rest, new, order),
         origin[order],
         following[origin[order]],
         int(changed.sum()),
@@ -136,16 +136,13 @@ def _dressed(fitted: Toolpath, toolpath: Toolpath, row: Ints) -> Toolpath:
     )
 
 
-def _moved_rigidly(toolpath: Toolpath, shift0: Floats, shift1: Floats, rows: Bools) -> Toolpath:
+def _moved_rigidly(toolpath: Toolpath, shift0: Floats, shift1: Floats) -> Toolpath:
     """Moves with displaced ends; an arc whose ends move alike moves as a whole, else it is turned and scaled."""
     start, end = toolpath.start.copy(), toolpath.end.copy()
     centre, control = toolpath.centre.copy(), toolpath.control.copy()
-    start[rows, :2] += shift0[rows]
-    end[rows, :2] += shift1[rows]
-    bent = np.flatnonzero(rows & ((toolpath.kind == Kind.ARC) | (toolpath.kind == Kind.CUBIC)))
-    for i in bent:
-        if not (shift0[i].any() or shift1[i].any()):
-            continue
+    start[:, :2] += shift0
+    end[:, :2] += shift1
+    for i in np.flatnonzero((toolpath.kind == Kind.ARC) | (toolpath.kind == Kind.CUBIC)):
         old0, old1 = complex(*toolpath.start[i, :2]), complex(*toolpath.end[i, :2])
         new0, new1 = complex(*start[i, :2]), complex(*end[i, :2])
         same = abs((new1 - new0) - (old1 - old0)) < 1e-12 or abs(old1 - old0) < 1e-9
