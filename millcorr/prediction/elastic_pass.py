@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.cutting import Cutting, cutting
-from millcorr.deviation import Deviation, deviations
+from millcorr.deviation import REACH, Deviation, deviations
 from millcorr.engagement import STEP, CutterPath, Engagement, GivenWay, arcs_of, engaged
 from millcorr.engagement.path_pieces import Pieces, arcs_through
 from millcorr.engagement.stock_region import StockRegion
@@ -39,6 +39,9 @@ _STILL = 1e-10
 """A step whose deflection changed by less than this, in mm, tells nothing of its slope."""
 
 _STEEPEST = 100.0
+
+_ON_SURFACE = 1e-9
+"""A point nearer than this to where the cutter has been, in mm, is on the surface it leaves."""
 
 _AT_END = 1e-9
 """An arc that ends nearer than this to 0 or pi, in rad, ends at the wall it makes."""
@@ -260,7 +263,8 @@ def predicted_deviation(
     Returns
     -------
     Deviation
-        At points of the profile that the cutter passes within its radius and 1 mm, corners left out.
+        At points of the profile that the commanded cutter leaves within `REACH`, however far it gives way; corners and
+        what the cutter cannot reach left out.
 
     Raises
     ------
@@ -268,6 +272,8 @@ def predicted_deviation(
         If the spacing is not positive, or nothing cuts at the height.
     InputError
         If the cutter comes near no point of the profile.
+    RefusedError
+        If what the cutter leaves at one of these points is not to be found.
     """
     return deviation_along(elastic, nominal, None, spacing=spacing, z=z)[0]
 
@@ -275,7 +281,7 @@ def predicted_deviation(
 def deviation_along(
     elastic: ElasticPass,
     nominal: Profile,
-    run: Callable[[float], Profile | None] | None,
+    run: tuple[Callable[[float], Profile | None], Floats] | None,
     *,
     spacing: float,
     z: float | None = None,
@@ -286,9 +292,9 @@ def deviation_along(
     ----------
     elastic, nominal, spacing, z
         As there.
-    run : callable or None
-        From a height in mm to the path of the cutter's centre up to it, deflection included; None where the axes lead
-        it as commanded.
+    run : (callable, (n, 2) float64) or None
+        From a height in mm to the path of the cutter's centre up to it, deflection included, and that centre at every
+        step, mm; None where the axes lead it as commanded.
 
     Returns
     -------
@@ -298,7 +304,7 @@ def deviation_along(
 
     Raises
     ------
-    UsageError, InputError
+    UsageError, InputError, RefusedError
         As there.
     """
     if not (np.isfinite(spacing) and spacing > 0):
@@ -312,10 +318,29 @@ def deviation_along(
         points.append(c)
         normals.append(n)
     point, normal = np.concatenate(points), np.concatenate(normals)
-    bent, cut = surface_along(_actual_path(elastic, height), radius, point, normal)
-    out, really = bent, run(height) if run is not None else None
-    if really is not None:
-        out, also = surface_along(really, radius, point, normal)
+    commanded = elastic.path.steps.centre
+    _, found, within = surface_along(_path_through(elastic, commanded, height), radius, point, normal)
+    rows = np.flatnonzero(found & within)
+    if not len(rows):
+        raise UsageError("predicted deviation: the program does not cut the nominal profile: check both")
+    point, normal = point[rows], normal[rows]
+
+    def left(path: Profile, centre: Floats) -> tuple[Floats, Bools, float]:
+        # Where the path is off by so much the surface is, too; by twice that where it is met at 60 degrees.
+        reach = REACH + 2.0 * float(np.hypot(*(centre - commanded).T).max())
+        x, found, within = surface_along(path, radius, point, normal, reach)
+        if (lost := np.flatnonzero(within & ~found)).size:
+            (px, py), off = point[lost[0]], reach - REACH
+            raise RefusedError(
+                f"predicted deviation: what the cutter leaves at X{px:.3f} Y{py:.3f} is not to be found within "
+                f"{reach:.3f} mm; it is up to {off / 2:.3f} mm off its path: check [machine] stiffness and inertia"
+            )
+        return x, within, reach
+
+    bent, cut, reach = left(_path_through(elastic, elastic.centre, height), elastic.centre)
+    out, really = bent, run[0](height) if run is not None else None
+    if really is not None and run is not None:
+        out, also, reach = left(really, run[1])
         cut &= also
     if not cut.any():
         raise UsageError("predicted deviation: the program does not cut the nominal profile: check both")
@@ -323,13 +348,13 @@ def deviation_along(
     xyz = np.column_stack([point[rows] + out[rows, None] * normal[rows], np.full(len(rows), height)])
     ijk = np.column_stack([normal[rows], np.zeros(len(rows))])
     touched = Measurement(xyz, ijk, 0.0, np.arange(1, len(rows) + 1), "predicted surface", "")
-    found = deviations(touched, nominal, cutter_radius=radius)
-    return found, (out - bent)[rows][found.index]
+    deviation = deviations(touched, nominal, reach=reach, cutter_radius=radius)
+    return deviation, (out - bent)[rows][deviation.index]
 
 
 def surface_along(
-    path: Profile, radius: float, point: Floats, normal: Floats, reach: float = 1.0
-) -> tuple[Floats, Bools]:
+    path: Profile, radius: float, point: Floats, normal: Floats, reach: float = REACH
+) -> tuple[Floats, Bools, Bools]:
     """Distance along normals, in mm, at which a cutter that runs along a path leaves the surface.
 
     Parameters
@@ -345,13 +370,17 @@ def surface_along(
 
     Returns
     -------
-    (n,) float64, (n,) bool
-        Distance, and whether the cutter comes within `reach` of the point other than by an end of its path.
+    x : (n,) float64
+        Distance in mm.
+    found : (n,) bool
+        Whether the cutter comes within `reach` of the point.
+    within : (n,) bool
+        Whether it does so other than by an end of its path.
     """
     search = FootPointSearch(path, margin=radius + 2 * reach)
     x = np.full(len(point), -reach)
     rows = np.arange(len(point))
-    cut, beyond = np.ones(len(point), dtype=bool), np.zeros(len(point), dtype=bool)
+    found, beyond = np.zeros(len(point), dtype=bool), np.zeros(len(point), dtype=bool)
     for _ in range(200):
         q = point[rows] + x[rows, None] * normal[rows]
         feet = search.find(q)
@@ -363,19 +392,19 @@ def surface_along(
         slope = -(away * normal[rows]).sum(axis=1) / np.maximum(distance, 1e-12)
         step = np.where((slope > 0.5) & (np.abs(gap) < 0.1), gap / np.maximum(slope, 0.5), gap)
         x[rows] += step
-        lost = (np.abs(x[rows]) > reach) & (np.abs(x[rows] - step) <= reach)
-        lost &= np.abs(step) > 1e-12
-        cut[rows[lost]] = False
-        rows = rows[(np.abs(step) > 1e-12) & ~lost]
+        there = np.abs(step) <= 1e-12
+        lost = (np.abs(x[rows]) > reach) & ~there
+        found[rows] = np.abs(gap) <= _ON_SURFACE
+        found[rows[lost]] = False
+        rows = rows[~there & ~lost]
         if not len(rows):
             break
-    cut[rows] = False
-    return x, cut & ~beyond
+    return x, found, ~beyond
 
 
-def _actual_path(elastic: ElasticPass, height: float) -> Profile:
-    """Path of the cutter's centre up to a height: cubic splines through the steps, lines where the force jumps."""
-    path, centre = elastic.path, elastic.centre
+def _path_through(elastic: ElasticPass, centre: Floats, height: float) -> Profile:
+    """Path of the cutter's centre (n, 2) up to a height: cubic splines through the steps, lines where it jumps."""
+    path, away = elastic.path, centre - elastic.path.steps.centre
     links = _Links.of(path)
     number = elastic.runs(height)
     contours = []
@@ -390,7 +419,7 @@ def _actual_path(elastic: ElasticPass, height: float) -> Profile:
                 # Every step and the middle before it, which gives way alike.
                 points = np.empty((2 * len(part) - 1, 2))
                 points[0::2] = centre[part]
-                given = elastic.deflection[part]
+                given = away[part]
                 points[1::2] = links.middle[part[1:]] + (given[1:] + given[:-1]) / 2
                 curves.append(_through(points))
         if curves:

@@ -169,7 +169,8 @@ def simulate(
     Raises
     ------
     MillcorrError
-        As `elastic_pass` and `kinematics.motion`: no stiffness, no feed, a cut stiffer than the machine.
+        As `elastic_pass`, `deviation_along` and `kinematics.motion`: no stiffness, no feed, a cut stiffer than the
+        machine.
     """
     stock = stock_of(setup, nominal) if stock is None else stock
     control = control_of(setup)
@@ -183,13 +184,9 @@ def simulate(
     elastic = elastic_pass(toolpath, setup, stock)
     really = [(path, fed, led) for path, fed, led in cut if led is not None]
     path = RunPath.of(really, elastic) if really else None
-    found, kinematic = deviation_along(
-        elastic,
-        nominal,
-        None if path is None else partial(path.profile, elastic),
-        spacing=_spacing(setup.tool.radius),
-    )
     centre = elastic.centre if path is None else path.at_steps(elastic.deflection)
+    real = None if path is None else (partial(path.profile, elastic), centre)
+    found, kinematic = deviation_along(elastic, nominal, real, spacing=_spacing(setup.tool.radius))
     caution = setup.material.caution()
     cautions = (*((caution,) if caution else ()), *notes)
     return Simulation(setup, nominal, stock, feed, moved, elastic, found, kinematic, centre, cautions)

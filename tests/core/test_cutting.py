@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -18,7 +19,7 @@ from millcorr.engagement import engagement, stock_of
 from millcorr.engagement.stock_region import StockRegion
 from millcorr.errors import RefusedError, UsageError
 from millcorr.nurbs import NurbsCurve
-from millcorr.prediction.elastic_pass import cutting_stiffness, elastic_pass, predicted_deviation
+from millcorr.prediction.elastic_pass import cutting_stiffness, deviation_along, elastic_pass, predicted_deviation
 from millcorr.profile import Contour, Profile
 from millcorr.setup_file import Machine, Material, Setup, Stock, Tool, load
 from millcorr.simulated_machine import SimulatedMachine, reference_contour
@@ -163,6 +164,40 @@ def test_part_of_petrakov_2023_before_correction():
     straight = deviation.foot[:, 0] < 5
     assert np.ptp(deviation.value[straight]) < 1e-6
     assert deviation.value[straight] == pytest.approx(found.normal_deflection[20], abs=1e-6)
+
+
+@pytest.mark.parametrize("k", [400.0, 300.0])
+def test_a_surface_of_more_than_a_millimetre_is_whole(k):
+    """No hole where most is left; the surface is the envelope of the discs by shapely, through the steps."""
+    toolpath, nominal, its = paper(Machine(k, k))
+    found = elastic_pass(toolpath, its, stock_of(its, nominal))
+    deviation = predicted_deviation(found, nominal, spacing=0.25)
+    assert np.diff(deviation.s).max() < 0.2501
+    bends = float(np.hypot(*found.deflection.T).max())
+    # The path ends on both straights, and what bends the cutter carries its end along.
+    assert deviation.s.min() < 300.0 - 80.0 + bends + 0.25
+    assert deviation.s.max() > float(nominal.total[0]) - (300.0 - 60.0) - bends - 0.25
+    assert deviation.value.max() > (1.0 if k == 300.0 else 0.8)
+    joined = np.flatnonzero(np.diff(found.engagement.s) > 0)
+    line = shapely.linestrings(found.centre[np.append(joined, len(found.centre) - 1)])
+    q = deviation.foot + deviation.value[:, None] * deviation.normal
+    away = shapely.distance(shapely.points(q), line)
+    # Chords of 0.25 mm cut a path of radius 5 by up to 0.25^2 / 8 / 5 mm.
+    inner = slice(8, -8)
+    assert away[inner] == pytest.approx(10.0, abs=0.25**2 / 8 / 5 * 1.5)
+
+
+def test_a_surface_that_is_not_to_be_found_is_refused_with_its_place():
+    """A path that runs 5 mm beside where its steps are said to be leaves no surface within reach."""
+    its = setup()
+    found = elastic_pass(path("G0 X-60 Y5\nG1 X60"), its, stock_of(its, WALL))
+    beside = contour(NurbsCurve.line((-60, 10), (60, 10)))
+    with pytest.raises(RefusedError, match=r"leaves at X\S+ Y0\.000 is not to be found within 1\.0"):
+        deviation_along(found, WALL, (lambda z: beside, found.centre), spacing=1.0)
+    # And nothing is refused beyond the path's ends.
+    shorter = contour(NurbsCurve.line((-40, 5), (40, 5)))
+    left, _ = deviation_along(found, WALL, (lambda z: shorter, found.centre), spacing=1.0)
+    assert np.abs(left.foot[:, 0]).max() <= 40.0
 
 
 def test_the_loop_is_closed():
