@@ -138,6 +138,8 @@ class Machine:
         of the control (Fanuc: No. 1783); needed with contour control.
     position_gain_per_s : float, optional
         Kv of the position loop.
+    origin : str
+        Where the stiffness comes from; said wherever figures rest on it.
     """
 
     kx_n_per_mm: float | None = _key(1.0, 1e7, default=None, hint="N/mm (1 N/um = 1000 N/mm)")
@@ -152,6 +154,13 @@ class Machine:
         0.0, 100_000.0, default=None, hint="mm/min: the feed difference that the control allows at a corner"
     )
     position_gain_per_s: float | None = _key(0.1, 10_000.0, default=None, hint="1/s, not (m/min)/mm: Kv 1 is 16.67/s")
+    origin: str = ""
+
+    def caution(self) -> str:
+        """Where the stiffness comes from, in words; empty where that is not stated or there is none."""
+        if not self.origin or self.kx_n_per_mm is None or self.ky_n_per_mm is None:
+            return ""
+        return f"stiffness of {self.kx_n_per_mm:g} and {self.ky_n_per_mm:g} N/mm: {self.origin}"
 
     def stiffness(self, source: str = "") -> tuple[float, float]:
         """Stiffnesses (kx, ky) in N/mm; UsageError, naming the source, where the setup has none."""
@@ -274,6 +283,11 @@ class Setup:
             self.require_overhang(stock.axial_depth_mm)
         if tool.overhang_mm is not None and tool.overhang_mm > 40 * tool.diameter_mm:
             self._refuse(f"[tool] overhang_mm {tool.overhang_mm:g} is more than 40 diameters: is its unit mm?")
+
+    @property
+    def cautions(self) -> tuple[str, ...]:
+        """How far the numbers can be trusted, and which were fitted to what, in words."""
+        return tuple(text for text in (self.material.caution(), self.machine.caution()) if text)
 
     def require_overhang(self, depth: float) -> None:
         """FormatError where the tool's overhang is shorter than a cut of `depth` mm."""

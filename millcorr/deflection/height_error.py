@@ -387,8 +387,8 @@ class HeightError(ReadOnlyArrays):
 
     @property
     def caution(self) -> str:
-        """What to say about the forces; empty where the cutting coefficients were calibrated."""
-        return self.model.setup.material.caution()
+        """What to say about forces and stiffness; empty where they were calibrated and not fitted."""
+        return "; ".join(self.model.setup.cautions)
 
 
 def _across(vector: Floats, normal: Floats) -> Floats:

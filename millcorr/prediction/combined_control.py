@@ -190,8 +190,9 @@ class Machine:
     separate: bool
 
     def of(self, setup: Setup) -> Setup:
-        """The setup with this machine's stiffness."""
-        return replace(setup, machine=replace(setup.machine, kx_n_per_mm=self.kx, ky_n_per_mm=self.ky))
+        """The setup with this machine's stiffness, which no longer comes from where the setup says."""
+        machine = replace(setup.machine, kx_n_per_mm=self.kx, ky_n_per_mm=self.ky, origin="")
+        return replace(setup, machine=machine)
 
 
 def identify_machine(

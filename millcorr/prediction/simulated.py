@@ -187,8 +187,7 @@ def simulate(
     centre = elastic.centre if path is None else path.at_steps(elastic.deflection)
     real = None if path is None else (partial(path.profile, elastic), centre)
     found, kinematic = deviation_along(elastic, nominal, real, spacing=_spacing(setup.tool.radius))
-    caution = setup.material.caution()
-    cautions = (*((caution,) if caution else ()), *notes)
+    cautions = (*setup.cautions, *notes)
     return Simulation(setup, nominal, stock, feed, moved, elastic, found, kinematic, centre, cautions)
 
 

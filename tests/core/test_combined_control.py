@@ -146,6 +146,16 @@ def test_one_touch_takes_the_error_of_the_paper_down_to_the_papers():
     )
 
 
+@pytest.mark.parametrize("ratio", [0.2, 0.5])
+def test_more_than_three_times_smaller_whatever_the_radial_force(ratio):
+    """ "Decreases more than 3 times": not a matter of the Krc/Ktc = 0.3 and the kx that the setup has fitted."""
+    its = softer(1600.0, 1600.0)
+    its = replace(its, material=replace(its.material, krc_n_per_mm2=ratio * its.material.ktc_n_per_mm2))
+    before = simulate(program(), its, nominal())
+    result = corrected(touched(before, (0.0, -10.0)), its=its)
+    assert result.foreseen.after[-1].largest < before.largest / 3.0
+
+
 def test_iterated_it_is_below_a_hundredth():
     result = corrected(touched(as_cut(), (0.0, -10.0)), iterate=0.01)
     assert result.foreseen.machine.kx == pytest.approx(1200.0, rel=2e-3)

@@ -42,10 +42,18 @@ def test_good():
     assert from_dict(tables(material__calibrated=True)).material.caution() == ""
 
 
+def test_a_fitted_stiffness_says_so():
+    fitted = from_dict(tables(machine__origin="fitted to figure 8"))
+    assert fitted.cautions[1] == "stiffness of 8000 and 5000 N/mm: fitted to figure 8"
+    assert from_dict(tables(material__calibrated=True)).cautions == ()
+
+
 @pytest.mark.parametrize("path", sorted(SETUPS.glob("*.toml")), ids=lambda p: p.stem)
 def test_examples_are_read_and_name_their_origin(path):
     setup = load(path)
     assert isinstance(setup, Setup) and setup.source == str(path) and setup.material.origin
+    # Neither paper prints a stiffness: what stands in for it is named on the command line and on the page.
+    assert setup.machine.origin and setup.machine.origin in setup.cautions[1]
 
 
 def test_tilt_is_optional():
