@@ -22,6 +22,7 @@ from millcorr.cutting import cutting, force_at
 from millcorr.engagement import Engagement, engagement
 from millcorr.engagement.stock_region import StockRegion
 from millcorr.errors import InputError, RefusedError, UsageError
+from millcorr.fixed_point import FixedPoint
 from millcorr.read_only import ReadOnlyArrays
 from millcorr.setup_file import Setup
 
@@ -166,9 +167,8 @@ class WallModel:
         # How the arcs change where the tool stands off the wall: a secant about as long as the tool bends.
         given = _across(rigid.deflection(arcs.step, arcs.middle, _free_end(arcs, down)), wall[arcs.step])
         by = float(np.clip(np.nanmedian(np.abs(given)), *_SHIFT)) if np.isfinite(given).any() else _SHIFT[0]
-        side = np.zeros(len(path))
-        side[found.move] = to_left
-        moved = engagement(path.shifted(side * by), setup, stock, step=longest)
+        # Lines beside a wall that make none go along: a kink in the path would count as a change of the angles.
+        moved = engagement(path.shifted(by * _nearest_wall(found.move, to_left, len(path))), setup, stock, step=longest)
         opening, closing = _changes(found, moved, by)
         return WallModel(path, found, arcs, opening[parent], closing[parent], wall, down, tool, setup)
 
@@ -271,20 +271,21 @@ class WallModel:
         step, middle, wall = arcs.step[k], arcs.middle[k], self.wall[arcs.step[k]]
         shift, angle = (np.broadcast_to(np.asarray(v, dtype=float), n)[arcs.step] for v in (offset, lean))
         moved = np.where(there, shift + angle * (arcs.middle + self.tip[arcs.step] - about), 0.0)
-        given = np.zeros((2, len(arcs)))
-        residual = 0.0
+        given = np.zeros((len(arcs), 2))
+        residual, course = 0.0, FixedPoint(arcs.step, n, depth=2)
         for _ in range(ROUNDS):
-            entry = np.clip(arcs.entry + self.opening * (moved + given[0]), 0.0, np.pi)
-            exit_ = np.clip(arcs.exit + self.closing * (moved + given[1]), 0.0, np.pi)
+            entry = np.clip(arcs.entry + self.opening * (moved + given[:, 0]), 0.0, np.pi)
+            exit_ = np.clip(arcs.exit + self.closing * (moved + given[:, 1]), 0.0, np.pi)
             ends = Arcs(arcs.step, np.minimum(entry, exit_), exit_, arcs.low, arcs.high)
-            bent = np.zeros((2, len(arcs)))
+            bent = np.zeros((len(arcs), 2))
             for row, end, change in ((0, ends.entry, self.opening), (1, ends.exit, self.closing)):
                 if change[k].any():
-                    bent[row, k] = _across(self.deflection(step, middle, end[k], ends), wall)
-            residual = float(np.abs(bent - given).max(initial=0.0))
+                    bent[k, row] = _across(self.deflection(step, middle, end[k], ends), wall)
+            moving = np.abs(bent - given).max(axis=1)
+            residual = float(moving.max(initial=0.0))
             if residual <= TOLERANCE:
                 return ends, residual
-            moving, given = np.abs(bent - given).max(axis=0), bent
+            given = course.step(given, bent)
         x, y, _ = self.engagement.position[step[int(np.argmax(moving[k]))]]
         raise RefusedError(
             f"wall error: the deflection does not settle near X{x:.3f} Y{y:.3f}, it still changes by "
@@ -393,6 +394,18 @@ class HeightError(ReadOnlyArrays):
 
 def _across(vector: Floats, normal: Floats) -> Floats:
     out: Floats = (vector * normal).sum(axis=1)
+    return out
+
+
+def _nearest_wall(move: Ints, to_left: Floats, count: int) -> Floats:
+    """Side of the wall, 1 left and -1 right, of each of `count` moves: its own, or that of the nearest one with a wall.
+
+    `move` and `to_left` are those of the steps, 0 where they make no wall.
+    """
+    side = np.zeros(count)
+    side[move] = to_left
+    makes = np.flatnonzero(side)
+    out: Floats = side[makes[np.searchsorted((makes[1:] + makes[:-1]) / 2, np.arange(count))]]
     return out
 
 

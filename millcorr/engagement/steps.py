@@ -275,12 +275,14 @@ class Arcs:
     layer: Floats
 
 
-def arcs_of(path: CutterPath, setup: Setup, stock: StockRegion, actual: GivenWay | None = None) -> Arcs:
-    """Engaged arcs of every step."""
+def arcs_of(
+    path: CutterPath, setup: Setup, stock: StockRegion, actual: GivenWay | None = None, only: Ints | None = None
+) -> Arcs:
+    """Engaged arcs of every step, or `only` of some, ascending."""
     radius = setup.tool.radius
     found = []
     for low, high, cutting, here, clipped in path.slices():
-        rows = np.flatnonzero(cutting)
+        rows = np.flatnonzero(cutting) if only is None else only[cutting[only]]
         steps = path.steps.take(rows)
         past = past_of(steps, clipped, here, radius)
         if actual is not None:

@@ -19,6 +19,7 @@ from millcorr.engagement import STEP, CutterPath, Engagement, GivenWay, arcs_of,
 from millcorr.engagement.path_pieces import Pieces, arcs_through
 from millcorr.engagement.stock_region import StockRegion
 from millcorr.errors import RefusedError, UsageError
+from millcorr.fixed_point import FixedPoint
 from millcorr.footpoint import FootPointSearch, Place
 from millcorr.measurement import Measurement
 from millcorr.nurbs import NurbsCurve
@@ -33,12 +34,18 @@ Bools = NDArray[np.bool_]
 TOLERANCE = 1e-7
 """The loop is closed when force over stiffness and deflection agree within this, in mm."""
 
-ROUNDS = 80
+ROUNDS = 40
+"""Rounds in which all steps are brought nearer at once; what is still open is then settled step by step."""
 
-_STILL = 1e-10
-"""A step whose deflection changed by less than this, in mm, tells nothing of its slope."""
+MARCHES = 8
+"""So often is a stretch settled step by step: what a later pass finds of it may open others."""
 
-_STEEPEST = 100.0
+LONGEST = 1000
+"""More steps than these are not settled one by one: it would take minutes, and so much of a program that does not settle
+is no matter of a place."""
+
+AHEAD = 8
+"""Steps settled beyond the last one that is open: those just before them have moved."""
 
 _ON_SURFACE = 1e-9
 """A point nearer than this to where the cutter has been, in mm, is on the surface it leaves."""
@@ -61,7 +68,7 @@ class ElasticPass:
     residual : float
         Largest difference of force over stiffness and deflection, mm.
     contraction : float
-        Ratio of the residuals of one round to the next, the larger of the last two: below 1.
+        Ratio of the residuals of one round to the next, in the mean of all rounds.
     bound : float
         Cutting stiffness over machine stiffness, bound of the contraction by the chip alone.
     """
@@ -141,42 +148,54 @@ def elastic_pass(toolpath: Toolpath, setup: Setup, stock: StockRegion, *, step: 
         )
     forces = cutting(rigid, setup)
     deflection = forces.force / stiffness
-    links = _Links.of(path)
-    before, ratios = np.inf, []
-    share = np.ones(len(deflection))
-    last: tuple[Floats, Floats] | None = None
-    for _ in range(ROUNDS):
-        arcs = arcs_of(path, setup, stock, links.given_way(path, deflection))
-        forces = cutting(engaged(path, setup, arcs), setup, arcs.layer)
+    links, last = _Links.of(path), len(path.steps) - 1
+
+    def answer(deflection: Floats, only: Ints | None = None) -> Cutting:
+        arcs = arcs_of(path, setup, stock, links.given_way(path, deflection), only)
+        return cutting(engaged(path, setup, arcs), setup, arcs.layer)
+
+    first = 0.0
+    course = FixedPoint(np.arange(last + 1), last + 1, depth=1)
+    for turn in range(ROUNDS + MARCHES):
+        forces = answer(deflection)
         bent = forces.force / stiffness
-        change = bent - deflection
-        residual = float(np.abs(change).max(initial=0.0))
-        ratios.append(residual / before if before > 0 else 0.0)
-        before = residual
-        if residual <= TOLERANCE and max(ratios[-2:]) < 1.0:
-            return ElasticPass(path, forces, deflection, residual, max(ratios[-2:]), bound)
-        if last is not None:
-            share = _share(deflection - last[0], bent - last[1], share)
-        last = deflection, bent
-        deflection = deflection + share[:, None] * change
-    worst = int(np.argmax(np.abs(change).max(axis=1)))
-    x, y, _ = path.position[worst]
+        off = np.abs(bent - deflection).max(axis=1)
+        residual = float(off.max(initial=0.0))
+        first = first or residual
+        if residual <= TOLERANCE:
+            contraction = (residual / first) ** (1.0 / turn) if turn else 0.0
+            return ElasticPass(path, forces, deflection, residual, contraction, bound)
+        if turn < ROUNDS:
+            deflection = course.step(deflection, bent)
+        else:
+            still = np.flatnonzero(off > TOLERANCE)
+            begin, end = int(still[0]), min(int(still[-1]) + AHEAD, last)
+            if end - begin > LONGEST:
+                break
+            deflection = _marched(deflection, begin, end, answer, stiffness)
+    x, y, _ = path.position[int(np.argmax(off))]
     raise RefusedError(
         f"elastic loop: it does not settle near X{x:.3f} Y{y:.3f}, where force and deflection still differ by "
         f"{residual * 1000:.3g} um; check [machine] stiffness, feed and [material]"
     )
 
 
-def _share(moved: Floats, answered: Floats, share: Floats) -> Floats:
-    """Share of the difference to go next, step by step, by the secant: ``1 / (1 - slope)``.
+def _marched(
+    deflection: Floats, first: int, last: int, answer: Callable[[Floats, Ints], Cutting], stiffness: Floats
+) -> Floats:
+    """Deflections with those of steps `first` to `last` settled one after the other.
 
-    The slope of force over stiffness is small and mostly negative for chips, but unbounded for edge forces at grazing
-    contact, which grow with the root of the depth.
+    A step's force depends on its own deflection and on those before it: settled in order, each is two equations.
     """
-    size = (moved**2).sum(axis=1)
-    known = size > _STILL**2
-    slope = (answered * moved).sum(axis=1) / np.where(known, size, 1.0)
-    return np.where(known, 1.0 / (1.0 - np.clip(slope, -_STEEPEST, 0.5)), share)
+    deflection = deflection.copy()
+    for step in range(first, last + 1):
+        only, course = np.array([step]), FixedPoint(np.zeros(1, dtype=np.int64), 1, depth=2)
+        for _ in range(ROUNDS):
+            bent = answer(deflection, only).force[only] / stiffness
+            if np.abs(bent - deflection[only]).max() <= TOLERANCE / 4:
+                break
+            deflection[only] = course.step(deflection[only], bent)
+    return deflection
 
 
 def cutting_stiffness(engagement: Engagement, setup: Setup) -> float:

@@ -19,6 +19,7 @@ from millcorr.engagement import engagement, stock_of
 from millcorr.engagement.stock_region import StockRegion
 from millcorr.errors import RefusedError, UsageError
 from millcorr.nurbs import NurbsCurve
+from millcorr.prediction import elastic_pass as elastic_pass_module
 from millcorr.prediction.elastic_pass import cutting_stiffness, deviation_along, elastic_pass, predicted_deviation
 from millcorr.profile import Contour, Profile
 from millcorr.setup_file import Machine, Material, Setup, Stock, Tool, load
@@ -215,6 +216,24 @@ def test_the_loop_is_closed():
     # The rigid cutter would bend more: what is left standing is not cut.
     rigid = cutting(engagement(toolpath, its, stock_of(its, WALL)), its).force[k, 1] / 3000.0
     assert 0 < found.deflection[k, 1] < rigid
+
+
+def test_a_very_soft_machine_has_one_answer(monkeypatch):
+    """2.2 of 3 mm give way: wherever rounds of all steps leave off, steps settled one by one end in the same place."""
+    toolpath, nominal, its = paper(Machine(150.0, 150.0))
+    stock = stock_of(its, nominal)
+    found = []
+    for rounds in (10, 40):
+        monkeypatch.setattr(elastic_pass_module, "ROUNDS", rounds)
+        found.append(elastic_pass(toolpath, its, stock))
+        assert found[-1].residual <= 1e-7
+    assert found[0].deflection == pytest.approx(found[1].deflection, abs=1e-6)
+    # On the straight the force of what is really cut stands against the spring, by the closed form.
+    k = 20
+    depth = 3.0 - found[0].deflection[k, 1]
+    entry = np.pi - np.arccos(1 - depth / 10.0)
+    force = average_force(entry, np.pi, 10.0, 400 / 9000, 6, its.material)
+    assert found[0].deflection[k] == pytest.approx(force / 150.0, abs=1e-6)
 
 
 def test_a_stiff_machine_follows_the_program():

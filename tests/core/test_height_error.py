@@ -282,6 +282,26 @@ def test_the_overlap_of_an_outer_corner_is_left_out():
         assert np.median(deviation.value[deviation.level == level]) == pytest.approx(wanted, abs=1e-5)
 
 
+@pytest.mark.parametrize("radial, overhang", [(0.0, 60.0), (0.3, 50.0), (0.5, 60.0)])
+def test_an_outer_corner_in_up_milling_is_as_the_straight_wall(radial, overhang):
+    """From the corner on the cutter meets the same 2 mm at the same angles: the wall of six flutes errs as a straight.
+
+    The place at which the wall begins is no other: neighbours that make no wall once stood still beside it, and the
+    kink counted as a change of its angles, ninefold.
+    """
+    its = Setup(
+        replace(PAPER.tool, flutes=6, helix_deg=30.0, overhang_mm=overhang),
+        Material("", 1800.0, radial * 1800.0), Machine(), Stock(allowance_mm=2.0, axial_depth_mm=5.0),
+    )  # fmt: skip
+    found = model(its, ROUND, path("G0 X-8 Y0\nG1 X0\nG1 Y12")).errors(HEIGHTS)
+    up = replace(its, tool=replace(its.tool, rotation="anticlockwise"))
+    straight_wall = middle(model(up).errors(HEIGHTS).value)
+    made = np.isfinite(found.value).all(axis=1) & (found.model.engagement.position[:, 1] > 4.9)
+    assert made.sum() == 29 and found.residual <= 1e-7
+    # Displacements of up to 0.1 mm change the angles along a secant: by its curvature the two are 2e-4 mm apart.
+    assert found.value[made] == pytest.approx(np.broadcast_to(straight_wall, (made.sum(), 4)), abs=2e-4)
+
+
 def test_two_passes_have_their_own_heights():
     """Each pass makes the wall of its own depth; the second starts where the first has ended."""
     passes = path("G0 X-10 Y5 Z5\nG1 Z-2.5\nG1 X10\nG0 Z5\nG0 X-10\nG1 Z-5\nG1 X10")
