@@ -41,8 +41,8 @@ MARCHES = 8
 """So often is a stretch settled step by step: what a later pass finds of it may open others."""
 
 LONGEST = 1000
-"""More steps than these are not settled one by one: it would take minutes, and so much of a program that does not settle
-is no matter of a place."""
+"""More steps than these are not settled one by one: it would take minutes, and what does not settle on so much of a
+program is no matter of a place."""
 
 AHEAD = 8
 """Steps settled beyond the last one that is open: those just before them have moved."""

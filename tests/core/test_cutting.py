@@ -137,6 +137,41 @@ def test_a_move_without_feed_is_refused():
         cutting(engagement(toolpath, its, stock_of(its, WALL)), its)
 
 
+def test_difference_from_petrakovs_model():
+    """His one tooth, eqs. (1) to (4), at the end of the arc; the mean over the arc by Simpson's rule. As documented."""
+    straight, arc = np.arccos(0.7), np.arccos(0.19)
+    kt, kr, chip, teeth = 1180.0, 354.0, 400 / 9000, 6
+    his, mean, simpson = [], [], []
+    for phi in (straight, arc):
+        # Along the feed and across the wall of down milling, psi counted from the wall.
+        def tooth(psi):
+            return np.stack([kt * np.cos(psi) - kr * np.sin(psi), kt * np.sin(psi) + kr * np.cos(psi)], -1)
+
+        his.append(10.0 * chip * (1 - np.cos(phi)) * tooth(phi))
+        psi = np.linspace(0.0, phi, 2001)
+        weight = np.ones(2001)
+        weight[1:-1:2], weight[2:-1:2] = 4.0, 2.0
+        area = chip * np.sin(psi)[:, None] * tooth(psi)
+        simpson.append(10.0 * (weight[:, None] * area).sum(axis=0) * phi / 2000 / 3)
+        whole = average_force(np.pi - phi, np.pi, 10.0, chip, teeth, Material("", kt, kr))
+        mean.append(whole / (teeth / (2 * np.pi)))
+    his, mean = np.array(his), np.array(mean)
+    assert np.abs(mean) == pytest.approx(np.abs(simpson), rel=1e-9)
+    size = np.hypot(*his.T) / np.hypot(*mean.T)
+    assert size == pytest.approx([1.018, 1.056], abs=5e-4)
+    both = np.array([straight, arc])
+    c, el = (1 - np.cos(2 * both)) / 4, (2 * both - np.sin(2 * both)) / 4
+    assert np.hypot(*mean.T) == pytest.approx(np.hypot(kt, kr) * 10.0 * chip * np.hypot(c, el), rel=1e-12)
+    assert np.degrees(np.arctan2(el, c)) == pytest.approx([30.09, 51.07], abs=5e-3)
+    turned = np.degrees(np.arctan2(*his.T[::-1]) - np.arctan2(*mean.T[::-1]))
+    assert turned == pytest.approx([15.5, 28.0], abs=0.05)
+    assert np.hypot(*his.T)[1] / np.hypot(*his.T)[0] == pytest.approx(2.70, abs=5e-3)
+    assert np.hypot(*mean.T)[1] / np.hypot(*mean.T)[0] == pytest.approx(2.60, abs=5e-3)
+    assert his[1, 1] / his[0, 1] == pytest.approx(3.03, abs=5e-3)
+    assert mean[1, 1] / mean[0, 1] == pytest.approx(3.30, abs=5e-3)
+    assert his[:, 1] / mean[:, 1] == pytest.approx([1.24, 1.14], abs=5e-3)
+
+
 # --- elastic loop
 
 
