@@ -20,6 +20,9 @@ from .errors import FormatError, UsageError
 EFFECTIVE_DIAMETER = 0.8
 """A fluted shank bends like a solid one of 0.8 times its diameter (dat-2025, eq. 4)."""
 
+STOCK_ENDS = ("with the part", "goes on")
+"""What the stock does beyond the ends of an open contour."""
+
 _LARGEST_FILE = 1 << 20
 
 Table = TypeVar("Table")
@@ -192,6 +195,9 @@ class Stock:
         Height of the stock's face.
     axial_depth_mm : float, optional
         Height of the stock above the deepest pass, in place of `top_z_mm`.
+    end : {"with the part", "goes on"}
+        What is beyond the ends of an open contour: the allowance ends there with a round of its own size; or it goes on
+        straight, as where the contour is a piece of a longer wall.
     """
 
     allowance_mm: float | None = _key(0.0, 1000.0, default=None, open_=False)
@@ -201,6 +207,7 @@ class Stock:
     solid: bool = False
     top_z_mm: float | None = _key(-1e5, 1e5, default=None)
     axial_depth_mm: float | None = _key(high=1000.0, default=None)
+    end: str = field(default=STOCK_ENDS[0], metadata={"one_of": STOCK_ENDS})
 
 
 @dataclass(frozen=True, slots=True)
@@ -272,6 +279,8 @@ class Setup:
             self._refuse(f"[stock] {given[1]} and {given[0]} say the same twice: give one of them")
         if stock.program_tool_diameter_mm is not None and stock.program is None:
             self._refuse("[stock] program_tool_diameter_mm goes with program, which is missing")
+        if stock.end != STOCK_ENDS[0] and stock.allowance_mm is None and stock.contour is None:
+            self._refuse(f'[stock] end = "{stock.end}" goes with allowance_mm or contour, one is missing')
         if (stock.top_z_mm is None) == (stock.axial_depth_mm is None):
             self._refuse("[stock] top_z_mm or axial_depth_mm is needed, one of them: it says how deep the tool cuts")
         if self.machine.contour_control and self.machine.contour_speed_change_mm_min is None:

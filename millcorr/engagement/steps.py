@@ -17,11 +17,11 @@ from millcorr import gcode
 from millcorr.errors import InputError, UsageError
 from millcorr.profile import Profile
 from millcorr.read_only import ReadOnlyArrays
-from millcorr.setup_file import Setup
+from millcorr.setup_file import STOCK_ENDS, Setup
 from millcorr.toolpath import Kind, Toolpath
 
 from .path_pieces import Pieces, pieces_of_toolpath
-from .stock_region import StockRegion, Swept
+from .stock_region import StockRegion, Swept, prolonged
 from .uncut_arc import JOINED, NOTHING, Past, Steps, layer, past_of, uncut
 
 Floats = NDArray[np.float64]
@@ -402,9 +402,9 @@ def stock_of(setup: Setup, nominal: Profile | None = None) -> StockRegion:
     if stock.allowance_mm is not None:
         if nominal is None:
             raise UsageError("setup: [stock] allowance_mm needs the nominal profile it lies on")
-        return StockRegion(nominal, stock.allowance_mm)
+        return StockRegion(_ended(nominal, setup), stock.allowance_mm)
     if stock.contour is not None:
-        return StockRegion(Profile.read_json(stock.contour))
+        return StockRegion(_ended(Profile.read_json(stock.contour), setup))
     if stock.program is not None:
         before = gcode.read(stock.program).toolpath
         rows = np.flatnonzero((before.kind != Kind.RAPID) & np.isfinite(before.end[:, :2]).all(axis=1))
@@ -412,6 +412,13 @@ def stock_of(setup: Setup, nominal: Profile | None = None) -> StockRegion:
         diameter = stock.program_tool_diameter_mm or setup.tool.diameter_mm
         return StockRegion(None, 0.0, (Swept(pieces, diameter / 2),))
     return StockRegion()
+
+
+def _ended(profile: Profile, setup: Setup) -> Profile:
+    """A contour of the stock as it ends, or goes on farther than a cutter at its ends can reach."""
+    if setup.stock.end == STOCK_ENDS[0]:
+        return profile
+    return prolonged(profile, 2.0 * setup.tool.diameter_mm + (setup.stock.allowance_mm or 0.0))
 
 
 def _levels(pieces: Pieces, setup: Setup) -> tuple[Floats, float, Pieces]:
