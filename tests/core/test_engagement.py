@@ -421,10 +421,11 @@ def test_end_of_the_stock():
 
 
 def test_past_the_end_of_the_stock():
-    """Points of the front counted: stock is the allowance over the wall and the round about its end, less what was cut."""
+    """Points of the front counted: stock is the allowance over the wall and the round about its end, less the path."""
     its = setup(allowance_mm=2.0)
     nominal = contour(NurbsCurve.line((20, 0), (-30, 0)))
-    found = engagement(path("G0 X25 Y6.5\nG1 X25 Y6\nG1 X18.5\nG0 X25 Y8\nG1 Y5.5\nG1 X18"), its, stock_of(its, nominal))
+    toolpath = path("G0 X25 Y6.5\nG1 X25 Y6\nG1 X18.5\nG0 X25 Y8\nG1 Y5.5\nG1 X18")
+    found = engagement(toolpath, its, stock_of(its, nominal))
     angle = (np.arange(20_000) + 0.5) / 20_000 * np.pi - np.pi / 2
     seen = 0
     for k in range(len(found)):
