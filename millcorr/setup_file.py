@@ -57,6 +57,13 @@ class Tool:
         Measured stiffness at the tip, in place of the one that follows from the shank.
     rotation : {"clockwise", "anticlockwise"}
         As M3 or M4 turn it, seen from the spindle towards the part.
+    radius_error_mm : float
+        By how much the cutter's radius is larger than half of `diameter_mm`, which the program was made for; measured
+        standing, at the mean of its teeth.
+    runout_mm : float
+        Eccentricity of the teeth about the spindle's axis: half of what an indicator shows over a turn.
+    runout_deg : float
+        From the direction of the eccentricity to a tooth, in the sense in which the teeth follow each other.
     """
 
     diameter_mm: float = _key(high=1000.0)
@@ -70,11 +77,30 @@ class Tool:
         1.0, 1e7, default=None, hint="N/mm: an end mill has 500 to 100000 (1 N/um = 1000 N/mm)"
     )
     rotation: str = field(default="clockwise", metadata={"one_of": ("clockwise", "anticlockwise")})
+    radius_error_mm: float = _key(-1.0, 1.0, default=0.0, open_=False, hint="mm, not um")
+    runout_mm: float = _key(0.0, 0.5, default=0.0, open_=False, hint="mm, not um")
+    runout_deg: float = _key(-360.0, 360.0, default=0.0, open_=False)
 
     @property
     def radius(self) -> float:
-        """Cutter radius in mm."""
+        """Radius in mm that the program was made for."""
         return self.diameter_mm / 2
+
+    @property
+    def tooth_offsets(self) -> tuple[float, ...]:
+        """How much farther out than their mean the teeth run, in the order in which they cut, mm."""
+        first, pitch = math.radians(self.runout_deg), 2 * math.pi / self.flutes
+        return tuple(self.runout_mm * math.cos(first + pitch * j) for j in range(self.flutes))
+
+    @property
+    def oversize(self) -> float:
+        """How much farther than `radius` the cutter cuts, mm: its radius' error, and its outermost tooth."""
+        return self.radius_error_mm + max(self.tooth_offsets)
+
+    @property
+    def cutting_radius(self) -> float:
+        """Radius of what the turning cutter sweeps, mm."""
+        return self.radius + self.oversize
 
     @property
     def tooth_frequency(self) -> float:

@@ -81,7 +81,9 @@ class Engagement(ReadOnlyArrays):
     clockwise : bool
         Sense of the spindle.
     radius : float
-        Cutter radius in mm.
+        Radius in mm that the program was made for.
+    oversize : float
+        How much farther than that the cutter cuts, mm: what is engaged is so much more.
     """
 
     s: Floats
@@ -102,6 +104,7 @@ class Engagement(ReadOnlyArrays):
     arc_high: Floats
     clockwise: bool
     radius: float
+    oversize: float
 
     def __len__(self) -> int:
         return len(self.s)
@@ -279,7 +282,7 @@ def arcs_of(
     path: CutterPath, setup: Setup, stock: StockRegion, actual: GivenWay | None = None, only: Ints | None = None
 ) -> Arcs:
     """Engaged arcs of every step, or `only` of some, ascending."""
-    radius = setup.tool.radius
+    radius = setup.tool.cutting_radius
     found = []
     for low, high, cutting, here, clipped in path.slices():
         rows = np.flatnonzero(cutting) if only is None else only[cutting[only]]
@@ -333,7 +336,7 @@ def engaged(path: CutterPath, setup: Setup, arcs: Arcs) -> Engagement:
         np.where(air, np.nan, exit_),
         phi,
         np.where(width > 0, per_tooth * width, 0.0),
-        np.where(width > 0, per_tooth * setup.tool.tooth_frequency * setup.tool.radius * width, 0.0),
+        np.where(width > 0, per_tooth * setup.tool.tooth_frequency * setup.tool.cutting_radius * width, 0.0),
         np.concatenate([[0], np.cumsum(np.bincount(step, minlength=n))]).astype(np.int64),
         begin,
         end,
@@ -341,6 +344,7 @@ def engaged(path: CutterPath, setup: Setup, arcs: Arcs) -> Engagement:
         high_z,
         clockwise,
         setup.tool.radius,
+        setup.tool.oversize,
     )
 
 
@@ -409,8 +413,8 @@ def stock_of(setup: Setup, nominal: Profile | None = None) -> StockRegion:
         before = gcode.read(stock.program).toolpath
         rows = np.flatnonzero((before.kind != Kind.RAPID) & np.isfinite(before.end[:, :2]).all(axis=1))
         pieces = pieces_of_toolpath(before, rows, where=str(stock.program))
-        diameter = stock.program_tool_diameter_mm or setup.tool.diameter_mm
-        return StockRegion(None, 0.0, (Swept(pieces, diameter / 2),))
+        radius = stock.program_tool_diameter_mm / 2 if stock.program_tool_diameter_mm else setup.tool.cutting_radius
+        return StockRegion(None, 0.0, (Swept(pieces, radius),))
     return StockRegion()
 
 

@@ -346,13 +346,13 @@ def deviation_along(
 
     def left(path: Profile, centre: Floats) -> tuple[Floats, Bools, float]:
         # Where the path is off by so much the surface is, too; by twice that where it is met at 60 degrees.
-        reach = REACH + 2.0 * float(np.hypot(*(centre - commanded).T).max())
-        x, found, within = surface_along(path, radius, point, normal, reach)
+        reach = REACH + abs(elastic.engagement.oversize) + 2.0 * float(np.hypot(*(centre - commanded).T).max())
+        x, found, within = surface_along(path, radius + elastic.engagement.oversize, point, normal, reach)
         if (lost := np.flatnonzero(within & ~found)).size:
-            (px, py), off = point[lost[0]], reach - REACH
+            (px, py), off = point[lost[0]], float(np.hypot(*(centre - commanded).T).max())
             raise RefusedError(
                 f"predicted deviation: what the cutter leaves at X{px:.3f} Y{py:.3f} is not to be found within "
-                f"{reach:.3f} mm; it is up to {off / 2:.3f} mm off its path: check [machine] stiffness and inertia"
+                f"{reach:.3f} mm; it is up to {off:.3f} mm off its path: check [machine] stiffness and inertia"
             )
         return x, within, reach
 

@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from millcorr import gcode
-from millcorr.cutting import average_force, cutting, force_at, force_over_turn, surface_location_error
+from millcorr.cutting import average_force, chip_thickness, cutting, force_at, force_over_turn, surface_location_error
 from millcorr.deviation import Deviation
 from millcorr.engagement import engagement, stock_of
 from millcorr.engagement.stock_region import StockRegion
@@ -135,6 +135,57 @@ def test_a_move_without_feed_is_refused():
     its = setup()
     with pytest.raises(UsageError, match="has no feed"):
         cutting(engagement(toolpath, its, stock_of(its, WALL)), its)
+
+
+@given(st.lists(st.floats(-0.05, 0.05), min_size=1, max_size=8), st.floats(0.0, 0.1))
+@settings(max_examples=100, deadline=None, derandomize=True)
+def test_chips_of_teeth_that_run_out_add_up(offsets, sweep):
+    """Whatever each takes, a turn takes N f_t sin(phi); each against the surface that the last ones left."""
+    n = len(offsets)
+    chip = chip_thickness(np.full(n, sweep), np.arange(n), tuple(offsets))
+    assert chip.sum() == pytest.approx(n * sweep, abs=1e-12)
+    # The surface advances towards the axis by one sweep a tooth; each leaves the deeper of it and its own circle.
+    surface = -1.0
+    for j in range(6 * n):
+        surface -= sweep
+        taken = max(offsets[j % n] - surface, 0.0)
+        surface = max(surface, offsets[j % n])
+        if j >= 5 * n:
+            assert taken == pytest.approx(chip[j % n], abs=1e-12)
+
+
+RUNS_OUT = Tool(10.0, 4, 3000.0, helix_deg=30.0, runout_mm=0.03, runout_deg=20.0)
+
+
+@pytest.mark.parametrize("helix", [0.0, 30.0])
+def test_mean_force_of_teeth_that_run_out(helix):
+    """The mean over a whole turn of the course tooth by tooth; teeth that take nothing have no edge force."""
+    its = replace(RUNS_OUT, helix_deg=helix)
+    entry, exit_, chip = np.pi - 1.2, np.pi, 0.02
+    turn = (np.arange(7200) + 0.5) / 7200 * 2 * np.pi
+    course = force_over_turn(turn, entry, exit_, 0.0, 3.0, chip, its, ALTINTAS)
+    mean = average_force(entry, exit_, 3.0, chip, 4, ALTINTAS, its.tooth_offsets)
+    assert mean == pytest.approx(course.mean(axis=0), rel=2e-3)
+    # Chips alone: as without run-out. A tooth's peak is more than that of an even one.
+    assert average_force(entry, exit_, 3.0, chip, 4, CHIP_ONLY, its.tooth_offsets) == pytest.approx(
+        average_force(entry, exit_, 3.0, chip, 4, CHIP_ONLY), rel=1e-14
+    )
+    even = force_over_turn(turn, entry, exit_, 0.0, 3.0, chip, replace(its, runout_mm=0.0), ALTINTAS)
+    assert np.hypot(*course.T).max() > 1.2 * np.hypot(*even.T).max()
+    assert mean != pytest.approx(average_force(entry, exit_, 3.0, chip, 4, ALTINTAS), rel=0.05)
+
+
+def test_a_cutter_that_is_larger_and_runs_out_cuts_deeper():
+    """Surface: less the radius error and the outermost tooth. Engagement: acos(1 - (a + both) / (R + both))."""
+    its = setup(1e7, 1e7)
+    its = replace(its, tool=replace(its.tool, radius_error_mm=0.02, runout_mm=0.01, runout_deg=0.0))
+    found = elastic_pass(path("G0 X-60 Y5\nG1 X60"), its, stock_of(its, WALL))
+    left = predicted_deviation(found, WALL)
+    assert left.value == pytest.approx(-0.03, abs=1e-4)
+    assert found.engagement.phi[200] == pytest.approx(np.arccos(1 - 1.03 / 5.03), abs=1e-4)
+    smaller = replace(its, tool=replace(its.tool, radius_error_mm=-0.02, runout_mm=0.0))
+    left = predicted_deviation(elastic_pass(path("G0 X-60 Y5\nG1 X60"), smaller, stock_of(its, WALL)), WALL)
+    assert left.value == pytest.approx(0.02, abs=1e-4)
 
 
 def test_difference_from_petrakovs_model():

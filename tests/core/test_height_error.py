@@ -69,6 +69,30 @@ def middle(value):
 # --- closed forms
 
 
+def test_the_outermost_of_straight_teeth_makes_the_wall():
+    """No edge force, one tooth in the cut: passing the wall its chip is nothing; the wall is off by its run-out."""
+    its = tool(helix_deg=0.0, flutes=2, runout_mm=0.012, runout_deg=120.0, radius_error_mm=0.005)
+    found = model(its).errors(HEIGHTS)
+    assert middle(found.value) == pytest.approx(-0.012 * 0.5 - 0.005, abs=1e-9)
+
+
+def test_run_out_agrees_with_the_one_stiffness_formula():
+    """Helix, six teeth that run out: the integral over bands against 64 places of each edge, on a soft holder."""
+    k = 2000.0
+    stiff = replace(
+        PAPER.tool, stiffness_n_per_mm=1e7, flutes=6, helix_deg=40.0, runout_mm=0.01, runout_deg=35.0,
+        radius_error_mm=-0.004,
+    )  # fmt: skip
+    its = Setup(stiff, PAPER.material, Machine(k, k), Stock(allowance_mm=0.5, axial_depth_mm=2.5))
+    entry = np.pi - np.arccos(1 - (0.5 + stiff.oversize) / stiff.cutting_radius)
+    chip = 5.0 / stiff.tooth_frequency
+    wanted = surface_location_error(HEIGHTS, entry, np.pi, 2.5, chip, k, stiff, its.material)
+    even = surface_location_error(HEIGHTS, entry, np.pi, 2.5, chip, k, replace(stiff, runout_mm=0.0), its.material)
+    assert np.abs(wanted - even).min() > 5e-3
+    # A sixty-fourth of the edge more or less in the cut: 2 % of the deflection.
+    assert middle(model(its).errors(HEIGHTS).value) == pytest.approx(wanted, abs=3e-4)
+
+
 @pytest.mark.parametrize("rotation", ["clockwise", "anticlockwise"])
 @pytest.mark.parametrize("flutes", [2, 4])
 def test_straight_edges_without_edge_force_leave_no_error(rotation, flutes):
