@@ -27,6 +27,8 @@ from millcorr.profile import Contour, Profile
 from millcorr.setup_file import Setup
 from millcorr.toolpath import Toolpath
 
+from .stiffness import compliance_at
+
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
@@ -111,7 +113,9 @@ class ElasticPass:
         return self.residual / (1.0 - self.contraction)
 
 
-def elastic_pass(toolpath: Toolpath, setup: Setup, stock: StockRegion, *, step: float = STEP) -> ElasticPass:
+def elastic_pass(
+    toolpath: Toolpath, setup: Setup, stock: StockRegion, *, nominal: Profile | None = None, step: float = STEP
+) -> ElasticPass:
     """Cut a program with the elastic loop closed at every step.
 
     Parameters
@@ -120,6 +124,8 @@ def elastic_pass(toolpath: Toolpath, setup: Setup, stock: StockRegion, *, step: 
         Path of the cutter's centre.
     setup : Setup
     stock : StockRegion
+    nominal : Profile, optional
+        Needed where the machine's stiffness changes along it.
     step : float
         Largest distance between steps in mm.
 
@@ -130,20 +136,21 @@ def elastic_pass(toolpath: Toolpath, setup: Setup, stock: StockRegion, *, step: 
     Raises
     ------
     UsageError
-        If the setup has no stiffness, or a move that cuts has no feed.
+        If the setup has no stiffness, or a move that cuts has no feed; and as `compliance_at`.
     InputError
         As `millcorr.engagement.engagement`.
     RefusedError
         If the cut is stiffer than the machine, so that the loop need not settle, or it does not settle.
     """
-    kx, ky = setup.machine.stiffness(setup.source)
-    stiffness = np.array([kx, ky])
+    setup.machine.stiffness(setup.source)
     path = CutterPath.of(toolpath, setup, step)
+    stiffness = 1.0 / compliance_at(setup, nominal, path.steps.centre)
     rigid = engaged(path, setup, arcs_of(path, setup, stock))
-    bound = cutting_stiffness(rigid, setup) / min(kx, ky)
+    least = float(stiffness.min())
+    bound = cutting_stiffness(rigid, setup) / least
     if bound >= 1.0:
         raise RefusedError(
-            f"elastic loop: the cut is {bound:.2f} times as stiff as the machine ({min(kx, ky):g} N/mm): it need not "
+            f"elastic loop: the cut is {bound:.2f} times as stiff as the machine ({least:g} N/mm): it need not "
             "settle; check [machine] kx_n_per_mm and ky_n_per_mm, feed, axial depth and [material]"
         )
     forces = cutting(rigid, setup)
@@ -191,7 +198,7 @@ def _marched(
     for step in range(first, last + 1):
         only, course = np.array([step]), FixedPoint(np.zeros(1, dtype=np.int64), 1, depth=2)
         for _ in range(ROUNDS):
-            bent = answer(deflection, only).force[only] / stiffness
+            bent = answer(deflection, only).force[only] / stiffness[only]
             if np.abs(bent - deflection[only]).max() <= TOLERANCE / 4:
                 break
             deflection[only] = course.step(deflection[only], bent)

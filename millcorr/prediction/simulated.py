@@ -181,7 +181,7 @@ def simulate(
         before, run, _ = _at_real_feed(earlier, control)
         toolpath = one_after_another(before.toolpath, toolpath)
         cut.insert(0, (earlier.toolpath, before, run))
-    elastic = elastic_pass(toolpath, setup, stock)
+    elastic = elastic_pass(toolpath, setup, stock, nominal=nominal)
     really = [(path, fed, led) for path, fed, led in cut if led is not None]
     path = RunPath.of(really, elastic) if really else None
     centre = elastic.centre if path is None else path.at_steps(elastic.deflection)

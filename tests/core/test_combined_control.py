@@ -178,6 +178,44 @@ def test_axes_of_different_stiffness_need_two_touches():
     assert cut_again(result.text, true).largest <= 0.0105
 
 
+THIN = ((0.0, 1500.0, 1500.0), (55.0, 3000.0, 3000.0), (128.0, 1500.0, 1500.0))
+"""Two walls that are softer towards their ends; arc length of the paper's contour."""
+
+
+def along(table):
+    its = setup()
+    return replace(its, machine=replace(its.machine, stiffness_along=table))
+
+
+def test_a_thin_wall_from_touches_at_several_places():
+    """Three touches, three factors: the table is found again, off by 1.4, 0.8 and 0.7, and the error is taken out."""
+    factors = (1.4, 0.8, 0.7)
+    true = along(tuple((s, kx * f, ky * f) for (s, kx, ky), f in zip(THIN, factors, strict=True)))
+    cut = simulate(program(), true, nominal())
+    places = [tuple(nominal().at(0, np.array([s]))[0][0]) for s in (5.0, 45.0, 105.0)]
+    result = corrected(touched(cut, *places), its=along(THIN), iterate=0.01)
+    machine = result.foreseen.machine
+    assert machine.separate and machine.misfit <= 1e-3
+    found = np.array(machine.along)[:, 1] / np.array(THIN)[:, 1]
+    # Model and touches agree within 0.1 um or a thousandth; two rows of the table share each touch.
+    assert found == pytest.approx(factors, rel=0.01)
+    left = cut_again(result.text, true).largest
+    assert cut.largest > 0.1 and left <= 0.0105
+    # With one stiffness for the whole wall more is left of it.
+    even = corrected(touched(cut, *places), iterate=0.01)
+    assert cut_again(even.text, true).largest > 1.5 * left
+
+
+def test_too_few_touches_scale_the_whole_table():
+    true = along(tuple((s, 1.25 * kx, 1.25 * ky) for s, kx, ky in THIN))
+    cut = simulate(program(), true, nominal())
+    result = corrected(touched(cut, (0.0, -10.0)), its=along(THIN))
+    machine = result.foreseen.machine
+    assert not machine.separate
+    assert np.array(machine.along)[:, 1:] == pytest.approx(1.25 * np.array(THIN)[:, 1:], rel=5e-3)
+    assert any("stiffness_along apart" in text for text in result.warnings)
+
+
 def test_origin_does_not_matter():
     """Read as printed, with coordinates in place of depths, eq. (12) would move the path by MSx times 1000 mm."""
     text = program().text

@@ -304,6 +304,27 @@ def test_the_loop_is_closed():
     assert 0 < found.deflection[k, 1] < rigid
 
 
+def test_a_wall_that_is_soft_in_its_middle():
+    """At every step force over the stiffness there, compliance linear in between; the closed form of the straight."""
+    table = ((0.0, 8000.0, 8000.0), (60.0, 2000.0, 1000.0), (120.0, 8000.0, 8000.0))
+    its = setup(5000.0, 5000.0, ALTINTAS)
+    its = replace(its, machine=replace(its.machine, stiffness_along=table))
+    wall = contour(NurbsCurve.line((60, 0), (-60, 0)))
+    found = elastic_pass(path("G0 X-60 Y5\nG1 X60"), its, stock_of(its, WALL), nominal=wall)
+    x = found.engagement.position[:, 0]
+    soft = 1 - np.abs(x) / 60.0
+    compliance = (1 / 8000.0 + soft * (1 / 2000.0 - 1 / 8000.0), 1 / 8000.0 + soft * (1 / 1000.0 - 1 / 8000.0))
+    for k in range(40, len(x) - 40, 40):
+        entry = np.pi - np.arccos(1 - (1.0 - found.deflection[k, 1]) / 5.0)
+        force = average_force(entry, np.pi, 5.0, 0.05, 4, ALTINTAS)
+        assert found.deflection[k] == pytest.approx(force * (compliance[0][k], compliance[1][k]), abs=1e-6)
+    with pytest.raises(UsageError, match="stiffness_along needs a nominal of one contour"):
+        elastic_pass(path("G0 X-60 Y5\nG1 X60"), its, stock_of(its, WALL))
+    with pytest.raises(UsageError, match=r"goes to 120 mm, the contour is 100\.000 mm long"):
+        short = contour(NurbsCurve.line((50, 0), (-50, 0)))
+        elastic_pass(path("G0 X-60 Y5\nG1 X60"), its, stock_of(its, WALL), nominal=short)
+
+
 def test_a_very_soft_machine_has_one_answer(monkeypatch):
     """2.2 of 3 mm give way: wherever rounds of all steps leave off, steps settled one by one end in the same place."""
     toolpath, nominal, its = paper(Machine(150.0, 150.0))

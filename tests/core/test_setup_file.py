@@ -56,6 +56,19 @@ def test_examples_are_read_and_name_their_origin(path):
     assert setup.machine.origin and setup.machine.origin in setup.cautions[1]
 
 
+def test_stiffness_along_the_contour():
+    rows = [[0, 8000.0, 5000], [40.5, 900, 900]]
+    assert from_dict(tables(machine__stiffness_along=rows)).machine.stiffness_along == (
+        (0, 8000.0, 5000), (40.5, 900, 900),
+    )  # fmt: skip
+    for bad, says in (
+        ([[0, 8000.0]], "is no row"), ([[0, 8.0, 0.8]], "above 1"), ([[5, 9e3, 9e3], [5, 9e3, 9e3]], "ascends"),
+        ([[-1, 9e3, 9e3]], "0 or more"), ("table.csv", "is no row"), ([["0", 9e3, 9e3]], "is no row"),
+    ):  # fmt: skip
+        with pytest.raises(FormatError, match=says):
+            from_dict(tables(machine__stiffness_along=bad))
+
+
 def test_tilt_is_optional():
     assert from_dict(tables()).tilt is None
     tilt = from_dict(tables(tilt={"order": "BA", "b_sign": -1, "limit_deg": 3})).tilt
