@@ -156,8 +156,9 @@ class Machine:
         Stiffness of the whole loop, tool included, along X and Y (petrakov-2023, fig. 1).
     acceleration_time_x_ms, acceleration_time_y_ms : float
         Time constant of acceleration and deceleration of each axis; 0 for none.
-    acceleration_shape : {"linear", "exponential"}
-        What the time constant is one of: a ramp of that length, or a lag.
+    acceleration_shape : {"linear", "bell", "exponential"}
+        What the time constant is one of: a change of speed of that length at one acceleration, or at one that rises
+        and falls along lines; or a lag.
     contour_control : bool
         True where the control keeps the path by slowing down (dat-2025).
     contour_time_slope_ms_per_mm_min, contour_time_offset_ms : float
@@ -179,7 +180,7 @@ class Machine:
     ky_n_per_mm: float | None = _key(1.0, 1e7, default=None, hint="N/mm (1 N/um = 1000 N/mm)")
     acceleration_time_x_ms: float = _key(0.0, 10_000.0, default=0.0, open_=False)
     acceleration_time_y_ms: float = _key(0.0, 10_000.0, default=0.0, open_=False)
-    acceleration_shape: str = field(default="linear", metadata={"one_of": ("linear", "exponential")})
+    acceleration_shape: str = field(default="linear", metadata={"one_of": ("linear", "bell", "exponential")})
     contour_control: bool = False
     contour_time_slope_ms_per_mm_min: float = _key(0.0, 10.0, default=0.0062, open_=False)
     contour_time_offset_ms: float = _key(0.0, 10_000.0, default=39.226, open_=False)

@@ -70,8 +70,8 @@ def _facts(result: Result, foreseen: Foreseen) -> list[tuple[str, str]]:
             ("Depth of the touched part", f"{mm(axes.depth)} mm"),
             (
                 "Machine that leaves what was touched",
-                f"stiffness X {kx:.4g} N/mm, Y {ky:.4g} N/mm{along} with the setup's forces, within {um(machine.misfit)} "
-                f"{MICRO} of the touches",
+                f"stiffness X {kx:.4g} N/mm, Y {ky:.4g} N/mm{along} with the setup's forces, within "
+                f"{um(machine.misfit)} {MICRO} of the touches",
             ),
         ]
     else:
