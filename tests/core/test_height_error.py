@@ -18,11 +18,12 @@ from millcorr.deflection.cantilever import Cantilever
 from millcorr.deflection.height_deviation import predicted_deviation
 from millcorr.deflection.height_error import WallModel
 from millcorr.deflection.real_path import real_path
-from millcorr.engagement import stock_of
+from millcorr.engagement import engagement, stock_of
 from millcorr.engagement.stock_region import StockRegion
 from millcorr.errors import InputError, UsageError
-from millcorr.kinematics import AxisDynamics, Control
+from millcorr.kinematics import AxisDynamics, Control, motion
 from millcorr.nurbs import NurbsCurve
+from millcorr.prediction.real_feed import RealFeed
 from millcorr.profile import Contour, Profile
 from millcorr.setup_file import Machine, Material, Setup, Stock, load
 
@@ -324,6 +325,21 @@ def test_an_outer_corner_in_up_milling_is_as_the_straight_wall(radial, overhang)
     assert made.sum() == 29 and found.residual <= 1e-7
     # Displacements of up to 0.1 mm change the angles along a secant: by its curvature the two are 2e-4 mm apart.
     assert found.value[made] == pytest.approx(np.broadcast_to(straight_wall, (made.sum(), 4)), abs=2e-4)
+
+
+@pytest.mark.parametrize("feed, ratio, degrees", [(300, 1.00, 140.0), (3000, 1.29, 101.0)])
+def test_load_of_the_commanded_corner_is_that_of_the_actual_one_or_more(feed, ratio, degrees):
+    """The commanded cutter stands in the corner, 143.13 degrees engaged, 90 + acos(3 / 5); the actual one rounds it."""
+    control = Control.alike(AxisDynamics(0.05, "linear", 40.0))
+    toolpath = gcode.parse(CORNER.replace("F300", f"F{feed}")).toolpath
+    at_real_feed = RealFeed.of(toolpath, motion(toolpath, control)).toolpath
+    commanded = engagement(at_real_feed, PAPER, stock_of(PAPER, HOLLOW), step=0.05)
+    actual = engagement(real_path(toolpath, control).toolpath, PAPER, stock_of(PAPER, HOLLOW), step=0.05)
+    assert np.degrees(commanded.phi.max()) == pytest.approx(90 + np.degrees(np.arccos(0.6)), abs=1e-6)
+    assert np.degrees(actual.phi.max()) == pytest.approx(degrees, abs=1.0)
+    assert np.nanmax(commanded.area) / np.nanmax(actual.area) == pytest.approx(ratio, abs=0.01)
+    # Elsewhere both meet the same.
+    assert np.median(actual.phi) == pytest.approx(np.median(commanded.phi), abs=1e-6)
 
 
 def test_two_passes_have_their_own_heights():

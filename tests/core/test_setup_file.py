@@ -126,7 +126,7 @@ BAD = [
     ({"stock__axial_depth_mm": None}, "[stock] top_z_mm or axial_depth_mm is needed"),
     ({"stock__top_z_mm": 0.0}, "[stock] top_z_mm or axial_depth_mm is needed"),
     ({"stock__program_tool_diameter_mm": 12.0}, "[stock] program_tool_diameter_mm goes with program"),
-    ({"machine__acceleration_shape": "bell"}, "[machine] acceleration_shape 'bell' is none of linear, exponential"),
+    ({"machine__acceleration_shape": "round"}, "[machine] acceleration_shape 'round' is none of linear, bell, exponential"),
     ({"machine__contour_control": True}, "[machine] contour_speed_change_mm_min is missing"),
     ({"machine__contour_speed_change_mm_min": 0.0}, "[machine] contour_speed_change_mm_min 0.0 is not above 0"),
     ({"tilt": {}}, "[tilt] order is missing"),
