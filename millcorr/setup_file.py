@@ -172,6 +172,10 @@ class Machine:
         Stiffness at arc lengths of the nominal's one contour, in mm and N/mm, where it is not the same everywhere (a
         thin wall): s ascending. In between the compliance is linear, round a closed contour, too; beyond the first and
         the last of an open one it stays. `kx_n_per_mm` and `ky_n_per_mm` are then those that are printed.
+    wall_over_height : tuple of (height, kx, ky)
+        Stiffness of the part's wall alone, in N/mm, at heights above the deepest tip, in mm and ascending: a wall that
+        stands free at its top. Besides the tool and the machine, and only for the wall over its height; in between
+        the compliance is linear, beyond the ends it stays.
     origin : str
         Where the stiffness comes from; said wherever figures rest on it.
     """
@@ -189,6 +193,7 @@ class Machine:
     )
     position_gain_per_s: float | None = _key(0.1, 10_000.0, default=None, hint="1/s, not (m/min)/mm: Kv 1 is 16.67/s")
     stiffness_along: tuple[tuple[float, float, float], ...] = ()
+    wall_over_height: tuple[tuple[float, float, float], ...] = ()
     origin: str = ""
 
     def caution(self) -> str:
@@ -320,11 +325,15 @@ class Setup:
                 "[machine] contour_speed_change_mm_min is missing: contour_control needs the speed change allowed at a "
                 "corner"
             )
-        behind = -1e-12
-        for place, *_ in self.machine.stiffness_along:
-            if not place > behind:
-                self._refuse(f"[machine] stiffness_along: s is 0 or more and ascends, {place:g} does not")
-            behind = place
+        for key, name, rows in (
+            ("stiffness_along", "s", self.machine.stiffness_along),
+            ("wall_over_height", "height", self.machine.wall_over_height),
+        ):
+            behind = -1e-12
+            for place, *_ in rows:
+                if not place > behind:
+                    self._refuse(f"[machine] {key}: {name} is 0 or more and ascends, {place:g} does not")
+                behind = place
         if stock.axial_depth_mm is not None:
             self.require_overhang(stock.axial_depth_mm)
         if tool.overhang_mm is not None and tool.overhang_mm > 40 * tool.diameter_mm:
@@ -347,6 +356,7 @@ class Setup:
 
 _TABLES: dict[str, type] = {"tool": Tool, "material": Material, "machine": Machine, "stock": Stock, "tilt": Tilt}
 _OPTIONAL = ("tilt",)
+_ROWS = {"stiffness_along", "wall_over_height"}
 
 
 def load(path: str | Path) -> Setup:
@@ -418,8 +428,9 @@ def _made(kind: type[Table], name: str, table: dict[str, Any], source: str) -> T
     for key, item in known.items():
         if key not in table and item.default is MISSING:
             raise FormatError(f"[{name}] {key} is missing", source or None)
-    if isinstance(table.get("stiffness_along"), list):
-        table["stiffness_along"] = tuple(tuple(r) if isinstance(r, list) else r for r in table["stiffness_along"])
+    for key in _ROWS & table.keys():
+        if isinstance(table[key], list):
+            table[key] = tuple(tuple(r) if isinstance(r, list) else r for r in table[key])
     values = {k: float(v) if _wants(kind, k, float) and type(v) is int else v for k, v in table.items()}
     return kind(**values)
 
@@ -455,7 +466,7 @@ def _check(part: Any, name: str, source: str) -> None:
         elif _wants(type(part), item.name, bool):
             if not isinstance(value, bool):
                 raise FormatError(f"{where} is not true or false", source or None)
-        elif item.name == "stiffness_along":
+        elif item.name in _ROWS:
             _check_rows(value, f"[{name}] {item.name}", source)
         elif _wants(type(part), item.name, Path):
             if not isinstance(value, Path):
@@ -467,11 +478,11 @@ def _check(part: Any, name: str, source: str) -> None:
 
 
 def _check_rows(rows: Any, where: str, source: str) -> None:
-    """FormatError where rows are no ``[s_mm, kx_n_per_mm, ky_n_per_mm]`` in their ranges."""
+    """FormatError where rows are no ``[mm, kx_n_per_mm, ky_n_per_mm]`` in their ranges."""
     for row in rows if isinstance(rows, tuple) else (rows,):
         three = isinstance(row, tuple) and len(row) == 3
         if not three or any(isinstance(v, bool) or not isinstance(v, int | float) for v in row):
-            raise FormatError(f"{where}: {row!r} is no row [s_mm, kx_n_per_mm, ky_n_per_mm]", source or None)
+            raise FormatError(f"{where}: {row!r} is no row [mm, kx_n_per_mm, ky_n_per_mm]", source or None)
         if not (math.isfinite(row[0]) and all(1.0 < k <= 1e7 for k in row[1:])):
             raise FormatError(f"{where}: {row!r}: stiffness is above 1 and at most 1e+07 N/mm", source or None)
 

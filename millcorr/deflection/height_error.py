@@ -178,6 +178,12 @@ class WallModel:
         opening, closing = _changes(found, moved, by)
         return WallModel(path, found, arcs, opening[parent], closing[parent], wall, down, tool, setup)
 
+    def wall_gives(self, height: Floats) -> Floats:
+        """Compliance of the part's wall along X and Y at heights (q,) in mm above the deepest tip; (q, 2) in mm/N."""
+        if not (rows := np.array(self.setup.machine.wall_over_height)).size:
+            return np.zeros((len(height), 2))
+        return np.column_stack([np.interp(height, rows[:, 0], 1.0 / rows[:, k]) for k in (1, 2)])
+
     def deflection(
         self, step: Ints, height: Floats, phi: Floats, arcs: Arcs | None = None, tooth: int = 0
     ) -> Floats:
@@ -245,12 +251,13 @@ class WallModel:
             per = per * (weights * (b - a)[:, None] / 2)[..., None]
             force += per.sum(axis=1)
             bent += (per * self.cantilever.compliance(z[:, None], where)[..., None]).sum(axis=1)
+        wall = self.wall_gives(height + self.tip[step])[query]
         direction = e.direction[step[query]]
         c, s = np.cos(direction), np.sin(direction)
         out = np.zeros((len(step), 2))
         for along, left, give in (
             (bent[:, 0], turn * bent[:, 1], (1.0, 1.0)),
-            (force[:, 0], turn * force[:, 1], self.cantilever.machine),
+            (force[:, 0], turn * force[:, 1], (wall + self.cantilever.machine).T),
         ):
             out[:, 0] += np.bincount(query, give[0] * (along * c - left * s), minlength=len(step))
             out[:, 1] += np.bincount(query, give[1] * (along * s + left * c), minlength=len(step))

@@ -70,6 +70,24 @@ def middle(value):
 # --- closed forms
 
 
+def test_a_wall_that_bends_over_its_height():
+    """A stiff tool on a rigid machine: the error at z is the force of its moment over the wall's stiffness there."""
+    stiff = replace(PAPER.tool, stiffness_n_per_mm=1e7)
+    rows = ((0.0, 4000.0, 4000.0), (2.5, 800.0, 800.0))
+    its = Setup(stiff, PAPER.material, Machine(wall_over_height=rows), PAPER.stock)
+    found = middle(model(its).errors(HEIGHTS).value)
+    entry = np.pi - np.arccos(1 - 2.0 / 5.0)
+    chip = 5.0 / stiff.tooth_frequency
+    for z, value in zip(HEIGHTS, found, strict=True):
+        k = 1.0 / np.interp(z, [0.0, 2.5], [1 / 4000.0, 1 / 800.0])
+        (wanted,) = surface_location_error([z], entry, np.pi, 2.5, chip, k, stiff, its.material)
+        # The shank adds 1e-7 mm/N to 2.5e-4 and more.
+        assert value == pytest.approx(wanted, rel=5e-4)
+    # On top of the tool and the machine, not in their place.
+    both = middle(model(replace(PAPER, machine=replace(PAPER.machine, wall_over_height=rows))).errors(HEIGHTS).value)
+    assert both == pytest.approx(middle(model(PAPER).errors(HEIGHTS).value) + found, rel=1e-3)
+
+
 def test_the_outermost_of_straight_teeth_makes_the_wall():
     """No edge force, one tooth in the cut: passing the wall its chip is nothing; the wall is off by its run-out."""
     its = tool(helix_deg=0.0, flutes=2, runout_mm=0.012, runout_deg=120.0, radius_error_mm=0.005)

@@ -58,6 +58,9 @@ def test_examples_are_read_and_name_their_origin(path):
 
 def test_stiffness_along_the_contour():
     rows = [[0, 8000.0, 5000], [40.5, 900, 900]]
+    assert from_dict(tables(machine__wall_over_height=rows)).machine.wall_over_height[1] == (40.5, 900, 900)
+    with pytest.raises(FormatError, match="wall_over_height: height is 0 or more and ascends, 40.5 does not"):
+        from_dict(tables(machine__wall_over_height=[rows[1], rows[1]]))
     assert from_dict(tables(machine__stiffness_along=rows)).machine.stiffness_along == (
         (0, 8000.0, 5000), (40.5, 900, 900),
     )  # fmt: skip
@@ -126,7 +129,10 @@ BAD = [
     ({"stock__axial_depth_mm": None}, "[stock] top_z_mm or axial_depth_mm is needed"),
     ({"stock__top_z_mm": 0.0}, "[stock] top_z_mm or axial_depth_mm is needed"),
     ({"stock__program_tool_diameter_mm": 12.0}, "[stock] program_tool_diameter_mm goes with program"),
-    ({"machine__acceleration_shape": "round"}, "[machine] acceleration_shape 'round' is none of linear, bell, exponential"),
+    (
+        {"machine__acceleration_shape": "round"},
+        "[machine] acceleration_shape 'round' is none of linear, bell, exponential",
+    ),
     ({"machine__contour_control": True}, "[machine] contour_speed_change_mm_min is missing"),
     ({"machine__contour_speed_change_mm_min": 0.0}, "[machine] contour_speed_change_mm_min 0.0 is not above 0"),
     ({"tilt": {}}, "[tilt] order is missing"),
