@@ -289,8 +289,8 @@ def predicted_deviation(
     Returns
     -------
     Deviation
-        At points of the profile that the commanded cutter leaves within `REACH`, however far it gives way; corners and
-        what the cutter cannot reach left out.
+        At points of the profile that the commanded cutter leaves within `REACH`, however far it gives way where that
+        is half of it; corners and what the cutter cannot reach left out.
 
     Raises
     ------
@@ -345,23 +345,32 @@ def deviation_along(
         normals.append(n)
     point, normal = np.concatenate(points), np.concatenate(normals)
     commanded = elastic.path.steps.centre
-    _, found, within = surface_along(_path_through(elastic, commanded, height), radius, point, normal)
+    meant, found, within = surface_along(_path_through(elastic, commanded, height), radius, point, normal)
     rows = np.flatnonzero(found & within)
     if not len(rows):
         raise UsageError("predicted deviation: the program does not cut the nominal profile: check both")
     point, normal = point[rows], normal[rows]
+    # Where a lead or another pass crosses the contour its end is no matter of what bends.
+    meant = meant[rows]
+    own = np.abs(meant) <= REACH / 2
 
     def left(path: Profile, centre: Floats) -> tuple[Floats, Bools, float]:
-        # Where the path is off by so much the surface is, too; by twice that where it is met at 60 degrees.
-        reach = REACH + abs(elastic.engagement.oversize) + 2.0 * float(np.hypot(*(centre - commanded).T).max())
-        x, found, within = surface_along(path, radius + elastic.engagement.oversize, point, normal, reach)
-        if (lost := np.flatnonzero(within & ~found)).size:
-            (px, py), off = point[lost[0]], float(np.hypot(*(centre - commanded).T).max())
+        # Where the path is off by so much the surface is, too; by twice that where it is met at 60 degrees. It is
+        # looked for from there on only: deeper down another pass may have been.
+        off = float(np.hypot(*(centre - commanded).T).max())
+        room = abs(elastic.engagement.oversize) + 2.0 * off + _ON_SURFACE
+        begin = np.where(own, meant - room, -REACH)
+        x, found, within = surface_along(
+            path, radius + elastic.engagement.oversize, point, normal, begin, REACH + room
+        )
+        # Corners that the axes round off are no more; what bends only moves them.
+        if run is None and (lost := np.flatnonzero(within & ~found & own)).size:
+            px, py = point[lost[0]]
             raise RefusedError(
                 f"predicted deviation: what the cutter leaves at X{px:.3f} Y{py:.3f} is not to be found within "
-                f"{reach:.3f} mm; it is up to {off:.3f} mm off its path: check [machine] stiffness and inertia"
+                f"{REACH + room:.3f} mm; it is up to {off:.3f} mm off its path: check [machine] stiffness and inertia"
             )
-        return x, within, reach
+        return x, within & found, REACH + room
 
     bent, cut, reach = left(_path_through(elastic, elastic.centre, height), elastic.centre)
     out, really = bent, run[0](height) if run is not None else None
@@ -379,7 +388,12 @@ def deviation_along(
 
 
 def surface_along(
-    path: Profile, radius: float, point: Floats, normal: Floats, reach: float = REACH
+    path: Profile,
+    radius: float,
+    point: Floats,
+    normal: Floats,
+    begin: Floats | float = -REACH,
+    end: float = REACH,
 ) -> tuple[Floats, Bools, Bools]:
     """Distance along normals, in mm, at which a cutter that runs along a path leaves the surface.
 
@@ -391,20 +405,23 @@ def surface_along(
         mm.
     point, normal : (n, 2) float64
         mm, and unit vectors out of the part.
-    reach : float
-        mm.
+    begin : (n,) float64 or float
+        Where the search begins on each normal, below the surface, mm.
+    end : float
+        Where it ends, mm.
 
     Returns
     -------
     x : (n,) float64
         Distance in mm.
     found : (n,) bool
-        Whether the cutter comes within `reach` of the point.
+        Whether it is between both.
     within : (n,) bool
         Whether it does so other than by an end of its path.
     """
-    search = FootPointSearch(path, margin=radius + 2 * reach)
-    x = np.full(len(point), -reach)
+    first = np.broadcast_to(np.asarray(begin, dtype=float), len(point))
+    search = FootPointSearch(path, margin=radius + 2 * max(end, float(-first.min(initial=0.0))))
+    x = first.copy()
     rows = np.arange(len(point))
     found, beyond = np.zeros(len(point), dtype=bool), np.zeros(len(point), dtype=bool)
     for _ in range(200):
@@ -419,7 +436,7 @@ def surface_along(
         step = np.where((slope > 0.5) & (np.abs(gap) < 0.1), gap / np.maximum(slope, 0.5), gap)
         x[rows] += step
         there = np.abs(step) <= 1e-12
-        lost = (np.abs(x[rows]) > reach) & ~there
+        lost = ((x[rows] > end) | (x[rows] < first[rows])) & ~there
         found[rows] = np.abs(gap) <= _ON_SURFACE
         found[rows[lost]] = False
         rows = rows[~there & ~lost]
