@@ -20,6 +20,9 @@ from .errors import FormatError, UsageError
 EFFECTIVE_DIAMETER = 0.8
 """A fluted shank bends like a solid one of 0.8 times its diameter (dat-2025, eq. 4)."""
 
+STOCK_ENDS = ("with the part", "goes on")
+"""What the stock does beyond the ends of an open contour."""
+
 _LARGEST_FILE = 1 << 20
 
 Table = TypeVar("Table")
@@ -54,6 +57,13 @@ class Tool:
         Measured stiffness at the tip, in place of the one that follows from the shank.
     rotation : {"clockwise", "anticlockwise"}
         As M3 or M4 turn it, seen from the spindle towards the part.
+    radius_error_mm : float
+        By how much the cutter's radius is larger than half of `diameter_mm`, which the program was made for; measured
+        standing, at the mean of its teeth.
+    runout_mm : float
+        Eccentricity of the teeth about the spindle's axis: half of what an indicator shows over a turn.
+    runout_deg : float
+        From the direction of the eccentricity to a tooth, in the sense in which the teeth follow each other.
     """
 
     diameter_mm: float = _key(high=1000.0)
@@ -67,11 +77,30 @@ class Tool:
         1.0, 1e7, default=None, hint="N/mm: an end mill has 500 to 100000 (1 N/um = 1000 N/mm)"
     )
     rotation: str = field(default="clockwise", metadata={"one_of": ("clockwise", "anticlockwise")})
+    radius_error_mm: float = _key(-1.0, 1.0, default=0.0, open_=False, hint="mm, not um")
+    runout_mm: float = _key(0.0, 0.5, default=0.0, open_=False, hint="mm, not um")
+    runout_deg: float = _key(-360.0, 360.0, default=0.0, open_=False)
 
     @property
     def radius(self) -> float:
-        """Cutter radius in mm."""
+        """Radius in mm that the program was made for."""
         return self.diameter_mm / 2
+
+    @property
+    def tooth_offsets(self) -> tuple[float, ...]:
+        """How much farther out than their mean the teeth run, in the order in which they cut, mm."""
+        first, pitch = math.radians(self.runout_deg), 2 * math.pi / self.flutes
+        return tuple(self.runout_mm * math.cos(first + pitch * j) for j in range(self.flutes))
+
+    @property
+    def oversize(self) -> float:
+        """How much farther than `radius` the cutter cuts, mm: its radius' error, and its outermost tooth."""
+        return self.radius_error_mm + max(self.tooth_offsets)
+
+    @property
+    def cutting_radius(self) -> float:
+        """Radius of what the turning cutter sweeps, mm."""
+        return self.radius + self.oversize
 
     @property
     def tooth_frequency(self) -> float:
@@ -127,8 +156,9 @@ class Machine:
         Stiffness of the whole loop, tool included, along X and Y (petrakov-2023, fig. 1).
     acceleration_time_x_ms, acceleration_time_y_ms : float
         Time constant of acceleration and deceleration of each axis; 0 for none.
-    acceleration_shape : {"linear", "exponential"}
-        What the time constant is one of: a ramp of that length, or a lag.
+    acceleration_shape : {"linear", "bell", "exponential"}
+        What the time constant is one of: a change of speed of that length at one acceleration, or at one that rises
+        and falls along lines; or a lag.
     contour_control : bool
         True where the control keeps the path by slowing down (dat-2025).
     contour_time_slope_ms_per_mm_min, contour_time_offset_ms : float
@@ -138,13 +168,23 @@ class Machine:
         of the control (Fanuc: No. 1783); needed with contour control.
     position_gain_per_s : float, optional
         Kv of the position loop.
+    stiffness_along : tuple of (s, kx, ky)
+        Stiffness at arc lengths of the nominal's one contour, in mm and N/mm, where it is not the same everywhere (a
+        thin wall): s ascending. In between the compliance is linear, round a closed contour, too; beyond the first and
+        the last of an open one it stays. `kx_n_per_mm` and `ky_n_per_mm` are then those that are printed.
+    wall_over_height : tuple of (height, kx, ky)
+        Stiffness of the part's wall alone, in N/mm, at heights above the deepest tip, in mm and ascending: a wall that
+        stands free at its top. Besides the tool and the machine, and only for the wall over its height; in between
+        the compliance is linear, beyond the ends it stays.
+    origin : str
+        Where the stiffness comes from; said wherever figures rest on it.
     """
 
     kx_n_per_mm: float | None = _key(1.0, 1e7, default=None, hint="N/mm (1 N/um = 1000 N/mm)")
     ky_n_per_mm: float | None = _key(1.0, 1e7, default=None, hint="N/mm (1 N/um = 1000 N/mm)")
     acceleration_time_x_ms: float = _key(0.0, 10_000.0, default=0.0, open_=False)
     acceleration_time_y_ms: float = _key(0.0, 10_000.0, default=0.0, open_=False)
-    acceleration_shape: str = field(default="linear", metadata={"one_of": ("linear", "exponential")})
+    acceleration_shape: str = field(default="linear", metadata={"one_of": ("linear", "bell", "exponential")})
     contour_control: bool = False
     contour_time_slope_ms_per_mm_min: float = _key(0.0, 10.0, default=0.0062, open_=False)
     contour_time_offset_ms: float = _key(0.0, 10_000.0, default=39.226, open_=False)
@@ -152,6 +192,15 @@ class Machine:
         0.0, 100_000.0, default=None, hint="mm/min: the feed difference that the control allows at a corner"
     )
     position_gain_per_s: float | None = _key(0.1, 10_000.0, default=None, hint="1/s, not (m/min)/mm: Kv 1 is 16.67/s")
+    stiffness_along: tuple[tuple[float, float, float], ...] = ()
+    wall_over_height: tuple[tuple[float, float, float], ...] = ()
+    origin: str = ""
+
+    def caution(self) -> str:
+        """Where the stiffness comes from, in words; empty where that is not stated or there is none."""
+        if not self.origin or self.kx_n_per_mm is None or self.ky_n_per_mm is None:
+            return ""
+        return f"stiffness of {self.kx_n_per_mm:g} and {self.ky_n_per_mm:g} N/mm: {self.origin}"
 
     def stiffness(self, source: str = "") -> tuple[float, float]:
         """Stiffnesses (kx, ky) in N/mm; UsageError, naming the source, where the setup has none."""
@@ -183,6 +232,9 @@ class Stock:
         Height of the stock's face.
     axial_depth_mm : float, optional
         Height of the stock above the deepest pass, in place of `top_z_mm`.
+    end : {"with the part", "goes on"}
+        What is beyond the ends of an open contour: the allowance ends there with a round of its own size; or it goes on
+        straight, as where the contour is a piece of a longer wall.
     """
 
     allowance_mm: float | None = _key(0.0, 1000.0, default=None, open_=False)
@@ -192,6 +244,7 @@ class Stock:
     solid: bool = False
     top_z_mm: float | None = _key(-1e5, 1e5, default=None)
     axial_depth_mm: float | None = _key(high=1000.0, default=None)
+    end: str = field(default=STOCK_ENDS[0], metadata={"one_of": STOCK_ENDS})
 
 
 @dataclass(frozen=True, slots=True)
@@ -263,6 +316,8 @@ class Setup:
             self._refuse(f"[stock] {given[1]} and {given[0]} say the same twice: give one of them")
         if stock.program_tool_diameter_mm is not None and stock.program is None:
             self._refuse("[stock] program_tool_diameter_mm goes with program, which is missing")
+        if stock.end != STOCK_ENDS[0] and stock.allowance_mm is None and stock.contour is None:
+            self._refuse(f'[stock] end = "{stock.end}" goes with allowance_mm or contour, one is missing')
         if (stock.top_z_mm is None) == (stock.axial_depth_mm is None):
             self._refuse("[stock] top_z_mm or axial_depth_mm is needed, one of them: it says how deep the tool cuts")
         if self.machine.contour_control and self.machine.contour_speed_change_mm_min is None:
@@ -270,10 +325,24 @@ class Setup:
                 "[machine] contour_speed_change_mm_min is missing: contour_control needs the speed change allowed at a "
                 "corner"
             )
+        for key, name, rows in (
+            ("stiffness_along", "s", self.machine.stiffness_along),
+            ("wall_over_height", "height", self.machine.wall_over_height),
+        ):
+            behind = -1e-12
+            for place, *_ in rows:
+                if not place > behind:
+                    self._refuse(f"[machine] {key}: {name} is 0 or more and ascends, {place:g} does not")
+                behind = place
         if stock.axial_depth_mm is not None:
             self.require_overhang(stock.axial_depth_mm)
         if tool.overhang_mm is not None and tool.overhang_mm > 40 * tool.diameter_mm:
             self._refuse(f"[tool] overhang_mm {tool.overhang_mm:g} is more than 40 diameters: is its unit mm?")
+
+    @property
+    def cautions(self) -> tuple[str, ...]:
+        """How far the numbers can be trusted, and which were fitted to what, in words."""
+        return tuple(text for text in (self.material.caution(), self.machine.caution()) if text)
 
     def require_overhang(self, depth: float) -> None:
         """FormatError where the tool's overhang is shorter than a cut of `depth` mm."""
@@ -287,6 +356,7 @@ class Setup:
 
 _TABLES: dict[str, type] = {"tool": Tool, "material": Material, "machine": Machine, "stock": Stock, "tilt": Tilt}
 _OPTIONAL = ("tilt",)
+_ROWS = {"stiffness_along", "wall_over_height"}
 
 
 def load(path: str | Path) -> Setup:
@@ -358,6 +428,9 @@ def _made(kind: type[Table], name: str, table: dict[str, Any], source: str) -> T
     for key, item in known.items():
         if key not in table and item.default is MISSING:
             raise FormatError(f"[{name}] {key} is missing", source or None)
+    for key in _ROWS & table.keys():
+        if isinstance(table[key], list):
+            table[key] = tuple(tuple(r) if isinstance(r, list) else r for r in table[key])
     values = {k: float(v) if _wants(kind, k, float) and type(v) is int else v for k, v in table.items()}
     return kind(**values)
 
@@ -393,6 +466,8 @@ def _check(part: Any, name: str, source: str) -> None:
         elif _wants(type(part), item.name, bool):
             if not isinstance(value, bool):
                 raise FormatError(f"{where} is not true or false", source or None)
+        elif item.name in _ROWS:
+            _check_rows(value, f"[{name}] {item.name}", source)
         elif _wants(type(part), item.name, Path):
             if not isinstance(value, Path):
                 raise FormatError(f"{where} is not the name of a file", source or None)
@@ -400,6 +475,16 @@ def _check(part: Any, name: str, source: str) -> None:
             raise FormatError(f"{where} is not a text", source or None)
         elif "one_of" in range_:
             _require_one_of(value, range_["one_of"], where, source)
+
+
+def _check_rows(rows: Any, where: str, source: str) -> None:
+    """FormatError where rows are no ``[mm, kx_n_per_mm, ky_n_per_mm]`` in their ranges."""
+    for row in rows if isinstance(rows, tuple) else (rows,):
+        three = isinstance(row, tuple) and len(row) == 3
+        if not three or any(isinstance(v, bool) or not isinstance(v, int | float) for v in row):
+            raise FormatError(f"{where}: {row!r} is no row [mm, kx_n_per_mm, ky_n_per_mm]", source or None)
+        if not (math.isfinite(row[0]) and all(1.0 < k <= 1e7 for k in row[1:])):
+            raise FormatError(f"{where}: {row!r}: stiffness is above 1 and at most 1e+07 N/mm", source or None)
 
 
 def _require_one_of(value: Any, legal: tuple[Any, ...], where: str, source: str) -> None:

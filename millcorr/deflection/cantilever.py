@@ -156,8 +156,13 @@ class Cantilever:
         ------
         UsageError
             If the tool has no overhang, or the whole loop (`kx_n_per_mm`, `ky_n_per_mm`: tool included) is said to be
-            stiffer than the tool alone.
+            stiffer than the tool alone, or changes along the contour.
         """
+        if setup.machine.stiffness_along:
+            raise UsageError(
+                f"{setup.source or 'setup'}: [machine] stiffness_along says nothing of heights: leave it out where the "
+                "wall over its height is asked for"
+            )
         tool = Cantilever.of_tool(setup.tool)
         alone = tool.tip_stiffness
         rest = []

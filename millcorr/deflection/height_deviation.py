@@ -11,7 +11,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from millcorr.deviation import Deviation, deviations
+from millcorr.deviation import REACH, Deviation, deviations
 from millcorr.errors import UsageError
 from millcorr.measurement import Measurement
 from millcorr.profile import Profile
@@ -71,7 +71,9 @@ def predicted_deviation(error: HeightError, nominal: Profile, *, spacing: float 
     touched = Measurement(
         xyz, np.concatenate(normals), 0.0, np.arange(1, len(xyz) + 1), "predicted wall, tool deflection", ""
     )
-    return deviations(touched, nominal, cutter_radius=e.radius)
+    # What belongs to the nominal is for the path to say, not for how far the tool bends.
+    reach = REACH + float(np.nanmax(np.abs(error.value)))
+    return deviations(touched, nominal, reach=reach, cutter_radius=e.radius)
 
 
 def left_standing(path: Toolpath, contact: Floats, radius: float) -> Bools:

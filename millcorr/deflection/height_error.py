@@ -18,10 +18,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from millcorr.cutting import cutting, force_at
+from millcorr.cutting import chip_thickness, cutting, force_at, force_of_chip
 from millcorr.engagement import Engagement, engagement
 from millcorr.engagement.stock_region import StockRegion
 from millcorr.errors import InputError, RefusedError, UsageError
+from millcorr.fixed_point import FixedPoint
 from millcorr.read_only import ReadOnlyArrays
 from millcorr.setup_file import Setup
 
@@ -122,6 +123,12 @@ class WallModel:
     setup: Setup
 
     @property
+    def uneven(self) -> bool:
+        """Whether the teeth run out."""
+        offsets = self.setup.tool.tooth_offsets
+        return max(offsets) > min(offsets)
+
+    @property
     def tip(self) -> Floats:
         """Height of the tip above the deepest one at every step, mm; (n,)."""
         z = self.engagement.position[:, 2]
@@ -166,13 +173,20 @@ class WallModel:
         # How the arcs change where the tool stands off the wall: a secant about as long as the tool bends.
         given = _across(rigid.deflection(arcs.step, arcs.middle, _free_end(arcs, down)), wall[arcs.step])
         by = float(np.clip(np.nanmedian(np.abs(given)), *_SHIFT)) if np.isfinite(given).any() else _SHIFT[0]
-        side = np.zeros(len(path))
-        side[found.move] = to_left
-        moved = engagement(path.shifted(side * by), setup, stock, step=longest)
+        # Lines beside a wall that make none go along: a kink in the path would count as a change of the angles.
+        moved = engagement(path.shifted(by * _nearest_wall(found.move, to_left, len(path))), setup, stock, step=longest)
         opening, closing = _changes(found, moved, by)
         return WallModel(path, found, arcs, opening[parent], closing[parent], wall, down, tool, setup)
 
-    def deflection(self, step: Ints, height: Floats, phi: Floats, arcs: Arcs | None = None) -> Floats:
+    def wall_gives(self, height: Floats) -> Floats:
+        """Compliance of the part's wall along X and Y at heights (q,) in mm above the deepest tip; (q, 2) in mm/N."""
+        if not (rows := np.array(self.setup.machine.wall_over_height)).size:
+            return np.zeros((len(height), 2))
+        return np.column_stack([np.interp(height, rows[:, 0], 1.0 / rows[:, k]) for k in (1, 2)])
+
+    def deflection(
+        self, step: Ints, height: Floats, phi: Floats, arcs: Arcs | None = None, tooth: int = 0
+    ) -> Floats:
         """Deflection of the tool at a height when its edge at that height stands at an immersion angle.
 
         Parameters
@@ -184,6 +198,8 @@ class WallModel:
             rad.
         arcs : Arcs, optional
             By default those of the rigid tool.
+        tooth : int
+            Whose edge it is that stands there, of `Tool.tooth_offsets`.
 
         Returns
         -------
@@ -195,10 +211,10 @@ class WallModel:
         out = np.zeros((len(step), 2))
         for begin in range(0, len(step), PORTION):
             k = slice(begin, begin + PORTION)
-            out[k] = self._portion(step[k], height[k], phi[k], arcs, bounds)
+            out[k] = self._portion(step[k], height[k], phi[k], arcs, bounds, tooth)
         return out
 
-    def _portion(self, step: Ints, height: Floats, phi: Floats, arcs: Arcs, bounds: Ints) -> Floats:
+    def _portion(self, step: Ints, height: Floats, phi: Floats, arcs: Arcs, bounds: Ints, tooth: int) -> Floats:
         tool, e = self.setup.tool, self.engagement
         lag = float(np.tan(np.radians(tool.helix_deg)) / tool.radius)
         pitch = 2 * np.pi / tool.flutes
@@ -226,22 +242,29 @@ class WallModel:
         for a, b in ((low, np.clip(z, low, high)), (np.clip(z, low, high), high)):
             where = a[:, None] + (b - a)[:, None] * (nodes + 1) / 2
             angle = np.clip(at[:, None] + lag * (z[:, None] - where), arcs.entry[arc, None], arcs.exit[arc, None])
-            per = force_at(angle, chip[:, None], self.setup.material) * (weights * (b - a)[:, None] / 2)[..., None]
+            if self.uneven:
+                # The teeth ahead have cut before; one that takes no chip has no force.
+                takes = chip_thickness(chip[:, None] * np.sin(angle), (tooth - number)[:, None], tool.tooth_offsets)
+                per = force_of_chip(angle, takes, self.setup.material) * (takes > 0)[..., None]
+            else:
+                per = force_at(angle, chip[:, None], self.setup.material)
+            per = per * (weights * (b - a)[:, None] / 2)[..., None]
             force += per.sum(axis=1)
             bent += (per * self.cantilever.compliance(z[:, None], where)[..., None]).sum(axis=1)
+        wall = self.wall_gives(height + self.tip[step])[query]
         direction = e.direction[step[query]]
         c, s = np.cos(direction), np.sin(direction)
         out = np.zeros((len(step), 2))
         for along, left, give in (
             (bent[:, 0], turn * bent[:, 1], (1.0, 1.0)),
-            (force[:, 0], turn * force[:, 1], self.cantilever.machine),
+            (force[:, 0], turn * force[:, 1], (wall + self.cantilever.machine).T),
         ):
             out[:, 0] += np.bincount(query, give[0] * (along * c - left * s), minlength=len(step))
             out[:, 1] += np.bincount(query, give[1] * (along * s + left * c), minlength=len(step))
         return out
 
     def closed(
-        self, offset: Floats | float = 0.0, lean: Floats | float = 0.0, about: float = 0.0
+        self, offset: Floats | float = 0.0, lean: Floats | float = 0.0, about: float = 0.0, tooth: int = 0
     ) -> tuple[Arcs, float]:
         """Arcs of the tool that bends, with the loop closed.
 
@@ -252,6 +275,8 @@ class WallModel:
             out of the part, of each step.
         about : float
             mm above the deepest tip.
+        tooth : int
+            Which makes the wall.
 
         Returns
         -------
@@ -271,20 +296,21 @@ class WallModel:
         step, middle, wall = arcs.step[k], arcs.middle[k], self.wall[arcs.step[k]]
         shift, angle = (np.broadcast_to(np.asarray(v, dtype=float), n)[arcs.step] for v in (offset, lean))
         moved = np.where(there, shift + angle * (arcs.middle + self.tip[arcs.step] - about), 0.0)
-        given = np.zeros((2, len(arcs)))
-        residual = 0.0
+        given = np.zeros((len(arcs), 2))
+        residual, course = 0.0, FixedPoint(arcs.step, n, depth=2)
         for _ in range(ROUNDS):
-            entry = np.clip(arcs.entry + self.opening * (moved + given[0]), 0.0, np.pi)
-            exit_ = np.clip(arcs.exit + self.closing * (moved + given[1]), 0.0, np.pi)
+            entry = np.clip(arcs.entry + self.opening * (moved + given[:, 0]), 0.0, np.pi)
+            exit_ = np.clip(arcs.exit + self.closing * (moved + given[:, 1]), 0.0, np.pi)
             ends = Arcs(arcs.step, np.minimum(entry, exit_), exit_, arcs.low, arcs.high)
-            bent = np.zeros((2, len(arcs)))
+            bent = np.zeros((len(arcs), 2))
             for row, end, change in ((0, ends.entry, self.opening), (1, ends.exit, self.closing)):
                 if change[k].any():
-                    bent[row, k] = _across(self.deflection(step, middle, end[k], ends), wall)
-            residual = float(np.abs(bent - given).max(initial=0.0))
+                    bent[k, row] = _across(self.deflection(step, middle, end[k], ends, tooth), wall)
+            moving = np.abs(bent - given).max(axis=1)
+            residual = float(moving.max(initial=0.0))
             if residual <= TOLERANCE:
                 return ends, residual
-            moving, given = np.abs(bent - given).max(axis=0), bent
+            given = course.step(given, bent)
         x, y, _ = self.engagement.position[step[int(np.argmax(moving[k]))]]
         raise RefusedError(
             f"wall error: the deflection does not settle near X{x:.3f} Y{y:.3f}, it still changes by "
@@ -336,9 +362,26 @@ class WallModel:
             As `closed`.
         """
         wanted = np.atleast_1d(np.asarray(heights, dtype=float))
-        arcs, residual = self.closed(offset, lean, about)
-        e, n = self.engagement, len(self.engagement)
-        tip, base = self.tip, float(e.position[:, 2].min())
+        if not self.uneven:
+            value, residual = self._made_by(0, wanted, offset, lean, about)
+        else:
+            # What the tooth that goes deepest leaves, of those that may be it.
+            each = [self._made_by(k, wanted, offset, lean, about) for k in range(self.setup.tool.flutes)]
+            value = np.min([v - d for (v, _), d in zip(each, self.setup.tool.tooth_offsets, strict=True)], axis=0)
+            residual = max(r for _, r in each)
+        value = value - self.setup.tool.radius_error_mm
+        if not np.isfinite(value).any():
+            raise UsageError(
+                f"wall error: the program makes no wall {', '.join(f'{h:g}' for h in wanted)} mm above its deepest tip"
+            )
+        return HeightError(self, wanted, float(self.engagement.position[:, 2].min()) + wanted, value, residual)
+
+    def _made_by(
+        self, tooth: int, wanted: Floats, offset: Floats | float, lean: Floats | float, about: float
+    ) -> tuple[Floats, float]:
+        """Deflection of the tool out of the part as a tooth makes the wall, (n, k) in mm, and the loop's residual."""
+        arcs, residual = self.closed(offset, lean, about, tooth)
+        n, tip = len(self.engagement), self.tip
         made = np.isfinite(self.wall[arcs.step, 0]) & np.where(
             self.down[arcs.step], self.arcs.exit == np.pi, self.arcs.entry == 0.0
         )
@@ -352,13 +395,9 @@ class WallModel:
                 continue
             phi = np.where(self.down[step], np.pi, 0.0)
             z = above[at][first]
-            bent = _across(self.deflection(step, z, phi, arcs), self.wall[step])
+            bent = _across(self.deflection(step, z, phi, arcs, tooth), self.wall[step])
             value[step, k] = bent + shift[step] + angle[step] * (height - about)
-        if not np.isfinite(value).any():
-            raise UsageError(
-                f"wall error: the program makes no wall {', '.join(f'{h:g}' for h in wanted)} mm above its deepest tip"
-            )
-        return HeightError(self, wanted, base + wanted, value, residual)
+        return value, residual
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -373,8 +412,8 @@ class HeightError(ReadOnlyArrays):
     z : (k,) float64
         The same in the program's frame, mm.
     value : (n, k) float64
-        mm along the wall's normal from where the real path puts it, positive where material is left; NaN where no wall
-        is made.
+        mm along the wall's normal from where the real path puts it for a cutter of the radius it was made for, positive
+        where material is left; NaN where no wall is made.
     residual : float
         Of the elastic loop, mm.
     """
@@ -387,12 +426,24 @@ class HeightError(ReadOnlyArrays):
 
     @property
     def caution(self) -> str:
-        """What to say about the forces; empty where the cutting coefficients were calibrated."""
-        return self.model.setup.material.caution()
+        """What to say about forces and stiffness; empty where they were calibrated and not fitted."""
+        return "; ".join(self.model.setup.cautions)
 
 
 def _across(vector: Floats, normal: Floats) -> Floats:
     out: Floats = (vector * normal).sum(axis=1)
+    return out
+
+
+def _nearest_wall(move: Ints, to_left: Floats, count: int) -> Floats:
+    """Side of the wall, 1 left and -1 right, of each of `count` moves: its own, or that of the nearest one with a wall.
+
+    `move` and `to_left` are those of the steps, 0 where they make no wall.
+    """
+    side = np.zeros(count)
+    side[move] = to_left
+    makes = np.flatnonzero(side)
+    out: Floats = side[makes[np.searchsorted((makes[1:] + makes[:-1]) / 2, np.arange(count))]]
     return out
 
 

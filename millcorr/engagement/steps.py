@@ -17,11 +17,11 @@ from millcorr import gcode
 from millcorr.errors import InputError, UsageError
 from millcorr.profile import Profile
 from millcorr.read_only import ReadOnlyArrays
-from millcorr.setup_file import Setup
+from millcorr.setup_file import STOCK_ENDS, Setup
 from millcorr.toolpath import Kind, Toolpath
 
 from .path_pieces import Pieces, pieces_of_toolpath
-from .stock_region import StockRegion, Swept
+from .stock_region import StockRegion, Swept, prolonged
 from .uncut_arc import JOINED, NOTHING, Past, Steps, layer, past_of, uncut
 
 Floats = NDArray[np.float64]
@@ -81,7 +81,9 @@ class Engagement(ReadOnlyArrays):
     clockwise : bool
         Sense of the spindle.
     radius : float
-        Cutter radius in mm.
+        Radius in mm that the program was made for.
+    oversize : float
+        How much farther than that the cutter cuts, mm: what is engaged is so much more.
     """
 
     s: Floats
@@ -102,6 +104,7 @@ class Engagement(ReadOnlyArrays):
     arc_high: Floats
     clockwise: bool
     radius: float
+    oversize: float
 
     def __len__(self) -> int:
         return len(self.s)
@@ -275,12 +278,14 @@ class Arcs:
     layer: Floats
 
 
-def arcs_of(path: CutterPath, setup: Setup, stock: StockRegion, actual: GivenWay | None = None) -> Arcs:
-    """Engaged arcs of every step."""
-    radius = setup.tool.radius
+def arcs_of(
+    path: CutterPath, setup: Setup, stock: StockRegion, actual: GivenWay | None = None, only: Ints | None = None
+) -> Arcs:
+    """Engaged arcs of every step, or `only` of some, ascending."""
+    radius = setup.tool.cutting_radius
     found = []
     for low, high, cutting, here, clipped in path.slices():
-        rows = np.flatnonzero(cutting)
+        rows = np.flatnonzero(cutting) if only is None else only[cutting[only]]
         steps = path.steps.take(rows)
         past = past_of(steps, clipped, here, radius)
         if actual is not None:
@@ -331,7 +336,7 @@ def engaged(path: CutterPath, setup: Setup, arcs: Arcs) -> Engagement:
         np.where(air, np.nan, exit_),
         phi,
         np.where(width > 0, per_tooth * width, 0.0),
-        np.where(width > 0, per_tooth * setup.tool.tooth_frequency * setup.tool.radius * width, 0.0),
+        np.where(width > 0, per_tooth * setup.tool.tooth_frequency * setup.tool.cutting_radius * width, 0.0),
         np.concatenate([[0], np.cumsum(np.bincount(step, minlength=n))]).astype(np.int64),
         begin,
         end,
@@ -339,6 +344,7 @@ def engaged(path: CutterPath, setup: Setup, arcs: Arcs) -> Engagement:
         high_z,
         clockwise,
         setup.tool.radius,
+        setup.tool.oversize,
     )
 
 
@@ -400,16 +406,23 @@ def stock_of(setup: Setup, nominal: Profile | None = None) -> StockRegion:
     if stock.allowance_mm is not None:
         if nominal is None:
             raise UsageError("setup: [stock] allowance_mm needs the nominal profile it lies on")
-        return StockRegion(nominal, stock.allowance_mm)
+        return StockRegion(_ended(nominal, setup), stock.allowance_mm)
     if stock.contour is not None:
-        return StockRegion(Profile.read_json(stock.contour))
+        return StockRegion(_ended(Profile.read_json(stock.contour), setup))
     if stock.program is not None:
         before = gcode.read(stock.program).toolpath
         rows = np.flatnonzero((before.kind != Kind.RAPID) & np.isfinite(before.end[:, :2]).all(axis=1))
         pieces = pieces_of_toolpath(before, rows, where=str(stock.program))
-        diameter = stock.program_tool_diameter_mm or setup.tool.diameter_mm
-        return StockRegion(None, 0.0, (Swept(pieces, diameter / 2),))
+        radius = stock.program_tool_diameter_mm / 2 if stock.program_tool_diameter_mm else setup.tool.cutting_radius
+        return StockRegion(None, 0.0, (Swept(pieces, radius),))
     return StockRegion()
+
+
+def _ended(profile: Profile, setup: Setup) -> Profile:
+    """A contour of the stock as it ends, or goes on farther than a cutter at its ends can reach."""
+    if setup.stock.end == STOCK_ENDS[0]:
+        return profile
+    return prolonged(profile, 2.0 * setup.tool.diameter_mm + (setup.stock.allowance_mm or 0.0))
 
 
 def _levels(pieces: Pieces, setup: Setup) -> tuple[Floats, float, Pieces]:

@@ -2,7 +2,7 @@
 """The stock before cutting: a profile with an even allowance, and what earlier programs took away.
 
 A point is stock where its signed distance from the profile is below the allowance, and where no earlier cutter
-has been.
+has been. Beyond the end of an open contour the distance outside counts from the end.
 """
 
 from __future__ import annotations
@@ -14,8 +14,9 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from millcorr.footpoint import FootPointSearch
-from millcorr.profile import Profile
+from millcorr.footpoint import FootPointSearch, Place
+from millcorr.nurbs import NurbsCurve
+from millcorr.profile import Contour, Profile
 
 from .path_pieces import Pieces, pieces_of_profile
 from .piece_tree import PieceTree
@@ -116,8 +117,37 @@ class StockRegion:
         low, high, step = angle[same], angle[same + 1], step[same]
         middle = direction[step] + (low + high) / 2
         point = centre[step] + radius * np.stack([np.cos(middle), np.sin(middle)], axis=1)
-        there = search.find(point).distance >= self.allowance
+        feet = search.find(point)
+        # Beyond an open end the part goes on, the allowance does not: it ends with a round.
+        round_ = (feet.place == Place.END) & (feet.distance > 0)
+        there = np.where(round_, np.hypot(*(point - feet.foot).T), feet.distance) >= self.allowance
         return step[there].astype(np.int64), low[there], high[there]
+
+
+def prolonged(profile: Profile, length: float) -> Profile:
+    """A profile whose open contours go on straight at both ends.
+
+    Parameters
+    ----------
+    profile : Profile
+    length : float
+        At each end, mm.
+
+    Returns
+    -------
+    Profile
+    """
+    contours = []
+    for k, contour in enumerate(profile.contours):
+        if contour.closed:
+            contours.append(contour)
+            continue
+        (first, last), normal = profile.at(np.array([k, k]), np.array([0.0, float(profile.total[k])]))
+        # The material is on the left, the normal points to the right.
+        back, on = np.stack([-normal[:, 1], normal[:, 0]], axis=1) * [[-length], [length]]
+        before, behind = NurbsCurve.line(first + back, first), NurbsCurve.line(last, last + on)
+        contours.append(Contour((before, *contour.curves, behind), False))
+    return Profile.from_contours(contours)
 
 
 def _parallel(pieces: Pieces, offset: float) -> Pieces:

@@ -253,7 +253,9 @@ class _Useful:
         low, high = np.full(n, -np.pi / 2), np.full(n, np.pi / 2)
         np.minimum.at(low, step[joins], (way - wide)[joins])
         np.maximum.at(high, step[joins], (way + wide)[joins])
-        some = np.unique(step[joins])
+        touched = np.zeros(n, dtype=bool)
+        touched[step[joins]] = True
+        some = np.flatnonzero(touched)
         self.certain.append((some, behind_[some] + (low + high)[some] / 2, (high - low)[some] / 2))
         middle = wrapped(np.arctan2(vy, vx) - behind_[step])
         outer = half_width(vx * vx + vy * vy, self.radius, self.swept + half)
@@ -301,7 +303,9 @@ def _left_over(n: int, step: Ints, low: Floats, high: Floats) -> tuple[Ints, Flo
     edge = np.full(n, np.pi / 2)
     step = np.concatenate([np.arange(n), step, np.arange(n)])
     low, high = np.concatenate([-edge, low, edge]), np.concatenate([-edge, high, edge])
-    order = np.lexsort((low, step))
+    # One key in place of two, and runs that are in order already: lows nearer to each other than its last digit, 6e-11
+    # rad, may change places.
+    order = np.argsort(low + 16.0 * step, kind="stable")
     step, low, high = step[order], low[order], high[order]
     # A running maximum for each step: steps are kept apart by an offset, small enough not to cost digits.
     bounds = np.searchsorted(step, np.arange(0, n + _CHUNK, _CHUNK))

@@ -2,8 +2,9 @@
 """How a control and its drives turn a commanded motion into the real one: the constants of a machine.
 
 Every axis is a chain of linear filters of unit gain on the commanded position: acceleration and deceleration
-behind the interpolator, then the servo. Linear acc/dec of time T is the mean over the last T, exponential acc/dec
-of time constant T and a servo of gain Kv are lags of first order, of time constants T and 1/Kv.
+behind the interpolator, then the servo. Linear acc/dec of time T is the mean over the last T, bell-shaped acc/dec
+twice the mean over the last T/2, so that the jerk is limited; exponential acc/dec of time constant T and a servo of
+gain Kv are lags of first order, of time constants T and 1/Kv.
 """
 
 from __future__ import annotations
@@ -19,9 +20,12 @@ from millcorr.errors import UsageError
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-SHAPES = ("linear", "exponential")
+SHAPES = ("linear", "bell", "exponential")
 SHORTEST = 1e-3
 """No acc/dec and no servo is faster than this, in s; sums would lose digits."""
+
+SHORTEST_BELL = 8e-3
+"""The same for bell-shaped acc/dec, whose position is a second difference of sums: they lose 1e-8 mm in ten minutes."""
 
 _NEARLY_EQUAL = 1e-5
 """Relative difference of two lags below which they are spread by this: it changes a path by 1e-10 of it."""
@@ -36,9 +40,10 @@ class AxisDynamics:
     Parameters
     ----------
     time : float
-        Acc/dec behind the interpolator, in s: the duration of a change of speed if linear, the time constant if
-        exponential; 0 for none.
-    shape : {"linear", "exponential"}
+        Acc/dec behind the interpolator, in s: the duration of a change of speed if linear or bell-shaped, the time
+        constant if exponential; 0 for none.
+    shape : {"linear", "bell", "exponential"}
+        Acceleration is constant; or rises and falls along lines (jerk 4 dv / T^2); or dies away.
     kv : float
         Servo gain in 1/s (at constant speed the axis is speed / kv behind); infinite for an ideal servo.
     rapid : float, optional
@@ -58,8 +63,9 @@ class AxisDynamics:
     def __post_init__(self) -> None:
         if self.shape not in SHAPES:
             raise UsageError(f"acc/dec is {' or '.join(SHAPES)}, not {self.shape!r}")
-        if not (self.time == 0 or SHORTEST <= self.time < math.inf):
-            raise UsageError(f"acc/dec time {self.time:g} s: state 0, or {SHORTEST:g} s or more")
+        shortest = SHORTEST_BELL if self.shape == "bell" else SHORTEST
+        if not (self.time == 0 or shortest <= self.time < math.inf):
+            raise UsageError(f"acc/dec time {self.time:g} s: state 0, or {shortest:g} s or more")
         if not (0 < self.kv <= 1 / SHORTEST or self.kv == math.inf):
             raise UsageError(
                 f"servo gain {self.kv:g} 1/s: state a gain above 0 up to {1 / SHORTEST:g}, or leave it out for an "
@@ -69,9 +75,16 @@ class AxisDynamics:
             raise UsageError(f"rapid speed {self.rapid:g} mm/s: state a speed above 0, or leave it out")
 
     @property
+    def boxes(self) -> tuple[float, ...]:
+        """Widths in s of the moving means, one behind the other."""
+        if self.time == 0 or self.shape == "exponential":
+            return ()
+        return (self.time,) if self.shape == "linear" else (self.time / 2, self.time / 2)
+
+    @property
     def box(self) -> float:
-        """Width of the moving mean in s; 0 for none."""
-        return self.time if self.shape == "linear" else 0.0
+        """Time in s that the moving means look back; 0 for none."""
+        return sum(self.boxes)
 
     @property
     def lags(self) -> tuple[tuple[float, float], ...]:
@@ -91,7 +104,7 @@ class AxisDynamics:
     @property
     def delay(self) -> float:
         """Mean delay in s: at constant speed the axis is speed times this behind the command."""
-        return self.time / (2.0 if self.shape == "linear" else 1.0) + 1.0 / self.kv
+        return self.time / (1.0 if self.shape == "exponential" else 2.0) + 1.0 / self.kv
 
     @property
     def memory(self) -> float:
@@ -101,18 +114,20 @@ class AxisDynamics:
     def response(self, omega: ArrayLike) -> NDArray[np.complex128]:
         """Frequency response at angular frequencies in rad/s: actual over commanded position."""
         s = 1j * np.asarray(omega, dtype=float)
-        out = np.exp(-s * self.box / 2) * np.sinc(s.imag * self.box / (2 * np.pi))
+        out = np.exp(-s * self.box / 2)
+        for box in self.boxes:
+            out = out * np.sinc(s.imag * box / (2 * np.pi))
         exponential = self.time if self.shape == "exponential" else 0.0
         result: NDArray[np.complex128] = out / ((1 + s * exponential) * (1 + s / self.kv))
         return result
 
     def left(self, wait: ArrayLike) -> Floats:
         """Way still to go, a unit of speed, `wait` s after a long move at constant speed has been commanded."""
-        return self._tail(np.asarray(wait, dtype=float), 1)
+        return self._tail(np.asarray(wait, dtype=float), 1, self.boxes)
 
     def left_of_ramp(self, wait: ArrayLike) -> Floats:
         """Way still to go, a unit of deceleration, `wait` s after a long ramp to standstill has been commanded."""
-        return self._tail(np.asarray(wait, dtype=float), 2)
+        return self._tail(np.asarray(wait, dtype=float), 2, self.boxes)
 
     def left_of_piece(self, first: Floats, last: Floats, since_first: Floats, since_last: Floats) -> Floats:
         """Way still to go of a command whose speed went along a line from `first` to `last`, so many s ago each."""
@@ -124,11 +139,12 @@ class AxisDynamics:
         out[lasted <= 0] = 0.0
         return out
 
-    def _tail(self, wait: Floats, order: int) -> Floats:
+    def _tail(self, wait: Floats, order: int, boxes: tuple[float, ...]) -> Floats:
         """What is left `wait` s after the command has ended: once or twice integrated answer to a step."""
-        if self.box == 0:
+        if not boxes:
             return self._lag_tail(wait, order)
-        out: Floats = (self._lag_tail(wait - self.box, order + 1) - self._lag_tail(wait, order + 1)) / self.box
+        box, rest = boxes[0], boxes[1:]
+        out: Floats = (self._tail(wait - box, order + 1, rest) - self._tail(wait, order + 1, rest)) / box
         return out
 
     def _lag_tail(self, wait: Floats, order: int) -> Floats:
@@ -288,8 +304,8 @@ def arc_shrinkage(radius: ArrayLike, feed: ArrayLike, axis: AxisDynamics) -> Flo
     -------
     float64 of the common shape
         ``r (1 - |H(v / r)|)`` in mm, exact for the model. For linear acc/dec T1 and a servo of 1/Kv = T2 this is
-        ``(T1**2 / 24 + T2**2 / 2) v**2 / r`` but for terms of order ``v**4 T**4 / r**3``; exponential acc/dec
-        counts as T2 does.
+        ``(T1**2 / 24 + T2**2 / 2) v**2 / r`` but for terms of order ``v**4 T**4 / r**3``; bell-shaped acc/dec
+        counts half as much, exponential acc/dec as T2 does.
     """
     r, v = np.asarray(radius, dtype=float), np.asarray(feed, dtype=float)
     out: Floats = r * (1.0 - np.abs(axis.response(v / r)))

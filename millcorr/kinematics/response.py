@@ -6,8 +6,10 @@ On a piece of duration h the command is ``x(s) = sum c_k s**k``, s from 0 to 1. 
     y(s) = exp(-z s) y(0) + sum c_k s**k psi_k(z s),   z = h / tau,   psi_k(w) = w int_0^1 exp(-w (1 - q)) q**k dq
 
 where all psi lie between 0 and 1, so that nothing cancels. Since ``tau y' = x - y``, the integral of y is that of x
-less tau y. A moving mean over the last T of a motion p is ``(P(t) - P(t - T)) / T`` with the integral P of p. So
-every position and speed is a closed form at any time; no step of time is involved.
+less tau y. A moving mean over the last T of a motion p is ``(P(t) - P(t - T)) / T`` with the integral P of p; two of
+width b are ``(Q(t) - 2 Q(t - b) + Q(t - 2 b)) / b**2`` with the integral Q of P. So every position and speed is a
+closed form at any time; no step of time is involved. Q grows with the square of the time: it is kept in the longest
+floating-point numbers of the platform.
 """
 
 from __future__ import annotations
@@ -15,6 +17,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from millcorr.errors import InputError
 from millcorr.toolpath import Floats, Ints, Kind
@@ -33,6 +36,9 @@ _SAMPLES = (1.0 - np.cos(np.pi * np.arange(_CURVED + 1) / _CURVED)) / 2
 _CHECKS = (1.0 - np.cos(np.pi * (np.arange(_CURVED) + 0.5) / _CURVED)) / 2
 _FROM_SAMPLES = np.linalg.inv(np.vander(_SAMPLES, increasing=True))
 _AT_CHECKS = np.vander(_CHECKS, _CURVED + 1, increasing=True)
+
+
+Longs = NDArray[np.longdouble]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -73,6 +79,7 @@ class Response:
         orders = np.arange(1, self.coefficients.shape[1] + 1)
         area = (self.coefficients / orders[:, None]).sum(axis=1) * self.duration[:, None]
         self.integral = np.cumsum(area, axis=0) - area
+        self.long = self._integrals() if any(len(axis.boxes) == 2 for axis in self.control.axes) else None
         self.lagged = [
             [self._states(k, constant) for _, constant in axis.lags] for k, axis in enumerate(self.control.axes)
         ]
@@ -114,8 +121,14 @@ class Response:
         now = self._locate(t)
         for k, axis in enumerate(self.control.axes):
             state = self._state(k, axis, *now)
-            if axis.box == 0:
+            if not axis.boxes:
                 position[:, k], speed[:, k] = _lagged(axis, state)
+                continue
+            if len(axis.boxes) == 2:
+                width = axis.boxes[0]
+                (q0, p0), (q1, p1), (q2, p2) = (self._twice(k, axis, t, j * width) for j in range(3))
+                position[:, k] = (q0 - 2 * q1 + q2) / np.longdouble(width) ** 2
+                speed[:, k] = (p0 - 2 * p1 + p2) / width**2
                 continue
             before = self._state(k, axis, *self._locate(t - axis.box))
             mean = state.integral - before.integral
@@ -125,6 +138,36 @@ class Response:
             speed[:, k] = (_lagged(axis, state)[0] - _lagged(axis, before)[0]) / axis.box
         position += self.origin
         return self._rejoined(t, position), speed
+
+    def _integrals(self) -> tuple[Longs, Longs, Longs]:
+        """First and second integral of the command at the start of every piece, (p, 3), and these starts in s."""
+        c, h = self.coefficients.astype(np.longdouble), self.duration.astype(np.longdouble)
+        orders = np.arange(1, c.shape[1] + 1)[:, None]
+        area = (c / orders).sum(axis=1) * h[:, None]
+        first = np.cumsum(area, axis=0) - area
+        area2 = (c / (orders * (orders + 1))).sum(axis=1) * h[:, None] ** 2 + first * h[:, None]
+        # Starts to the digits of the integrals: those rounded to doubles would leave steps between the pieces.
+        return first, np.cumsum(area2, axis=0) - area2, self.begin[0] + np.cumsum(h) - h
+
+    def _twice(self, k: int, axis: AxisDynamics, t: Floats, before: float) -> tuple[Longs, Longs]:
+        """Second and first integral of the position of axis k behind its lags, `before` s before the times."""
+        assert self.long is not None
+        first, second, begin = self.long
+        piece, s = self._locate(t - before)
+        since = t.astype(np.longdouble) - before - begin[piece]
+        share = since / self.duration[piece]
+        p, q, power = first[piece, k].copy(), second[piece, k] + first[piece, k] * since, since.copy()
+        for order in range(self.coefficients.shape[1]):
+            term = self.coefficients[piece, order, k] * power
+            p += term / (order + 1)
+            q += term * since / ((order + 1) * (order + 2))
+            power *= share
+        state = self._state(k, axis, piece, s)
+        # Lags of weights that add up to 1: the integral of y is that of x less tau y.
+        y = [(weight, constant, at) for (weight, constant), at in zip(axis.lags, state.lagged, strict=True)]
+        q -= sum((weight * constant * (p - constant * at) for weight, constant, at in y), np.zeros_like(p))
+        p -= sum((weight * constant * at for weight, constant, at in y), np.zeros_like(p))
+        return q, p
 
     def _rejoined(self, t: Floats, position: Floats) -> Floats:
         """Positions with the ways of left-out moves added, which the pieces leave out."""

@@ -181,23 +181,42 @@ class Machine:
     misfit : float
         Largest difference of model and touches, mm.
     separate : bool
-        Whether the touches told the axes apart.
+        Whether the touches told the axes, or the rows of the setup's table, apart.
+    along : tuple of (s, kx, ky)
+        Stiffness along the contour, mm and N/mm, where the setup has a table; kx and ky are then the means of its
+        compliance.
     """
 
     kx: float
     ky: float
     misfit: float
     separate: bool
+    along: tuple[tuple[float, float, float], ...] = ()
+
+    @staticmethod
+    def found(factor: Floats, table: tuple[tuple[float, float, float], ...], separate: bool) -> Machine:
+        """Machine of the compliances of both axes, mm/N, or of the factors on those of a table."""
+        if not table:
+            kx, ky = np.minimum(1.0 / factor, RIGID)
+            return Machine(float(kx), float(ky), math.inf, separate)
+        rows = np.array(table)
+        stiffness = np.minimum(rows[:, 1:] / factor[:, None], RIGID)
+        along = tuple((float(s), float(x), float(y)) for s, (x, y) in zip(rows[:, 0], stiffness, strict=True))
+        kx, ky = 1.0 / (1.0 / stiffness).mean(axis=0)
+        return Machine(float(kx), float(ky), math.inf, separate, along)
 
     def of(self, setup: Setup) -> Setup:
-        """The setup with this machine's stiffness."""
-        return replace(setup, machine=replace(setup.machine, kx_n_per_mm=self.kx, ky_n_per_mm=self.ky))
+        """The setup with this machine's stiffness, which no longer comes from where the setup says."""
+        found = replace(setup.machine, kx_n_per_mm=self.kx, ky_n_per_mm=self.ky, origin="")
+        return replace(setup, machine=replace(found, stiffness_along=self.along))
 
 
 def identify_machine(
     value: Floats,
     normal: Floats,
     force: Callable[[Machine | None], tuple[Floats, Floats]],
+    table: tuple[tuple[float, float, float], ...] = (),
+    share: Floats | None = None,
 ) -> Machine:
     """Stiffness with which the model leaves what was touched.
 
@@ -209,10 +228,16 @@ def identify_machine(
     force : callable
         From a machine to what its model leaves at the places, (n,) in mm, and the force on the tool there, (n, 2) in
         N; from None to zeros and the forces of a rigid machine.
+    table : tuple of (s, kx, ky)
+        Stiffness along the contour, mm and N/mm, of which every row is to be off by a factor of its own; by default
+        both axes have a stiffness each, the same everywhere.
+    share : (n, k) float64, optional
+        Share of every row of the table in the compliance at the places.
 
     Returns
     -------
     Machine
+        One factor for all rows, one stiffness for both axes, where the touches do not tell them apart.
 
     Raises
     ------
@@ -220,16 +245,21 @@ def identify_machine(
         If no stiffness explains the touches, or none is found.
     """
     left, forces = force(None)
-    compliance = np.zeros(2)
+    # What a unit of each unknown adds to the compliance along X and Y at the places.
+    unit = np.tile(np.eye(2), (len(value), 1, 1))
+    if share is not None:
+        unit = share[:, :, None] / np.array(table)[None, :, 1:]
+    compliance = np.zeros(unit.shape[1])
     misfit = math.inf
     separate = False
     for _ in range(ROUNDS):
-        design = forces * normal
+        design = np.einsum("na,nka->nk", forces * normal, unit)
         size = np.abs(design).max()
         if not size > 0:
             raise RefusedError("combined control: the model has no force across the walls that were touched")
         singular = np.linalg.svd(design / size, compute_uv=False)
-        separate = len(value) > 1 and singular[1] >= APART * singular[0]
+        unknown = len(compliance)
+        separate = len(value) >= unknown and bool(singular[-1] >= APART * singular[0])
         design = design if separate else design.sum(axis=1, keepdims=True)
         change = np.linalg.lstsq(design, value - left, rcond=None)[0]
         compliance = compliance + change
@@ -239,8 +269,7 @@ def identify_machine(
                 f"(mean deviation {value.mean():+.4f} mm): check [tool] rotation, the cutter's side and --points; or "
                 "take the deviations as they are: --method mirror"
             )
-        kx, ky = np.minimum(1.0 / compliance, RIGID)
-        machine = Machine(float(kx), float(ky), math.inf, separate)
+        machine = Machine.found(compliance, table, separate)
         left, forces = force(machine)
         best, misfit = misfit, float(np.abs(value - left).max())
         enough = max(CLOSE, 1e-3 * float(np.abs(value).max()))

@@ -14,17 +14,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr.cutting import Cutting, cutting
-from millcorr.deviation import Deviation, deviations
+from millcorr.deviation import REACH, Deviation, deviations
 from millcorr.engagement import STEP, CutterPath, Engagement, GivenWay, arcs_of, engaged
 from millcorr.engagement.path_pieces import Pieces, arcs_through
 from millcorr.engagement.stock_region import StockRegion
 from millcorr.errors import RefusedError, UsageError
+from millcorr.fixed_point import FixedPoint
 from millcorr.footpoint import FootPointSearch, Place
 from millcorr.measurement import Measurement
 from millcorr.nurbs import NurbsCurve
 from millcorr.profile import Contour, Profile
 from millcorr.setup_file import Setup
 from millcorr.toolpath import Toolpath
+
+from .stiffness import compliance_at
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -33,12 +36,21 @@ Bools = NDArray[np.bool_]
 TOLERANCE = 1e-7
 """The loop is closed when force over stiffness and deflection agree within this, in mm."""
 
-ROUNDS = 80
+ROUNDS = 40
+"""Rounds in which all steps are brought nearer at once; what is still open is then settled step by step."""
 
-_STILL = 1e-10
-"""A step whose deflection changed by less than this, in mm, tells nothing of its slope."""
+MARCHES = 8
+"""So often is a stretch settled step by step: what a later pass finds of it may open others."""
 
-_STEEPEST = 100.0
+LONGEST = 1000
+"""More steps than these are not settled one by one: it would take minutes, and what does not settle on so much of a
+program is no matter of a place."""
+
+AHEAD = 8
+"""Steps settled beyond the last one that is open: those just before them have moved."""
+
+_ON_SURFACE = 1e-9
+"""A point nearer than this to where the cutter has been, in mm, is on the surface it leaves."""
 
 _AT_END = 1e-9
 """An arc that ends nearer than this to 0 or pi, in rad, ends at the wall it makes."""
@@ -58,7 +70,7 @@ class ElasticPass:
     residual : float
         Largest difference of force over stiffness and deflection, mm.
     contraction : float
-        Ratio of the residuals of one round to the next, the larger of the last two: below 1.
+        Ratio of the residuals of one round to the next, in the mean of all rounds.
     bound : float
         Cutting stiffness over machine stiffness, bound of the contraction by the chip alone.
     """
@@ -101,7 +113,9 @@ class ElasticPass:
         return self.residual / (1.0 - self.contraction)
 
 
-def elastic_pass(toolpath: Toolpath, setup: Setup, stock: StockRegion, *, step: float = STEP) -> ElasticPass:
+def elastic_pass(
+    toolpath: Toolpath, setup: Setup, stock: StockRegion, *, nominal: Profile | None = None, step: float = STEP
+) -> ElasticPass:
     """Cut a program with the elastic loop closed at every step.
 
     Parameters
@@ -110,6 +124,8 @@ def elastic_pass(toolpath: Toolpath, setup: Setup, stock: StockRegion, *, step: 
         Path of the cutter's centre.
     setup : Setup
     stock : StockRegion
+    nominal : Profile, optional
+        Needed where the machine's stiffness changes along it.
     step : float
         Largest distance between steps in mm.
 
@@ -120,60 +136,73 @@ def elastic_pass(toolpath: Toolpath, setup: Setup, stock: StockRegion, *, step: 
     Raises
     ------
     UsageError
-        If the setup has no stiffness, or a move that cuts has no feed.
+        If the setup has no stiffness, or a move that cuts has no feed; and as `compliance_at`.
     InputError
         As `millcorr.engagement.engagement`.
     RefusedError
         If the cut is stiffer than the machine, so that the loop need not settle, or it does not settle.
     """
-    kx, ky = setup.machine.stiffness(setup.source)
-    stiffness = np.array([kx, ky])
+    setup.machine.stiffness(setup.source)
     path = CutterPath.of(toolpath, setup, step)
+    stiffness = 1.0 / compliance_at(setup, nominal, path.steps.centre)
     rigid = engaged(path, setup, arcs_of(path, setup, stock))
-    bound = cutting_stiffness(rigid, setup) / min(kx, ky)
+    least = float(stiffness.min())
+    bound = cutting_stiffness(rigid, setup) / least
     if bound >= 1.0:
         raise RefusedError(
-            f"elastic loop: the cut is {bound:.2f} times as stiff as the machine ({min(kx, ky):g} N/mm): it need not "
+            f"elastic loop: the cut is {bound:.2f} times as stiff as the machine ({least:g} N/mm): it need not "
             "settle; check [machine] kx_n_per_mm and ky_n_per_mm, feed, axial depth and [material]"
         )
     forces = cutting(rigid, setup)
     deflection = forces.force / stiffness
-    links = _Links.of(path)
-    before, ratios = np.inf, []
-    share = np.ones(len(deflection))
-    last: tuple[Floats, Floats] | None = None
-    for _ in range(ROUNDS):
-        arcs = arcs_of(path, setup, stock, links.given_way(path, deflection))
-        forces = cutting(engaged(path, setup, arcs), setup, arcs.layer)
+    links, last = _Links.of(path), len(path.steps) - 1
+
+    def answer(deflection: Floats, only: Ints | None = None) -> Cutting:
+        arcs = arcs_of(path, setup, stock, links.given_way(path, deflection), only)
+        return cutting(engaged(path, setup, arcs), setup, arcs.layer)
+
+    first = 0.0
+    course = FixedPoint(np.arange(last + 1), last + 1, depth=1)
+    for turn in range(ROUNDS + MARCHES):
+        forces = answer(deflection)
         bent = forces.force / stiffness
-        change = bent - deflection
-        residual = float(np.abs(change).max(initial=0.0))
-        ratios.append(residual / before if before > 0 else 0.0)
-        before = residual
-        if residual <= TOLERANCE and max(ratios[-2:]) < 1.0:
-            return ElasticPass(path, forces, deflection, residual, max(ratios[-2:]), bound)
-        if last is not None:
-            share = _share(deflection - last[0], bent - last[1], share)
-        last = deflection, bent
-        deflection = deflection + share[:, None] * change
-    worst = int(np.argmax(np.abs(change).max(axis=1)))
-    x, y, _ = path.position[worst]
+        off = np.abs(bent - deflection).max(axis=1)
+        residual = float(off.max(initial=0.0))
+        first = first or residual
+        if residual <= TOLERANCE:
+            contraction = (residual / first) ** (1.0 / turn) if turn else 0.0
+            return ElasticPass(path, forces, deflection, residual, contraction, bound)
+        if turn < ROUNDS:
+            deflection = course.step(deflection, bent)
+        else:
+            still = np.flatnonzero(off > TOLERANCE)
+            begin, end = int(still[0]), min(int(still[-1]) + AHEAD, last)
+            if end - begin > LONGEST:
+                break
+            deflection = _marched(deflection, begin, end, answer, stiffness)
+    x, y, _ = path.position[int(np.argmax(off))]
     raise RefusedError(
         f"elastic loop: it does not settle near X{x:.3f} Y{y:.3f}, where force and deflection still differ by "
         f"{residual * 1000:.3g} um; check [machine] stiffness, feed and [material]"
     )
 
 
-def _share(moved: Floats, answered: Floats, share: Floats) -> Floats:
-    """Share of the difference to go next, step by step, by the secant: ``1 / (1 - slope)``.
+def _marched(
+    deflection: Floats, first: int, last: int, answer: Callable[[Floats, Ints], Cutting], stiffness: Floats
+) -> Floats:
+    """Deflections with those of steps `first` to `last` settled one after the other.
 
-    The slope of force over stiffness is small and mostly negative for chips, but unbounded for edge forces at grazing
-    contact, which grow with the root of the depth.
+    A step's force depends on its own deflection and on those before it: settled in order, each is two equations.
     """
-    size = (moved**2).sum(axis=1)
-    known = size > _STILL**2
-    slope = (answered * moved).sum(axis=1) / np.where(known, size, 1.0)
-    return np.where(known, 1.0 / (1.0 - np.clip(slope, -_STEEPEST, 0.5)), share)
+    deflection = deflection.copy()
+    for step in range(first, last + 1):
+        only, course = np.array([step]), FixedPoint(np.zeros(1, dtype=np.int64), 1, depth=2)
+        for _ in range(ROUNDS):
+            bent = answer(deflection, only).force[only] / stiffness[only]
+            if np.abs(bent - deflection[only]).max() <= TOLERANCE / 4:
+                break
+            deflection[only] = course.step(deflection[only], bent)
+    return deflection
 
 
 def cutting_stiffness(engagement: Engagement, setup: Setup) -> float:
@@ -260,7 +289,8 @@ def predicted_deviation(
     Returns
     -------
     Deviation
-        At points of the profile that the cutter passes within its radius and 1 mm, corners left out.
+        At points of the profile that the commanded cutter leaves within `REACH`, however far it gives way where that
+        is half of it; corners and what the cutter cannot reach left out.
 
     Raises
     ------
@@ -268,6 +298,8 @@ def predicted_deviation(
         If the spacing is not positive, or nothing cuts at the height.
     InputError
         If the cutter comes near no point of the profile.
+    RefusedError
+        If what the cutter leaves at one of these points is not to be found.
     """
     return deviation_along(elastic, nominal, None, spacing=spacing, z=z)[0]
 
@@ -275,7 +307,7 @@ def predicted_deviation(
 def deviation_along(
     elastic: ElasticPass,
     nominal: Profile,
-    run: Callable[[float], Profile | None] | None,
+    run: tuple[Callable[[float], Profile | None], Floats] | None,
     *,
     spacing: float,
     z: float | None = None,
@@ -286,9 +318,9 @@ def deviation_along(
     ----------
     elastic, nominal, spacing, z
         As there.
-    run : callable or None
-        From a height in mm to the path of the cutter's centre up to it, deflection included; None where the axes lead
-        it as commanded.
+    run : (callable, (n, 2) float64) or None
+        From a height in mm to the path of the cutter's centre up to it, deflection included, and that centre at every
+        step, mm; None where the axes lead it as commanded.
 
     Returns
     -------
@@ -298,7 +330,7 @@ def deviation_along(
 
     Raises
     ------
-    UsageError, InputError
+    UsageError, InputError, RefusedError
         As there.
     """
     if not (np.isfinite(spacing) and spacing > 0):
@@ -312,10 +344,38 @@ def deviation_along(
         points.append(c)
         normals.append(n)
     point, normal = np.concatenate(points), np.concatenate(normals)
-    bent, cut = surface_along(_actual_path(elastic, height), radius, point, normal)
-    out, really = bent, run(height) if run is not None else None
-    if really is not None:
-        out, also = surface_along(really, radius, point, normal)
+    commanded = elastic.path.steps.centre
+    meant, found, within = surface_along(_path_through(elastic, commanded, height), radius, point, normal)
+    rows = np.flatnonzero(found & within)
+    if not len(rows):
+        raise UsageError("predicted deviation: the program does not cut the nominal profile: check both")
+    point, normal = point[rows], normal[rows]
+    # Where a lead or another pass crosses the contour its end is no matter of what bends.
+    meant = meant[rows]
+    own = np.abs(meant) <= REACH / 2
+
+    def left(path: Profile, centre: Floats) -> tuple[Floats, Bools, float]:
+        # Where the path is off by so much the surface is, too; by twice that where it is met at 60 degrees. It is
+        # looked for from there on only: deeper down another pass may have been.
+        off = float(np.hypot(*(centre - commanded).T).max())
+        room = abs(elastic.engagement.oversize) + 2.0 * off + _ON_SURFACE
+        begin = np.where(own, meant - room, -REACH)
+        x, found, within = surface_along(
+            path, radius + elastic.engagement.oversize, point, normal, begin, REACH + room
+        )
+        # Corners that the axes round off are no more; what bends only moves them.
+        if run is None and (lost := np.flatnonzero(within & ~found & own)).size:
+            px, py = point[lost[0]]
+            raise RefusedError(
+                f"predicted deviation: what the cutter leaves at X{px:.3f} Y{py:.3f} is not to be found within "
+                f"{REACH + room:.3f} mm; it is up to {off:.3f} mm off its path: check [machine] stiffness and inertia"
+            )
+        return x, within & found, REACH + room
+
+    bent, cut, reach = left(_path_through(elastic, elastic.centre, height), elastic.centre)
+    out, really = bent, run[0](height) if run is not None else None
+    if really is not None and run is not None:
+        out, also, reach = left(really, run[1])
         cut &= also
     if not cut.any():
         raise UsageError("predicted deviation: the program does not cut the nominal profile: check both")
@@ -323,13 +383,18 @@ def deviation_along(
     xyz = np.column_stack([point[rows] + out[rows, None] * normal[rows], np.full(len(rows), height)])
     ijk = np.column_stack([normal[rows], np.zeros(len(rows))])
     touched = Measurement(xyz, ijk, 0.0, np.arange(1, len(rows) + 1), "predicted surface", "")
-    found = deviations(touched, nominal, cutter_radius=radius)
-    return found, (out - bent)[rows][found.index]
+    deviation = deviations(touched, nominal, reach=reach, cutter_radius=radius)
+    return deviation, (out - bent)[rows][deviation.index]
 
 
 def surface_along(
-    path: Profile, radius: float, point: Floats, normal: Floats, reach: float = 1.0
-) -> tuple[Floats, Bools]:
+    path: Profile,
+    radius: float,
+    point: Floats,
+    normal: Floats,
+    begin: Floats | float = -REACH,
+    end: float = REACH,
+) -> tuple[Floats, Bools, Bools]:
     """Distance along normals, in mm, at which a cutter that runs along a path leaves the surface.
 
     Parameters
@@ -340,18 +405,25 @@ def surface_along(
         mm.
     point, normal : (n, 2) float64
         mm, and unit vectors out of the part.
-    reach : float
-        mm.
+    begin : (n,) float64 or float
+        Where the search begins on each normal, below the surface, mm.
+    end : float
+        Where it ends, mm.
 
     Returns
     -------
-    (n,) float64, (n,) bool
-        Distance, and whether the cutter comes within `reach` of the point other than by an end of its path.
+    x : (n,) float64
+        Distance in mm.
+    found : (n,) bool
+        Whether it is between both.
+    within : (n,) bool
+        Whether it does so other than by an end of its path.
     """
-    search = FootPointSearch(path, margin=radius + 2 * reach)
-    x = np.full(len(point), -reach)
+    first = np.broadcast_to(np.asarray(begin, dtype=float), len(point))
+    search = FootPointSearch(path, margin=radius + 2 * max(end, float(-first.min(initial=0.0))))
+    x = first.copy()
     rows = np.arange(len(point))
-    cut, beyond = np.ones(len(point), dtype=bool), np.zeros(len(point), dtype=bool)
+    found, beyond = np.zeros(len(point), dtype=bool), np.zeros(len(point), dtype=bool)
     for _ in range(200):
         q = point[rows] + x[rows, None] * normal[rows]
         feet = search.find(q)
@@ -363,19 +435,19 @@ def surface_along(
         slope = -(away * normal[rows]).sum(axis=1) / np.maximum(distance, 1e-12)
         step = np.where((slope > 0.5) & (np.abs(gap) < 0.1), gap / np.maximum(slope, 0.5), gap)
         x[rows] += step
-        lost = (np.abs(x[rows]) > reach) & (np.abs(x[rows] - step) <= reach)
-        lost &= np.abs(step) > 1e-12
-        cut[rows[lost]] = False
-        rows = rows[(np.abs(step) > 1e-12) & ~lost]
+        there = np.abs(step) <= 1e-12
+        lost = ((x[rows] > end) | (x[rows] < first[rows])) & ~there
+        found[rows] = np.abs(gap) <= _ON_SURFACE
+        found[rows[lost]] = False
+        rows = rows[~there & ~lost]
         if not len(rows):
             break
-    cut[rows] = False
-    return x, cut & ~beyond
+    return x, found, ~beyond
 
 
-def _actual_path(elastic: ElasticPass, height: float) -> Profile:
-    """Path of the cutter's centre up to a height: cubic splines through the steps, lines where the force jumps."""
-    path, centre = elastic.path, elastic.centre
+def _path_through(elastic: ElasticPass, centre: Floats, height: float) -> Profile:
+    """Path of the cutter's centre (n, 2) up to a height: cubic splines through the steps, lines where it jumps."""
+    path, away = elastic.path, centre - elastic.path.steps.centre
     links = _Links.of(path)
     number = elastic.runs(height)
     contours = []
@@ -390,7 +462,7 @@ def _actual_path(elastic: ElasticPass, height: float) -> Profile:
                 # Every step and the middle before it, which gives way alike.
                 points = np.empty((2 * len(part) - 1, 2))
                 points[0::2] = centre[part]
-                given = elastic.deflection[part]
+                given = away[part]
                 points[1::2] = links.middle[part[1:]] + (given[1:] + given[:-1]) / 2
                 curves.append(_through(points))
         if curves:

@@ -32,6 +32,7 @@ from millcorr.transfer_function import TransferFunction
 
 from .combined_control import AxisTransfer, Machine, identify, identify_machine
 from .simulated import Aim, Simulation, at_real_feed, one_after_another, settle, simulate
+from .stiffness import compliance_at, weights_at
 
 Floats = NDArray[np.float64]
 
@@ -67,6 +68,7 @@ class Foreseen:
             "predicted_before": self.before.largest,
             "predicted_after": [one.largest for one in self.after],
             "stiffness": list(self.before.setup.machine.stiffness()),
+            "stiffness_along": [list(row) for row in self.before.setup.machine.stiffness_along],
             "combined": None,
         }
         if self.axes is not None and self.machine is not None:
@@ -280,7 +282,10 @@ def combined_target(
     rigid = engagement(fed, setup, stock)
     area = Contacts.of(rigid, place, touched.normal).take(rigid.area)
     area = area * depth / np.maximum(removed, 1e-9)
-    axes = identify(value, np.full(len(value), depth), removed, area, touched.normal, touched.foot)
+    table = setup.machine.stiffness_along
+    whole = np.full(len(value), depth)
+    soft = _softness(setup, nominal, touched.foot, touched.normal)
+    axes = identify(value, whole, removed, area * soft, touched.normal, touched.foot)
     profile = nominal if first is None else first.profile
     feet = FootPointSearch(profile, margin=2.0).find(place)
     contour, s = profile.contour[feet.span], profile.arc_length(feet.span, feet.t)
@@ -301,7 +306,18 @@ def combined_target(
             raise UsageError(f"at X{x:.3f} Y{y:.3f} a point was touched that the simulated program does not cut")
         return left, forces
 
-    machine = identify_machine(goal, touched.normal, force)
+    share = weights_at(setup, nominal, touched.foot) if table else None
+    machine = identify_machine(goal, touched.normal, force, table, share)
+    if table:
+        # How soft each place is, is known now.
+        setup = machine.of(setup)
+        soft = _softness(setup, nominal, touched.foot, touched.normal)
+        axes = identify(value, whole, removed, area * soft, touched.normal, touched.foot)
+        if not machine.separate:
+            warnings.append(
+                "the touches do not tell the rows of [machine] stiffness_along apart: all are off by one factor; touch "
+                "at each of its places"
+            )
     if len(touched) > 1 and not axes.separate:
         warnings.append("the touches do not tell the axes apart: both are taken as equally stiff")
     if first is None:
@@ -315,8 +331,10 @@ def combined_target(
         load = engagement(one_after_another(fed, at_real_feed(program, setup)), setup, stock)
         # The second cut finds what the first one left, too.
         done = Contacts.of(rigid, d.foot + allowance * d.normal, d.normal).take(rigid.area)
+        done = done * _softness(setup, nominal, d.foot, d.normal)
         stood = 1.0 + _left(axes, done, d.normal, depth) / allowance
     areas = Contacts.of(load, d.foot, d.normal).take(load.area) * stood
+    areas = areas * _softness(setup, nominal, d.foot, d.normal)
     offset = offset_at(d)
     if first is None:
         areas = areas * depth / np.maximum(depth - offset, 1e-9)
@@ -324,7 +342,17 @@ def combined_target(
     yields = 1.0 + axes.along(areas, d.normal) * axes.depth / (depth if first is None else allowance * stood)
     wanted = base - settings.gain * (base - axes.correction(areas, d.normal))
     aim = Aim(d.contour, d.stretch, d.s, wanted, yields)
-    return _touches(parts, value, depth, area, axes), aim, before, axes, machine
+    return _touches(parts, value, depth, area * soft, axes), aim, before, axes, machine
+
+
+def _softness(setup: Setup, nominal: Profile, place: Floats, normal: Floats) -> Floats:
+    """Compliance along normals at places over that of the setup's kx and ky; (n,), 1 without a table."""
+    if not setup.machine.stiffness_along:
+        return np.ones(len(place))
+    square = normal**2
+    here = (square * compliance_at(setup, nominal, place)).sum(axis=1)
+    out: Floats = here / (square @ (1.0 / np.array(setup.machine.stiffness(setup.source))))
+    return out
 
 
 def _left(axes: AxisTransfer, area: Floats, normal: Floats, depth: float) -> Floats:

@@ -169,7 +169,8 @@ def simulate(
     Raises
     ------
     MillcorrError
-        As `elastic_pass` and `kinematics.motion`: no stiffness, no feed, a cut stiffer than the machine.
+        As `elastic_pass`, `deviation_along` and `kinematics.motion`: no stiffness, no feed, a cut stiffer than the
+        machine.
     """
     stock = stock_of(setup, nominal) if stock is None else stock
     control = control_of(setup)
@@ -180,18 +181,13 @@ def simulate(
         before, run, _ = _at_real_feed(earlier, control)
         toolpath = one_after_another(before.toolpath, toolpath)
         cut.insert(0, (earlier.toolpath, before, run))
-    elastic = elastic_pass(toolpath, setup, stock)
+    elastic = elastic_pass(toolpath, setup, stock, nominal=nominal)
     really = [(path, fed, led) for path, fed, led in cut if led is not None]
     path = RunPath.of(really, elastic) if really else None
-    found, kinematic = deviation_along(
-        elastic,
-        nominal,
-        None if path is None else partial(path.profile, elastic),
-        spacing=_spacing(setup.tool.radius),
-    )
     centre = elastic.centre if path is None else path.at_steps(elastic.deflection)
-    caution = setup.material.caution()
-    cautions = (*((caution,) if caution else ()), *notes)
+    real = None if path is None else (partial(path.profile, elastic), centre)
+    found, kinematic = deviation_along(elastic, nominal, real, spacing=_spacing(setup.tool.radius))
+    cautions = (*setup.cautions, *notes)
     return Simulation(setup, nominal, stock, feed, moved, elastic, found, kinematic, centre, cautions)
 
 

@@ -58,7 +58,9 @@ def foreseen_section(result: Result) -> str:
 
 def _facts(result: Result, foreseen: Foreseen) -> list[tuple[str, str]]:
     axes, machine = foreseen.axes, foreseen.machine
-    kx, ky = foreseen.before.setup.machine.stiffness()
+    its = foreseen.before.setup.machine
+    kx, ky = its.stiffness()
+    along = "".join(f"; at s = {at:g} mm {x:.0f}, {y:.0f}" for at, x, y in its.stiffness_along)
     facts = [("Setup", setup_name(foreseen))]
     if axes is not None and machine is not None:
         (x, y), (ux, uy) = axes.ms, axes.ms_std
@@ -68,12 +70,12 @@ def _facts(result: Result, foreseen: Foreseen) -> list[tuple[str, str]]:
             ("Depth of the touched part", f"{mm(axes.depth)} mm"),
             (
                 "Machine that leaves what was touched",
-                f"stiffness X {kx:.4g} N/mm, Y {ky:.4g} N/mm with the setup's forces, within {um(machine.misfit)} "
-                f"{MICRO} of the touches",
+                f"stiffness X {kx:.4g} N/mm, Y {ky:.4g} N/mm{along} with the setup's forces, within "
+                f"{um(machine.misfit)} {MICRO} of the touches",
             ),
         ]
     else:
-        facts.append(("Machine of the setup", f"stiffness X {kx:.4g} N/mm, Y {ky:.4g} N/mm"))
+        facts.append(("Machine of the setup", f"stiffness X {kx:.4g} N/mm, Y {ky:.4g} N/mm{along}"))
     bound = result.request.settings.iterate
     wanted = "" if bound is None else f", until at most {um(bound)} {MICRO} are expected"
     return [*facts, ("Corrected and simulated", f"{plural(len(foreseen.after), 'time')}{wanted}")]

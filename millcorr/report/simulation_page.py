@@ -113,6 +113,10 @@ def _corrected(after: Simulation | None) -> str:
     return "" if after is None else f"; {um(after.largest)} {MICRO} after the correction shown"
 
 
+def _along(rows: tuple[tuple[float, float, float], ...]) -> str:
+    return "".join(f"; at s = {s:g} mm {kx:.0f}, {ky:.0f}" for s, kx, ky in rows)
+
+
 def _facts(before: Simulation, setup: str) -> list[tuple[str, str]]:
     s = before.setup
     kx, ky = s.machine.stiffness()
@@ -122,7 +126,7 @@ def _facts(before: Simulation, setup: str) -> list[tuple[str, str]]:
         ("Tool", f"diameter {s.tool.diameter_mm:g} mm, {s.tool.flutes} teeth, {s.tool.spindle_rpm:g} rpm"),
         ("Material", m.name or "not named"),
         ("Cutting coefficients", f"Ktc {m.ktc_n_per_mm2:g}, Krc {m.krc_n_per_mm2:g} N/mm\N{SUPERSCRIPT TWO}"),
-        ("Stiffness", f"X {kx:g} N/mm, Y {ky:g} N/mm"),
+        ("Stiffness", f"X {kx:g} N/mm, Y {ky:g} N/mm{_along(s.machine.stiffness_along)}"),
         ("Feed", "of the actual motion" if before.motion is not None else "as programmed: the setup names no inertia"),
         ("Elastic loop", f"closed within {um(before.elastic.accuracy)} {MICRO}"),
     ]

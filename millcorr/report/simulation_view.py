@@ -9,6 +9,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from millcorr.deviation import REACH
 from millcorr.engagement.stock_region import StockRegion
 from millcorr.footpoint import FootPointSearch
 from millcorr.prediction import Simulation
@@ -123,12 +124,12 @@ def outlines(profile: Profile) -> list[Floats]:
     return out
 
 
-def exaggerated(points: Floats, nominal: Profile, base: float, times: float) -> Floats:
-    """Points with their distance from the profile's parallel at `base` mm drawn larger; NaN far away from it."""
-    feet = FootPointSearch(nominal, margin=base + 3.0).find(points)
+def exaggerated(points: Floats, nominal: Profile, base: float, times: float, reach: float) -> Floats:
+    """Points with their distance from the profile's parallel at `base` mm drawn larger; NaN beyond `reach` mm of it."""
+    feet = FootPointSearch(nominal, margin=base + 2.0 + reach).find(points)
     off = feet.distance - base
     moved = feet.foot + (base + times * off)[:, None] * feet.normal
-    out: Floats = np.where((np.abs(off) < 1.0)[:, None], moved, np.nan)
+    out: Floats = np.where((np.abs(off) < reach)[:, None], moved, np.nan)
     return out
 
 
@@ -155,14 +156,16 @@ def contour_plot(simulation: Simulation, after: Simulation | None) -> Plot:
     """Theoretical and machined contour, commanded, actual and corrected path (fig. 8)."""
     times = magnification(simulation, after)
     nominal, radius = simulation.nominal, simulation.elastic.engagement.radius
+    commanded = simulation.elastic.path.steps.centre
+    reach = REACH + float(np.hypot(*(simulation.centre - commanded).T).max())
     lines: list[tuple[str, str, list[Floats]]] = [
         ("theoretical contour", "nominal", outlines(nominal)),
         ("machined contour", "undercut", surface_of(simulation, times)),
-        ("commanded path", "course", _parts(simulation.elastic.path.position[:, :2], nominal, radius, times)),
-        ("actual path", "excess", _parts(simulation.centre, nominal, radius, times)),
+        ("commanded path", "course", _parts(commanded, nominal, radius, times, REACH)),
+        ("actual path", "excess", _parts(simulation.centre, nominal, radius, times, reach)),
     ]
     if after is not None:
-        lines.append(("corrected path", "way", _parts(after.elastic.path.position[:, :2], nominal, radius, times)))
+        lines.append(("corrected path", "way", _parts(after.elastic.path.steps.centre, nominal, radius, times, reach)))
     shown = np.concatenate([part for _, _, parts in lines for part in parts])
     low, high = np.nanmin(shown, axis=0), np.nanmax(shown, axis=0)
     room = 0.04 * float((high - low).max()) + 1.0
@@ -190,10 +193,10 @@ def contour_plot(simulation: Simulation, after: Simulation | None) -> Plot:
     )
 
 
-def _parts(points: Floats, nominal: Profile, radius: float, times: float) -> list[Floats]:
+def _parts(points: Floats, nominal: Profile, radius: float, times: float, reach: float) -> list[Floats]:
     """Path beside the contour, in parts without a gap."""
     rows = thinned(len(points))
-    moved = exaggerated(points[rows], nominal, radius, times)
+    moved = exaggerated(points[rows], nominal, radius, times, reach)
     known: NDArray[np.bool_] = np.isfinite(moved[:, 0]) & np.isfinite(moved[:, 1])
     step = np.hypot(*np.diff(points[rows], axis=0).T)
     usual = float(np.median(step)) if len(step) else 1.0
@@ -225,6 +228,13 @@ def stock_rings(stock: StockRegion, box: tuple[float, float, float, float], radi
     return [shapely.get_coordinates(ring.simplify(SHORT)) for ring in rings]
 
 
+def _lengthened(line: Floats, frame: shapely.Polygon) -> shapely.LineString:
+    """A line that goes on straight at both ends, out of the frame."""
+    far = frame.length
+    first, last = (d / np.hypot(*d) * far for d in (line[0] - line[1], line[-1] - line[-2]))
+    return shapely.LineString(np.vstack([line[0] + first, line, line[-1] + last]))
+
+
 def _material(profile: Profile, allowance: float, frame: shapely.Polygon, depth: float) -> shapely.Geometry:
     """Material left of contours, with an allowance on it."""
     solid: list[shapely.Geometry] = []
@@ -235,10 +245,10 @@ def _material(profile: Profile, allowance: float, frame: shapely.Polygon, depth:
         if contour.closed:
             (solid if area > 0 else holes).append(shapely.Polygon(line).buffer(0))
         else:
-            path = shapely.LineString(line)
-            bands.append(path.buffer(depth, single_sided=True))
+            # As the model has it: the part goes on beyond an open end, the allowance ends with a round.
+            bands.append(_lengthened(line, frame).buffer(max(depth, allowance), single_sided=True))
             if allowance > 0:
-                bands.append(path.buffer(-allowance, single_sided=True))
+                bands.append(shapely.LineString(line).buffer(allowance))
     closed = shapely.union_all(solid) if solid or not holes else frame
     closed = closed.difference(shapely.union_all(holes)).buffer(allowance, join_style="mitre")
     return closed.union(shapely.union_all(bands)).intersection(frame)

@@ -146,6 +146,16 @@ def test_one_touch_takes_the_error_of_the_paper_down_to_the_papers():
     )
 
 
+@pytest.mark.parametrize("ratio", [0.2, 0.5])
+def test_more_than_three_times_smaller_whatever_the_radial_force(ratio):
+    """ "Decreases more than 3 times": not a matter of the Krc/Ktc = 0.3 and the kx that the setup has fitted."""
+    its = softer(1600.0, 1600.0)
+    its = replace(its, material=replace(its.material, krc_n_per_mm2=ratio * its.material.ktc_n_per_mm2))
+    before = simulate(program(), its, nominal())
+    result = corrected(touched(before, (0.0, -10.0)), its=its)
+    assert result.foreseen.after[-1].largest < before.largest / 3.0
+
+
 def test_iterated_it_is_below_a_hundredth():
     result = corrected(touched(as_cut(), (0.0, -10.0)), iterate=0.01)
     assert result.foreseen.machine.kx == pytest.approx(1200.0, rel=2e-3)
@@ -166,6 +176,44 @@ def test_axes_of_different_stiffness_need_two_touches():
     assert machine.separate
     assert (machine.kx, machine.ky) == pytest.approx((1100.0, 2200.0), rel=5e-3)
     assert cut_again(result.text, true).largest <= 0.0105
+
+
+THIN = ((0.0, 1500.0, 1500.0), (55.0, 3000.0, 3000.0), (128.0, 1500.0, 1500.0))
+"""Two walls that are softer towards their ends; arc length of the paper's contour."""
+
+
+def along(table):
+    its = setup()
+    return replace(its, machine=replace(its.machine, stiffness_along=table))
+
+
+def test_a_thin_wall_from_touches_at_several_places():
+    """Three touches, three factors: the table is found again, off by 1.4, 0.8 and 0.7, and the error is taken out."""
+    factors = (1.4, 0.8, 0.7)
+    true = along(tuple((s, kx * f, ky * f) for (s, kx, ky), f in zip(THIN, factors, strict=True)))
+    cut = simulate(program(), true, nominal())
+    places = [tuple(nominal().at(0, np.array([s]))[0][0]) for s in (5.0, 45.0, 105.0)]
+    result = corrected(touched(cut, *places), its=along(THIN), iterate=0.01)
+    machine = result.foreseen.machine
+    assert machine.separate and machine.misfit <= 1e-3
+    found = np.array(machine.along)[:, 1] / np.array(THIN)[:, 1]
+    # Model and touches agree within 0.1 um or a thousandth; two rows of the table share each touch.
+    assert found == pytest.approx(factors, rel=0.01)
+    left = cut_again(result.text, true).largest
+    assert cut.largest > 0.1 and left <= 0.0105
+    # With one stiffness for the whole wall more is left of it.
+    even = corrected(touched(cut, *places), iterate=0.01)
+    assert cut_again(even.text, true).largest > 1.5 * left
+
+
+def test_too_few_touches_scale_the_whole_table():
+    true = along(tuple((s, 1.25 * kx, 1.25 * ky) for s, kx, ky in THIN))
+    cut = simulate(program(), true, nominal())
+    result = corrected(touched(cut, (0.0, -10.0)), its=along(THIN))
+    machine = result.foreseen.machine
+    assert not machine.separate
+    assert np.array(machine.along)[:, 1:] == pytest.approx(1.25 * np.array(THIN)[:, 1:], rel=5e-3)
+    assert any("stiffness_along apart" in text for text in result.warnings)
 
 
 def test_origin_does_not_matter():

@@ -8,17 +8,19 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from millcorr import gcode
-from millcorr.cutting import average_force, cutting, force_at, force_over_turn, surface_location_error
+from millcorr.cutting import average_force, chip_thickness, cutting, force_at, force_over_turn, surface_location_error
 from millcorr.deviation import Deviation
 from millcorr.engagement import engagement, stock_of
 from millcorr.engagement.stock_region import StockRegion
 from millcorr.errors import RefusedError, UsageError
 from millcorr.nurbs import NurbsCurve
-from millcorr.prediction.elastic_pass import cutting_stiffness, elastic_pass, predicted_deviation
+from millcorr.prediction import elastic_pass as elastic_pass_module
+from millcorr.prediction.elastic_pass import cutting_stiffness, deviation_along, elastic_pass, predicted_deviation
 from millcorr.profile import Contour, Profile
 from millcorr.setup_file import Machine, Material, Setup, Stock, Tool, load
 from millcorr.simulated_machine import SimulatedMachine, reference_contour
@@ -135,6 +137,92 @@ def test_a_move_without_feed_is_refused():
         cutting(engagement(toolpath, its, stock_of(its, WALL)), its)
 
 
+@given(st.lists(st.floats(-0.05, 0.05), min_size=1, max_size=8), st.floats(0.0, 0.1))
+@settings(max_examples=100, deadline=None, derandomize=True)
+def test_chips_of_teeth_that_run_out_add_up(offsets, sweep):
+    """Whatever each takes, a turn takes N f_t sin(phi); each against the surface that the last ones left."""
+    n = len(offsets)
+    chip = chip_thickness(np.full(n, sweep), np.arange(n), tuple(offsets))
+    assert chip.sum() == pytest.approx(n * sweep, abs=1e-12)
+    # The surface advances towards the axis by one sweep a tooth; each leaves the deeper of it and its own circle.
+    surface = -1.0
+    for j in range(6 * n):
+        surface -= sweep
+        taken = max(offsets[j % n] - surface, 0.0)
+        surface = max(surface, offsets[j % n])
+        if j >= 5 * n:
+            assert taken == pytest.approx(chip[j % n], abs=1e-12)
+
+
+RUNS_OUT = Tool(10.0, 4, 3000.0, helix_deg=30.0, runout_mm=0.03, runout_deg=20.0)
+
+
+@pytest.mark.parametrize("helix", [0.0, 30.0])
+def test_mean_force_of_teeth_that_run_out(helix):
+    """The mean over a whole turn of the course tooth by tooth; teeth that take nothing have no edge force."""
+    its = replace(RUNS_OUT, helix_deg=helix)
+    entry, exit_, chip = np.pi - 1.2, np.pi, 0.02
+    turn = (np.arange(7200) + 0.5) / 7200 * 2 * np.pi
+    course = force_over_turn(turn, entry, exit_, 0.0, 3.0, chip, its, ALTINTAS)
+    mean = average_force(entry, exit_, 3.0, chip, 4, ALTINTAS, its.tooth_offsets)
+    assert mean == pytest.approx(course.mean(axis=0), rel=2e-3)
+    # Chips alone: as without run-out. A tooth's peak is more than that of an even one.
+    assert average_force(entry, exit_, 3.0, chip, 4, CHIP_ONLY, its.tooth_offsets) == pytest.approx(
+        average_force(entry, exit_, 3.0, chip, 4, CHIP_ONLY), rel=1e-14
+    )
+    even = force_over_turn(turn, entry, exit_, 0.0, 3.0, chip, replace(its, runout_mm=0.0), ALTINTAS)
+    assert np.hypot(*course.T).max() > 1.2 * np.hypot(*even.T).max()
+    assert mean != pytest.approx(average_force(entry, exit_, 3.0, chip, 4, ALTINTAS), rel=0.05)
+
+
+def test_a_cutter_that_is_larger_and_runs_out_cuts_deeper():
+    """Surface: less the radius error and the outermost tooth. Engagement: acos(1 - (a + both) / (R + both))."""
+    its = setup(1e7, 1e7)
+    its = replace(its, tool=replace(its.tool, radius_error_mm=0.02, runout_mm=0.01, runout_deg=0.0))
+    found = elastic_pass(path("G0 X-60 Y5\nG1 X60"), its, stock_of(its, WALL))
+    left = predicted_deviation(found, WALL)
+    assert left.value == pytest.approx(-0.03, abs=1e-4)
+    assert found.engagement.phi[200] == pytest.approx(np.arccos(1 - 1.03 / 5.03), abs=1e-4)
+    smaller = replace(its, tool=replace(its.tool, radius_error_mm=-0.02, runout_mm=0.0))
+    left = predicted_deviation(elastic_pass(path("G0 X-60 Y5\nG1 X60"), smaller, stock_of(its, WALL)), WALL)
+    assert left.value == pytest.approx(0.02, abs=1e-4)
+
+
+def test_difference_from_petrakovs_model():
+    """His one tooth, eqs. (1) to (4), at the end of the arc; the mean over the arc by Simpson's rule. As documented."""
+    straight, arc = np.arccos(0.7), np.arccos(0.19)
+    kt, kr, chip, teeth = 1180.0, 354.0, 400 / 9000, 6
+    his, mean, simpson = [], [], []
+    for phi in (straight, arc):
+        # Along the feed and across the wall of down milling, psi counted from the wall.
+        def tooth(psi):
+            return np.stack([kt * np.cos(psi) - kr * np.sin(psi), kt * np.sin(psi) + kr * np.cos(psi)], -1)
+
+        his.append(10.0 * chip * (1 - np.cos(phi)) * tooth(phi))
+        psi = np.linspace(0.0, phi, 2001)
+        weight = np.ones(2001)
+        weight[1:-1:2], weight[2:-1:2] = 4.0, 2.0
+        area = chip * np.sin(psi)[:, None] * tooth(psi)
+        simpson.append(10.0 * (weight[:, None] * area).sum(axis=0) * phi / 2000 / 3)
+        whole = average_force(np.pi - phi, np.pi, 10.0, chip, teeth, Material("", kt, kr))
+        mean.append(whole / (teeth / (2 * np.pi)))
+    his, mean = np.array(his), np.array(mean)
+    assert np.abs(mean) == pytest.approx(np.abs(simpson), rel=1e-9)
+    size = np.hypot(*his.T) / np.hypot(*mean.T)
+    assert size == pytest.approx([1.018, 1.056], abs=5e-4)
+    both = np.array([straight, arc])
+    c, el = (1 - np.cos(2 * both)) / 4, (2 * both - np.sin(2 * both)) / 4
+    assert np.hypot(*mean.T) == pytest.approx(np.hypot(kt, kr) * 10.0 * chip * np.hypot(c, el), rel=1e-12)
+    assert np.degrees(np.arctan2(el, c)) == pytest.approx([30.09, 51.07], abs=5e-3)
+    turned = np.degrees(np.arctan2(*his.T[::-1]) - np.arctan2(*mean.T[::-1]))
+    assert turned == pytest.approx([15.5, 28.0], abs=0.05)
+    assert np.hypot(*his.T)[1] / np.hypot(*his.T)[0] == pytest.approx(2.70, abs=5e-3)
+    assert np.hypot(*mean.T)[1] / np.hypot(*mean.T)[0] == pytest.approx(2.60, abs=5e-3)
+    assert his[1, 1] / his[0, 1] == pytest.approx(3.03, abs=5e-3)
+    assert mean[1, 1] / mean[0, 1] == pytest.approx(3.30, abs=5e-3)
+    assert his[:, 1] / mean[:, 1] == pytest.approx([1.24, 1.14], abs=5e-3)
+
+
 # --- elastic loop
 
 
@@ -165,6 +253,44 @@ def test_part_of_petrakov_2023_before_correction():
     assert deviation.value[straight] == pytest.approx(found.normal_deflection[20], abs=1e-6)
 
 
+@pytest.mark.parametrize("k", [400.0, 300.0])
+def test_a_surface_of_more_than_a_millimetre_is_whole(k):
+    """No hole where most is left; the surface is the envelope of the discs by shapely, through the steps."""
+    toolpath, nominal, its = paper(Machine(k, k))
+    found = elastic_pass(toolpath, its, stock_of(its, nominal))
+    deviation = predicted_deviation(found, nominal, spacing=0.25)
+    assert np.diff(deviation.s).max() < 0.2501
+    bends = float(np.hypot(*found.deflection.T).max())
+    # The path ends on both straights, and what bends the cutter carries its end along.
+    assert deviation.s.min() < 300.0 - 80.0 + bends + 0.25
+    assert deviation.s.max() > float(nominal.total[0]) - (300.0 - 60.0) - bends - 0.25
+    assert deviation.value.max() > (1.0 if k == 300.0 else 0.8)
+    joined = np.flatnonzero(np.diff(found.engagement.s) > 0)
+    line = shapely.linestrings(found.centre[np.append(joined, len(found.centre) - 1)])
+    q = deviation.foot + deviation.value[:, None] * deviation.normal
+    away = shapely.distance(shapely.points(q), line)
+    # Chords of 0.25 mm cut a path of radius 5 by up to 0.25^2 / 8 / 5 mm.
+    inner = slice(8, -8)
+    assert away[inner] == pytest.approx(10.0, abs=0.25**2 / 8 / 5 * 1.5)
+
+
+def test_a_surface_that_is_not_to_be_found_is_refused_with_its_place(monkeypatch):
+    """A bent path 5 mm beside where its steps are leaves no surface within reach."""
+    its = setup()
+    found = elastic_pass(path("G0 X-60 Y5\nG1 X60"), its, stock_of(its, WALL))
+    shorter = contour(NurbsCurve.line((-40, 5), (40, 5)))
+    # The axes' own path may leave places out: corners that it rounds off are no more, and it may end before.
+    left, _ = deviation_along(found, WALL, (lambda z: shorter, found.centre), spacing=1.0)
+    assert np.abs(left.foot[:, 0]).max() <= 40.0
+    through, beside = elastic_pass_module._path_through, contour(NurbsCurve.line((-60, 10), (60, 10)))
+    commanded = found.path.steps.centre
+    monkeypatch.setattr(
+        elastic_pass_module, "_path_through", lambda e, c, z: through(e, c, z) if c is commanded else beside
+    )
+    with pytest.raises(RefusedError, match=r"leaves at X\S+ Y0\.000 is not to be found within 1\.0"):
+        predicted_deviation(found, WALL)
+
+
 def test_the_loop_is_closed():
     """Force over stiffness is the deflection, with the engagement the deflection leaves."""
     toolpath = path("G0 X-60 Y5\nG1 X60")
@@ -180,6 +306,45 @@ def test_the_loop_is_closed():
     # The rigid cutter would bend more: what is left standing is not cut.
     rigid = cutting(engagement(toolpath, its, stock_of(its, WALL)), its).force[k, 1] / 3000.0
     assert 0 < found.deflection[k, 1] < rigid
+
+
+def test_a_wall_that_is_soft_in_its_middle():
+    """At every step force over the stiffness there, compliance linear in between; the closed form of the straight."""
+    table = ((0.0, 8000.0, 8000.0), (60.0, 2000.0, 1000.0), (120.0, 8000.0, 8000.0))
+    its = setup(5000.0, 5000.0, ALTINTAS)
+    its = replace(its, machine=replace(its.machine, stiffness_along=table))
+    wall = contour(NurbsCurve.line((60, 0), (-60, 0)))
+    found = elastic_pass(path("G0 X-60 Y5\nG1 X60"), its, stock_of(its, WALL), nominal=wall)
+    x = found.engagement.position[:, 0]
+    soft = 1 - np.abs(x) / 60.0
+    compliance = (1 / 8000.0 + soft * (1 / 2000.0 - 1 / 8000.0), 1 / 8000.0 + soft * (1 / 1000.0 - 1 / 8000.0))
+    for k in range(40, len(x) - 40, 40):
+        entry = np.pi - np.arccos(1 - (1.0 - found.deflection[k, 1]) / 5.0)
+        force = average_force(entry, np.pi, 5.0, 0.05, 4, ALTINTAS)
+        assert found.deflection[k] == pytest.approx(force * (compliance[0][k], compliance[1][k]), abs=1e-6)
+    with pytest.raises(UsageError, match="stiffness_along needs a nominal of one contour"):
+        elastic_pass(path("G0 X-60 Y5\nG1 X60"), its, stock_of(its, WALL))
+    with pytest.raises(UsageError, match=r"goes to 120 mm, the contour is 100\.000 mm long"):
+        short = contour(NurbsCurve.line((50, 0), (-50, 0)))
+        elastic_pass(path("G0 X-60 Y5\nG1 X60"), its, stock_of(its, WALL), nominal=short)
+
+
+def test_a_very_soft_machine_has_one_answer(monkeypatch):
+    """2.2 of 3 mm give way: wherever rounds of all steps leave off, steps settled one by one end in the same place."""
+    toolpath, nominal, its = paper(Machine(150.0, 150.0))
+    stock = stock_of(its, nominal)
+    found = []
+    for rounds in (10, 40):
+        monkeypatch.setattr(elastic_pass_module, "ROUNDS", rounds)
+        found.append(elastic_pass(toolpath, its, stock))
+        assert found[-1].residual <= 1e-7
+    assert found[0].deflection == pytest.approx(found[1].deflection, abs=1e-6)
+    # On the straight the force of what is really cut stands against the spring, by the closed form.
+    k = 20
+    depth = 3.0 - found[0].deflection[k, 1]
+    entry = np.pi - np.arccos(1 - depth / 10.0)
+    force = average_force(entry, np.pi, 10.0, 400 / 9000, 6, its.material)
+    assert found[0].deflection[k] == pytest.approx(force / 150.0, abs=1e-6)
 
 
 def test_a_stiff_machine_follows_the_program():

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -12,7 +13,7 @@ from millcorr import gcode
 from millcorr.engagement import engagement, load_ratio, piece_tree, stock_of
 from millcorr.engagement.path_pieces import pieces_of_toolpath
 from millcorr.engagement.stock_region import StockRegion, Swept
-from millcorr.errors import InputError, UsageError
+from millcorr.errors import FormatError, InputError, UsageError
 from millcorr.nurbs import NurbsCurve
 from millcorr.profile import Contour, Profile
 from millcorr.setup_file import Machine, Material, Setup, Stock, Tool
@@ -400,3 +401,60 @@ def test_stock_from_the_previous_program(tmp_path):
     assert np.abs(e.phi[5:-5] - np.arccos(0.8)).max() < EXACT
     with pytest.raises(UsageError, match="needs the nominal profile"):
         stock_of(setup(allowance_mm=1.0))
+
+
+def test_end_of_the_stock():
+    """At the end of the wall: a round of the allowance about it leaves 2 asin(a / 2 R); stock that goes on, all."""
+    toolpath = path("G0 X-30 Y5\nG1 X20")
+    nominal = contour(NurbsCurve.line((20, 0), (-30, 0)))
+    whole = np.arccos(1 - 2.0 / 5.0)
+    for end, wanted in (("with the part", 2 * np.arcsin(2.0 / (2 * 5.0))), ("goes on", whole)):
+        its = setup(allowance_mm=2.0, end=end)
+        found = engagement(toolpath, its, stock_of(its, nominal))
+        assert found.phi[-1] == pytest.approx(wanted, abs=1e-9)
+        # Before the cutter sees the end it makes no difference: it is R sin(phi) away.
+        before = found.position[:, 0] < 20 - 5.0 * np.sin(whole)
+        assert found.phi[before & (found.position[:, 0] > -20)] == pytest.approx(whole, abs=1e-9)
+    ring_ = ring(30.0)
+    its = setup(allowance_mm=2.0, end="goes on")
+    assert stock_of(its, ring_).profile.contours[0].closed
+
+
+def test_past_the_end_of_the_stock():
+    """Points of the front counted: stock is the allowance over the wall and the round about its end, less the path."""
+    its = setup(allowance_mm=2.0)
+    nominal = contour(NurbsCurve.line((20, 0), (-30, 0)))
+    toolpath = path("G0 X25 Y6.5\nG1 X25 Y6\nG1 X18.5\nG0 X25 Y8\nG1 Y5.5\nG1 X18")
+    found = engagement(toolpath, its, stock_of(its, nominal))
+    angle = (np.arange(20_000) + 0.5) / 20_000 * np.pi - np.pi / 2
+    seen = 0
+    for k in range(len(found)):
+        front = found.direction[k] + angle
+        q = found.position[k, :2] + 5.0 * np.stack([np.cos(front), np.sin(front)], 1)
+        stock = (np.hypot(np.maximum(q[:, 0] - 20.0, 0.0), np.maximum(q[:, 1], 0.0)) < 2.0) & (q[:, 1] > 0.0)
+        behind = shapely.linestrings(np.vstack([found.position[:1, :2], found.position[: k + 1, :2]]))
+        if k > 0 and found.move[k] > 3:
+            earlier = found.position[(found.move <= 3) & (np.arange(len(found)) < k), :2]
+            later = found.position[(found.move > 3) & (np.arange(len(found)) <= k), :2]
+            behind = shapely.union_all([shapely.linestrings(p) for p in (earlier, later) if len(p) > 1])
+        stock &= shapely.distance(shapely.points(q), behind) > 5.0 - 1e-9
+        assert found.phi[k] == pytest.approx(stock.mean() * np.pi, abs=1e-3)
+        seen += stock.any()
+    assert seen > 8
+
+
+def test_stock_goes_on_along_the_ends_of_a_curve():
+    """The boundary goes on at the tangent: an arc that ends at 90 degrees is followed by the line x = 32."""
+    quarter = contour(NurbsCurve.arc((0, -30), (30, 0), (0, 0), np.pi / 2))
+    its = setup(allowance_mm=2.0, end="goes on")
+    stock = stock_of(its, quarter)
+    toolpath = path("G0 X35 Y3\nG1 Y10")
+    e = engagement(toolpath, its, stock)
+    assert e.phi[4:] == pytest.approx(np.arccos(1 - 2.0 / 5.0), abs=1e-9)
+
+
+def test_an_end_of_no_contour_is_refused():
+    with pytest.raises(FormatError, match=r"\[stock\] end = \"goes on\" goes with allowance_mm or contour"):
+        setup(solid=True, end="goes on")
+    with pytest.raises(FormatError, match=r"end 'open' is none of with the part, goes on"):
+        setup(allowance_mm=2.0, end="open")

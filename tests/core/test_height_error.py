@@ -18,11 +18,12 @@ from millcorr.deflection.cantilever import Cantilever
 from millcorr.deflection.height_deviation import predicted_deviation
 from millcorr.deflection.height_error import WallModel
 from millcorr.deflection.real_path import real_path
-from millcorr.engagement import stock_of
+from millcorr.engagement import engagement, stock_of
 from millcorr.engagement.stock_region import StockRegion
 from millcorr.errors import InputError, UsageError
-from millcorr.kinematics import AxisDynamics, Control
+from millcorr.kinematics import AxisDynamics, Control, motion
 from millcorr.nurbs import NurbsCurve
+from millcorr.prediction.real_feed import RealFeed
 from millcorr.profile import Contour, Profile
 from millcorr.setup_file import Machine, Material, Setup, Stock, load
 
@@ -67,6 +68,48 @@ def middle(value):
 
 
 # --- closed forms
+
+
+def test_a_wall_that_bends_over_its_height():
+    """A stiff tool on a rigid machine: the error at z is the force of its moment over the wall's stiffness there."""
+    stiff = replace(PAPER.tool, stiffness_n_per_mm=1e7)
+    rows = ((0.0, 4000.0, 4000.0), (2.5, 800.0, 800.0))
+    its = Setup(stiff, PAPER.material, Machine(wall_over_height=rows), PAPER.stock)
+    found = middle(model(its).errors(HEIGHTS).value)
+    entry = np.pi - np.arccos(1 - 2.0 / 5.0)
+    chip = 5.0 / stiff.tooth_frequency
+    for z, value in zip(HEIGHTS, found, strict=True):
+        k = 1.0 / np.interp(z, [0.0, 2.5], [1 / 4000.0, 1 / 800.0])
+        (wanted,) = surface_location_error([z], entry, np.pi, 2.5, chip, k, stiff, its.material)
+        # The shank adds 1e-7 mm/N to 2.5e-4 and more.
+        assert value == pytest.approx(wanted, rel=5e-4)
+    # On top of the tool and the machine, not in their place.
+    both = middle(model(replace(PAPER, machine=replace(PAPER.machine, wall_over_height=rows))).errors(HEIGHTS).value)
+    assert both == pytest.approx(middle(model(PAPER).errors(HEIGHTS).value) + found, rel=1e-3)
+
+
+def test_the_outermost_of_straight_teeth_makes_the_wall():
+    """No edge force, one tooth in the cut: passing the wall its chip is nothing; the wall is off by its run-out."""
+    its = tool(helix_deg=0.0, flutes=2, runout_mm=0.012, runout_deg=120.0, radius_error_mm=0.005)
+    found = model(its).errors(HEIGHTS)
+    assert middle(found.value) == pytest.approx(-0.012 * 0.5 - 0.005, abs=1e-9)
+
+
+def test_run_out_agrees_with_the_one_stiffness_formula():
+    """Helix, six teeth that run out: the integral over bands against 64 places of each edge, on a soft holder."""
+    k = 2000.0
+    stiff = replace(
+        PAPER.tool, stiffness_n_per_mm=1e7, flutes=6, helix_deg=40.0, runout_mm=0.01, runout_deg=35.0,
+        radius_error_mm=-0.004,
+    )  # fmt: skip
+    its = Setup(stiff, PAPER.material, Machine(k, k), Stock(allowance_mm=0.5, axial_depth_mm=2.5))
+    entry = np.pi - np.arccos(1 - (0.5 + stiff.oversize) / stiff.cutting_radius)
+    chip = 5.0 / stiff.tooth_frequency
+    wanted = surface_location_error(HEIGHTS, entry, np.pi, 2.5, chip, k, stiff, its.material)
+    even = surface_location_error(HEIGHTS, entry, np.pi, 2.5, chip, k, replace(stiff, runout_mm=0.0), its.material)
+    assert np.abs(wanted - even).min() > 5e-3
+    # A sixty-fourth of the edge more or less in the cut: 2 % of the deflection.
+    assert middle(model(its).errors(HEIGHTS).value) == pytest.approx(wanted, abs=3e-4)
 
 
 @pytest.mark.parametrize("rotation", ["clockwise", "anticlockwise"])
@@ -280,6 +323,41 @@ def test_the_overlap_of_an_outer_corner_is_left_out():
     for level, height in enumerate(HEIGHTS):
         wanted = by_hand(PAPER, height, 2.5, 2.0, down=False)
         assert np.median(deviation.value[deviation.level == level]) == pytest.approx(wanted, abs=1e-5)
+
+
+@pytest.mark.parametrize("radial, overhang", [(0.0, 60.0), (0.3, 50.0), (0.5, 60.0)])
+def test_an_outer_corner_in_up_milling_is_as_the_straight_wall(radial, overhang):
+    """From the corner on the cutter meets the same 2 mm at the same angles: the wall of six flutes errs as a straight.
+
+    The place at which the wall begins is no other: neighbours that make no wall once stood still beside it, and the
+    kink counted as a change of its angles, ninefold.
+    """
+    its = Setup(
+        replace(PAPER.tool, flutes=6, helix_deg=30.0, overhang_mm=overhang),
+        Material("", 1800.0, radial * 1800.0), Machine(), Stock(allowance_mm=2.0, axial_depth_mm=5.0),
+    )  # fmt: skip
+    found = model(its, ROUND, path("G0 X-8 Y0\nG1 X0\nG1 Y12")).errors(HEIGHTS)
+    up = replace(its, tool=replace(its.tool, rotation="anticlockwise"))
+    straight_wall = middle(model(up).errors(HEIGHTS).value)
+    made = np.isfinite(found.value).all(axis=1) & (found.model.engagement.position[:, 1] > 4.9)
+    assert made.sum() == 29 and found.residual <= 1e-7
+    # Displacements of up to 0.1 mm change the angles along a secant: by its curvature the two are 2e-4 mm apart.
+    assert found.value[made] == pytest.approx(np.broadcast_to(straight_wall, (made.sum(), 4)), abs=2e-4)
+
+
+@pytest.mark.parametrize("feed, ratio, degrees", [(300, 1.00, 140.0), (3000, 1.29, 101.0)])
+def test_load_of_the_commanded_corner_is_that_of_the_actual_one_or_more(feed, ratio, degrees):
+    """The commanded cutter stands in the corner, 143.13 degrees engaged, 90 + acos(3 / 5); the actual one rounds it."""
+    control = Control.alike(AxisDynamics(0.05, "linear", 40.0))
+    toolpath = gcode.parse(CORNER.replace("F300", f"F{feed}")).toolpath
+    at_real_feed = RealFeed.of(toolpath, motion(toolpath, control)).toolpath
+    commanded = engagement(at_real_feed, PAPER, stock_of(PAPER, HOLLOW), step=0.05)
+    actual = engagement(real_path(toolpath, control).toolpath, PAPER, stock_of(PAPER, HOLLOW), step=0.05)
+    assert np.degrees(commanded.phi.max()) == pytest.approx(90 + np.degrees(np.arccos(0.6)), abs=1e-6)
+    assert np.degrees(actual.phi.max()) == pytest.approx(degrees, abs=1.0)
+    assert np.nanmax(commanded.area) / np.nanmax(actual.area) == pytest.approx(ratio, abs=0.01)
+    # Elsewhere both meet the same.
+    assert np.median(actual.phi) == pytest.approx(np.median(commanded.phi), abs=1e-6)
 
 
 def test_two_passes_have_their_own_heights():

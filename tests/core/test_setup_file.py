@@ -42,10 +42,34 @@ def test_good():
     assert from_dict(tables(material__calibrated=True)).material.caution() == ""
 
 
+def test_a_fitted_stiffness_says_so():
+    fitted = from_dict(tables(machine__origin="fitted to figure 8"))
+    assert fitted.cautions[1] == "stiffness of 8000 and 5000 N/mm: fitted to figure 8"
+    assert from_dict(tables(material__calibrated=True)).cautions == ()
+
+
 @pytest.mark.parametrize("path", sorted(SETUPS.glob("*.toml")), ids=lambda p: p.stem)
 def test_examples_are_read_and_name_their_origin(path):
     setup = load(path)
     assert isinstance(setup, Setup) and setup.source == str(path) and setup.material.origin
+    # Neither paper prints a stiffness: what stands in for it is named on the command line and on the page.
+    assert setup.machine.origin and setup.machine.origin in setup.cautions[1]
+
+
+def test_stiffness_along_the_contour():
+    rows = [[0, 8000.0, 5000], [40.5, 900, 900]]
+    assert from_dict(tables(machine__wall_over_height=rows)).machine.wall_over_height[1] == (40.5, 900, 900)
+    with pytest.raises(FormatError, match="wall_over_height: height is 0 or more and ascends, 40.5 does not"):
+        from_dict(tables(machine__wall_over_height=[rows[1], rows[1]]))
+    assert from_dict(tables(machine__stiffness_along=rows)).machine.stiffness_along == (
+        (0, 8000.0, 5000), (40.5, 900, 900),
+    )  # fmt: skip
+    for bad, says in (
+        ([[0, 8000.0]], "is no row"), ([[0, 8.0, 0.8]], "above 1"), ([[5, 9e3, 9e3], [5, 9e3, 9e3]], "ascends"),
+        ([[-1, 9e3, 9e3]], "0 or more"), ("table.csv", "is no row"), ([["0", 9e3, 9e3]], "is no row"),
+    ):  # fmt: skip
+        with pytest.raises(FormatError, match=says):
+            from_dict(tables(machine__stiffness_along=bad))
 
 
 def test_tilt_is_optional():
@@ -105,7 +129,10 @@ BAD = [
     ({"stock__axial_depth_mm": None}, "[stock] top_z_mm or axial_depth_mm is needed"),
     ({"stock__top_z_mm": 0.0}, "[stock] top_z_mm or axial_depth_mm is needed"),
     ({"stock__program_tool_diameter_mm": 12.0}, "[stock] program_tool_diameter_mm goes with program"),
-    ({"machine__acceleration_shape": "bell"}, "[machine] acceleration_shape 'bell' is none of linear, exponential"),
+    (
+        {"machine__acceleration_shape": "round"},
+        "[machine] acceleration_shape 'round' is none of linear, bell, exponential",
+    ),
     ({"machine__contour_control": True}, "[machine] contour_speed_change_mm_min is missing"),
     ({"machine__contour_speed_change_mm_min": 0.0}, "[machine] contour_speed_change_mm_min 0.0 is not above 0"),
     ({"tilt": {}}, "[tilt] order is missing"),

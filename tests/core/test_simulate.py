@@ -13,7 +13,9 @@ import pytest
 import shapely
 
 from millcorr.__main__ import main
+from millcorr.engagement import stock_of
 from millcorr.engagement.stock_region import StockRegion
+from millcorr.footpoint import FootPointSearch, Place
 from millcorr.nurbs import NurbsCurve
 from millcorr.prediction import simulate
 from millcorr.prediction.signals import COLUMNS, Signals
@@ -128,6 +130,45 @@ def test_stock_of_a_picture():
         rings = stock_rings(StockRegion(ring, 2.0), box, 5.0)
         areas = sorted((shapely.Polygon(r).area for r in rings), reverse=True)
         assert areas[0] - sum(areas[1:]) == pytest.approx(wanted, rel=5e-3)
+
+
+@pytest.mark.parametrize("end", ["with the part", "goes on"])
+def test_picture_of_the_stock_is_that_of_the_model(end):
+    """2000 places: stock in the picture where the model's signed distance is below the allowance, at the ends, too."""
+    its = setup()
+    its = replace(its, stock=replace(its.stock, end=end))
+    bend = Profile.from_contours(
+        [Contour((NurbsCurve.line((20, 0), (-10, 0)), NurbsCurve.line((-10, 0), (-10, -25))), False)]
+    )
+    stock = stock_of(its, bend)
+    assert stock.profile is not None
+    box = (-18.0, -40.0, 36.0, 8.0)
+    polygons = [shapely.Polygon(r) for r in stock_rings(stock, box, 10.0)]
+    place = np.random.default_rng(2).uniform(box[:2], box[2:], (2000, 2))
+    # The picture has material 1.5 R deep behind the contour; nearer to an edge than 0.05 mm it may be drawn beside it.
+    near = FootPointSearch(stock.profile, margin=60.0).find(place)
+    away = np.where(near.place == Place.END, np.hypot(*(place - near.foot).T), near.distance)
+    away = np.where(near.distance > 0, away, near.distance)
+    sure = (np.abs(away - 3.0) > 0.05) & (np.abs(near.distance) > 0.05) & (near.distance > -14.0)
+    drawn = np.any([shapely.contains_xy(p, *place.T) for p in polygons], axis=0)
+    assert (away[sure] < 3.0).mean() > 0.2
+    assert (drawn == (away < 3.0))[sure].all()
+    # Beyond the end of the wall, outside: there is stock only where it goes on.
+    outside = np.array([[26.0, 1.5]])
+    assert any(shapely.contains_xy(p, *outside.T)[0] for p in polygons) == (end == "goes on")
+
+
+def test_the_predicted_error_keeps_to_the_end_where_the_stock_goes_on():
+    """On the straight that ends the paper's part: 0.09 mm to the last place, where it once fell to 10 um."""
+    its = setup()
+    falls = as_cut().deviation
+    goes_on = simulate(program(), replace(its, stock=replace(its.stock, end="goes on")), nominal()).deviation
+    straight = goes_on.foot[:, 1] > 30
+    middle = float(np.median(goes_on.value[straight]))
+    assert middle == pytest.approx(0.09, abs=0.002)
+    assert goes_on.value[straight] == pytest.approx(middle, abs=1e-5)
+    ends = falls.foot[:, 1] > 30
+    assert falls.value[ends].min() < 0.02 and np.median(falls.value[ends]) == pytest.approx(middle, abs=1e-5)
 
 
 @pytest.mark.parametrize(
