@@ -21,6 +21,10 @@ Bools = NDArray[np.bool_]
 TANGENTIAL = 0.02
 """An arc is a lead on the tangent where it meets the contour under less than this angle, in rad."""
 
+CUTS_IN = 2e-4
+"""A lead of radius r that keeps its direction cuts e^2 r / 2 into a straight wall that turns by e, and up to four times
+that into a pocket's; where e^2 r is less than this, in mm, it stays as it is: turned, its far end would move by e r."""
+
 REACH = 30.0
 """Leads are at most this long, in mm; what is chained on farther away stays where it is."""
 
@@ -116,7 +120,10 @@ def carry_along(
 def _turned(
     toolpath: Toolpath, row: int, rows: Ints, moved: Floats, turn: float, shift0: Floats, shift1: Floats, way: int
 ) -> tuple[Ints, Floats]:
-    """An arc on the tangent of the following move `row` turns with it, in place; what is beyond it, and its shift."""
+    """An arc on the tangent of the following move `row` turns with it where the wall turns towards it, in place.
+
+    Gives what is beyond it, and its shift.
+    """
     if not len(rows) or toolpath.sweep[rows[0]] == 0 or not turn:
         return rows, moved
     near, far = (shift0, shift1) if way > 0 else (shift1, shift0)
@@ -124,8 +131,14 @@ def _turned(
     here, there = toolpath.direction(np.array([row]), own_end)[0], toolpath.direction(arc, 1.0 - own_end)[0]
     if abs(here[0] * there[1] - here[1] * there[0]) > TANGENTIAL or here @ there < 0:
         return rows, moved
+    out, place = way * there, toolpath.place(arc, 1.0 - own_end)[0]
+    if turn * float(np.array([-out[1], out[0]]) @ (toolpath.centre[arc[0], :2] - place)) < 0:
+        # The wall turns away from the lead, which cuts nothing as it is.
+        return rows, moved
+    if turn**2 * float(np.hypot(*(toolpath.centre[arc[0], :2] - place))) < CUTS_IN:
+        return rows, moved
     near[arc] = moved
-    arm = toolpath.place(arc, own_end)[0] - toolpath.place(arc, 1.0 - own_end)[0]
+    arm = toolpath.place(arc, own_end)[0] - place
     c, s = np.cos(turn), np.sin(turn)
     moved = moved + np.array([c * arm[0] - s * arm[1], s * arm[0] + c * arm[1]]) - arm
     far[arc] = moved
