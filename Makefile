@@ -16,7 +16,7 @@ help:
 
 demo:
 	@tools/setup demo
-	@$(PYTHON) -m millcorr.demonstration build/demo
+	@$(PYTHON) -m millcorr.virtual.demonstration build/demo
 
 test:
 	@tools/setup test

@@ -16,10 +16,10 @@ import numpy as np
 from scipy.optimize import least_squares
 from scipy.spatial import cKDTree
 
-from millcorr.alignment import Freedom, Transform, align
-from millcorr.measurement import Measurement
-from millcorr.nurbs import NurbsCurve
-from millcorr.profile import Contour, Profile
+from millcorr.comparison.alignment import Freedom, Transform, align
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Contour, Profile
+from millcorr.readers.measurement import Measurement
 
 OFF = Transform.about(math.radians(1.0), (12.0, 34.0), (1.6, -1.2))
 RADIUS = 8.0

@@ -16,17 +16,17 @@ from pathlib import Path
 
 import numpy as np
 
-from millcorr import gcode
-from millcorr.deflection.height_error import WallModel
-from millcorr.deflection.real_path import real_path
-from millcorr.deflection.tilt import remedies
-from millcorr.deflection.tooth_map import GRID, cutting_area, tooth_map
-from millcorr.engagement import stock_of
-from millcorr.engagement.stock_region import StockRegion
-from millcorr.kinematics import AxisDynamics, Control
-from millcorr.nurbs import NurbsCurve
-from millcorr.profile import Contour, Profile
-from millcorr.setup_file import load
+from millcorr import nc
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Contour, Profile
+from millcorr.process.deflection.height_error import WallModel
+from millcorr.process.deflection.real_path import real_path
+from millcorr.process.deflection.tilt import remedies
+from millcorr.process.deflection.tooth_map import GRID, cutting_area, tooth_map
+from millcorr.process.engagement import stock_of
+from millcorr.process.engagement.stock_region import StockRegion
+from millcorr.process.kinematics import AxisDynamics, Control
+from millcorr.process.setup_file import load
 
 SETUP = load(Path(__file__).resolve().parents[1] / "resources" / "setups" / "dat-2025.toml")
 CONTROL = Control.alike(AxisDynamics(0.05, "linear", 40.0))
@@ -34,7 +34,7 @@ HEIGHTS = [0.5, 1.0, 1.5, 2.0]
 
 
 def corner(leg):
-    toolpath = gcode.parse(f"G90 G17 G21 F300\nG0 X{-leg} Y0 Z5\nG1 Z0\nG1 X0\nG1 Y{leg}").toolpath
+    toolpath = nc.parse(f"G90 G17 G21 F300\nG0 X{-leg} Y0 Z5\nG1 Z0\nG1 X0\nG1 Y{leg}").toolpath
     far = leg + 60.0
     part = Contour((NurbsCurve.line((5, far), (5, -5)), NurbsCurve.line((5, -5), (-far, -5))), False)
     return toolpath, Profile.from_contours([part])

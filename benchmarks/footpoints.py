@@ -24,10 +24,10 @@ from pathlib import Path
 import numpy as np
 import scipy
 
-from millcorr.deviation import deviations
-from millcorr.footpoint import FootPointSearch
-from millcorr.measurement import Measurement
-from millcorr.simulated_machine import REFERENCE_POLES, reference_contour
+from millcorr.comparison.deviation import deviations
+from millcorr.geometry.footpoint import FootPointSearch
+from millcorr.readers.measurement import Measurement
+from millcorr.virtual.simulated_machine import REFERENCE_POLES, reference_contour
 
 INSIDE_FREECAD = """
 import json, os, sys, time

@@ -16,8 +16,8 @@ import time
 import numpy as np
 from scipy.signal import lfilter
 
-from millcorr.gcode import parse
-from millcorr.kinematics import (
+from millcorr.nc import parse
+from millcorr.process.kinematics import (
     AxisDynamics,
     ContourControl,
     Control,

@@ -22,7 +22,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 import numpy as np
 
-from millcorr.gcode import parse, write
+from millcorr.nc import parse, write
 
 
 def numbered(n: int, random: np.random.Generator) -> bytes:

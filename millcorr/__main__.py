@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
+# PYTHON_ARGCOMPLETE_OK
 """The command line: ``python3 -m millcorr VERB …``."""
 
 from __future__ import annotations
@@ -13,7 +14,8 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
-from .arguments import parser
+from millcorr.messages import message, option
+
 from .errors import MillcorrError, RefusedError, UsageError
 
 EXIT_USAGE, EXIT_INPUT, EXIT_REFUSED, EXIT_FAULT = 2, 3, 4, 1
@@ -32,7 +34,13 @@ def main(argv: Sequence[str] | None = None) -> int:
     int
         0 done; 2 usage; 3 input that cannot be read or trusted; 4 correction refused; 1 a fault of millcorr.
     """
-    arguments = parser().parse_args(argv)
+    try:
+        from .cli.arguments import parser
+    except ModuleNotFoundError as error:
+        return _failed(argparse.Namespace(debug=False), _lacking(error), EXIT_USAGE)
+    known = parser()
+    _complete(known)
+    arguments = known.parse_args(argv)
     logging.basicConfig(level=logging.DEBUG if arguments.debug else logging.WARNING, format="%(message)s")
     try:
         status = _VERBS[arguments.verb](arguments)
@@ -42,13 +50,33 @@ def main(argv: Sequence[str] | None = None) -> int:
         where = error.filename or ""
         return _failed(arguments, f"{where}: {error.strerror or error}", EXIT_INPUT)
     except ModuleNotFoundError as error:
-        remedy = "pip install numpy scipy shapely, or use build/venv/bin/python after `make demo`"
-        return _failed(arguments, f"this Python lacks the package {error.name}: {remedy}", EXIT_USAGE)
+        return _failed(arguments, _lacking(error), EXIT_USAGE)
     except KeyboardInterrupt as error:
         return _failed(arguments, str(error) or "interrupted; nothing was written", 130)
     except Exception as error:  # noqa: BLE001 - the contract: one line, never a traceback
-        return _failed(arguments, f"internal fault ({error!r}); nothing was written, --debug shows where", EXIT_FAULT)
+        return _failed(
+            arguments,
+            message(f"internal fault ({error!r}); nothing was written, ", option("debug"), " shows where"),
+            EXIT_FAULT,
+        )
     return status or 0
+
+
+def _lacking(error: ModuleNotFoundError) -> str:
+    return (
+        f"this Python lacks the package {error.name}: pip install numpy scipy shapely, or use build/venv/bin/python "
+        "after `make demo`"
+    )
+
+
+def _complete(known: argparse.ArgumentParser) -> None:
+    """Answer the shell that completes a line, where argcomplete is installed and set up; else nothing."""
+    if "_ARGCOMPLETE" in os.environ:
+        try:
+            import argcomplete
+        except ImportError:
+            return
+        argcomplete.autocomplete(known)
 
 
 def _exit_status(error: MillcorrError) -> int:
@@ -84,20 +112,20 @@ def _check(arguments: argparse.Namespace) -> None:
 
 
 def _inspect(arguments: argparse.Namespace) -> None:
-    from . import session
+    from .cli import session
 
     _say(session.inspect(arguments.measured, _reading(arguments)))
 
 
 def _convert(arguments: argparse.Namespace) -> None:
-    from . import session
+    from .cli import session
 
     _say(session.convert(arguments.measured, arguments.output, _reading(arguments)))
 
 
 def _split(arguments: argparse.Namespace) -> None:
-    from . import session
-    from .settings import Settings
+    from .cli import session
+    from .correction.settings import Settings
 
     names = ("side", "cutter_compensation", "tolerance", "output_moves", "depth_along")
     done = session.split_program(
@@ -115,9 +143,9 @@ def _split(arguments: argparse.Namespace) -> None:
 
 
 def _simulate(arguments: argparse.Namespace) -> None:
-    from . import session
-    from .report.remedies import Asked
-    from .settings import Settings
+    from .cli import session
+    from .correction.settings import Settings
+    from .production.simulation import Asked
 
     names = ("side", "cutter_compensation", "tolerance", "output_moves", "limit", "iterate")
     chosen = Settings(method="predicted", **{name: getattr(arguments, name) for name in names})
@@ -130,8 +158,8 @@ def _simulate(arguments: argparse.Namespace) -> None:
             report=arguments.report,
             nominal=arguments.nominal,
             settings=chosen,
-            heights=arguments.heights,
             asked=Asked(
+                heights=tuple(arguments.heights),
                 slowed=arguments.slowed,
                 corner_error=arguments.corner_error,
                 shifted=arguments.shifted,
@@ -144,11 +172,11 @@ def _simulate(arguments: argparse.Namespace) -> None:
 
 
 def _probe(arguments: argparse.Namespace) -> None:
-    from . import measuring_task
+    from .cli import measuring_task
 
     names = (
-        "program document operation nominal tool_diameter side cutter_compensation dialect output z safe_z feed "
-        "tool log"
+        "program document operation nominal model tool_diameter side cutter_compensation dialect output z safe_z "
+        "feed tool log"
     )
     room = {name: getattr(arguments, name) for name in ("clearance", "overtravel", "stock", "free_width", "touch")}
     done = measuring_task.measuring_program(
@@ -168,7 +196,7 @@ def _probe(arguments: argparse.Namespace) -> None:
 
 
 def _batch(arguments: argparse.Namespace) -> int:
-    from . import jobs
+    from .cli import jobs
 
     outcomes = jobs.run(
         arguments.batch, workers=arguments.jobs, dask=arguments.dask, again=arguments.again, out=sys.stdout
@@ -184,7 +212,9 @@ def _reading(arguments: argparse.Namespace) -> Any:
 
 
 def _run(arguments: argparse.Namespace, output: Path | None) -> None:
-    from . import pipeline, session
+    from . import pipeline
+    from .cli import session
+    from .report import Exports
 
     known = [field.name for field in fields(pipeline.Settings) if hasattr(arguments, field.name)]
     given: dict[str, Any] = {name: getattr(arguments, name) for name in known}
@@ -199,17 +229,37 @@ def _run(arguments: argparse.Namespace, output: Path | None) -> None:
         "tool_diameter": arguments.tool_diameter,
         "output": output,
         "report": arguments.report,
+        "exports": Exports(tuple(arguments.export), arguments.zone),
         "settings": pipeline.Settings(**settings),
     }
     once = getattr(arguments, "once", False)
     if arguments.program is not None:
         if arguments.operation is not None or getattr(arguments, "gcode", None) is not None:
-            raise UsageError("--operation and --gcode belong to --document; with --program use --output")
+            raise UsageError(
+                option("operation"),
+                " and ",
+                option("gcode"),
+                " belong to ",
+                option("document"),
+                "; with ",
+                option("program"),
+                " use ",
+                option("output"),
+            )
         table = getattr(arguments, "table", False)
         done = session.correct_program(arguments.program, **common, table=table, once=once, **_series(arguments))
     else:
         if getattr(arguments, "table", False):
-            raise UsageError("--table belongs to --program; with --document use --report, which writes points.csv")
+            raise UsageError(
+                option("table"),
+                " belongs to ",
+                option("program"),
+                "; with ",
+                option("document"),
+                " use ",
+                option("report"),
+                ", which writes points.csv",
+            )
         done = session.correct_document(
             arguments.document,
             operation=arguments.operation,
@@ -223,14 +273,14 @@ def _run(arguments: argparse.Namespace, output: Path | None) -> None:
 
 def _series(arguments: argparse.Namespace) -> dict[str, Any]:
     """What was said about the series: journal and rules; empty without."""
-    from .series.process_control import LIMITS
+    from .production.process_control import LIMITS
 
     given = {name: getattr(arguments, name, None) for name in ("journal", "control", *LIMITS)}
     return {name: value for name, value in given.items() if value is not None}
 
 
 def _history(arguments: argparse.Namespace) -> None:
-    from . import session
+    from .cli import session
 
     _say(session.history(arguments.journal, csv=arguments.csv, report=arguments.report))
 

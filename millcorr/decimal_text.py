@@ -15,8 +15,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
-Columns = Sequence[NDArray[np.float64] | NDArray[np.int64] | NDArray[np.bytes_]]
+from millcorr import progress
+from millcorr.arrays import Bools, Floats, Ints
+
+Columns = Sequence[Floats | Ints | NDArray[np.bytes_]]
 
 DIGITS = 12
 """Significant digits, trailing zeros left out."""
@@ -60,6 +62,7 @@ def lines(columns: Columns, digits: Sequence[int] = ()) -> Iterator[bytes]:
     count = len(columns[0]) if columns else 0
     digits = digits or (DIGITS,) * len(columns)
     for at in range(0, count, _ROWS):
+        progress.step()
         yield from _block([column[at : at + _ROWS] for column in columns], digits)
 
 
@@ -119,7 +122,7 @@ def _text(number: float, digits: int, comma: bool) -> bytes:
     return b"," * comma + (b"" if number != number else b"%.*g" % (digits, number))
 
 
-def _integer(front: Floats, negative: NDArray[np.bool_], comma: bool) -> list[NDArray[Any]]:
+def _integer(front: Floats, negative: Bools, comma: bool) -> list[NDArray[Any]]:
     """Comma, sign and digits of integers up to 1e7."""
     low = front.astype(np.uint32)
     behind: NDArray[np.uint32] = negative * np.uint32(_NEGATIVE)
@@ -131,7 +134,7 @@ def _integer(front: Floats, negative: NDArray[np.bool_], comma: bool) -> list[ND
     return [upper, np.where(high > 0, _groups().take(low), _leading().take(low))]
 
 
-def _decimals(decimals: NDArray[np.int64]) -> list[NDArray[Any]]:
+def _decimals(decimals: Ints) -> list[NDArray[Any]]:
     """Point and texts of sixteen decimals, zeros at the end left out; groups that none of the numbers has are, too."""
     if not decimals.any():
         return []
@@ -152,9 +155,7 @@ def _decimals(decimals: NDArray[np.int64]) -> list[NDArray[Any]]:
     return parts[::-1]
 
 
-def _with_odd(
-    parts: list[NDArray[Any]], value: Floats, rows: NDArray[np.int64], digits: int, comma: bool
-) -> list[NDArray[Any]]:
+def _with_odd(parts: list[NDArray[Any]], value: Floats, rows: Ints, digits: int, comma: bool) -> list[NDArray[Any]]:
     """Parts with the texts of numbers that are written one by one, across all parts; NaN has none."""
     for part in parts:
         part[rows] = 0
@@ -203,12 +204,12 @@ def _tens(exponents: Sequence[int]) -> Floats:
     return np.array([float(f"1e{k}") for k in exponents])
 
 
-def _digits() -> NDArray[np.int64]:
-    out: NDArray[np.int64] = np.arange(10000)[:, None] // np.array([1000, 100, 10, 1]) % 10
+def _digits() -> Ints:
+    out: Ints = np.arange(10000)[:, None] // np.array([1000, 100, 10, 1]) % 10
     return out
 
 
-def _as_groups(digit: NDArray[np.int64], shown: NDArray[np.bool_] | bool) -> NDArray[np.uint32]:
+def _as_groups(digit: Ints, shown: Bools | bool) -> NDArray[np.uint32]:
     return np.where(shown, digit + ord("0"), 0).astype(np.uint8).view(np.uint32)[:, 0]
 
 
@@ -216,7 +217,7 @@ def _as_groups(digit: NDArray[np.int64], shown: NDArray[np.bool_] | bool) -> NDA
 def _groups() -> NDArray[np.uint32]:
     """Texts of 0 to 9999 in four digits, and behind them those without the zeros at the end."""
     digit = _digits()
-    wanted: NDArray[np.bool_] = np.logical_or.accumulate(digit[:, ::-1] > 0, axis=1)[:, ::-1]
+    wanted: Bools = np.logical_or.accumulate(digit[:, ::-1] > 0, axis=1)[:, ::-1]
     return np.concatenate([_as_groups(digit, True), _as_groups(digit, wanted)])
 
 

@@ -1,17 +1,69 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The errors a user can meet, split by what the user must do about them."""
+"""The errors a user can meet, split by what the user must do about them.
+
+Each carries what it says as data: a message whose pieces name options and ways out, the place and the figure it is
+about where there is one. Fronts word it; nothing reads its text.
+"""
 
 from __future__ import annotations
 
 from pathlib import Path
 
+from .messages import Accept, Message, Piece, Place
+
 
 class MillcorrError(Exception):
-    """Root of every error that millcorr raises on purpose; its text is one line."""
+    """Root of every error that millcorr raises on purpose; its text is one line.
+
+    Parameters
+    ----------
+    *pieces : str or Option
+        What it says, see `messages.Message`.
+    about : str, optional
+        Key of the option whose value is wrong in itself; by default the one that the message begins with.
+    place : (float, float), optional
+        Where in XY, mm.
+    figure : float, optional
+        How much, in the unit that the text says.
+    """
+
+    def __init__(
+        self,
+        *pieces: Piece,
+        about: str = "",
+        place: tuple[float, float] | None = None,
+        figure: float | None = None,
+    ) -> None:
+        self.message = Message(*pieces)
+        self.about = about or self.message.subject
+        self.place, self.figure = place, figure
+        super().__init__(self.message)
 
 
 class UsageError(MillcorrError, ValueError):
     """The request contradicts itself or lacks something: change the command or the call."""
+
+
+class UnsaidError(UsageError):
+    """A measured file leaves open what only the user knows; see `unsaid`.
+
+    Parameters
+    ----------
+    *pieces : str or Option
+        What to say.
+    reason : str
+        Why; alone it is what a front shows beside the field.
+    """
+
+    def __init__(self, *pieces: Piece, reason: str = "") -> None:
+        self.reason = reason
+        super().__init__(*pieces, reason)
+
+
+def unsaid(reason: str, *ways: Piece) -> UnsaidError:
+    """The error that a file leaves something open, which one of some options says."""
+    either = [piece for way in ways for piece in (" or ", way)][1:]
+    return UnsaidError("say ", *either, ": ", reason=reason)
 
 
 class InputError(MillcorrError, ValueError):
@@ -34,25 +86,32 @@ class FormatError(InputError):
     def __init__(self, message: str, file: str | Path | None = None, line: int | None = None) -> None:
         self.file = None if file is None else str(file)
         self.line = line
-        where = self.file or ""
-        if line is not None:
-            where = f"{where}:{line}" if where else f"line {line}"
-        super().__init__(f"{where}: {message}" if where else message)
+        self.said = Message(message)
+        where = Place(self.file or "", line)
+        super().__init__(*((where, ": ", message) if str(where) else (message,)))
 
 
 class DistrustError(InputError):
-    """The measurement does not look like what it is said to be; an option or --accept resolves it.
+    """The measurement does not look like what it is said to be; an option resolves it, or accepting the finding.
 
     Parameters
     ----------
-    message : str
+    *pieces : str or Option
     finding : str, optional
-        Name of the finding, as `--accept` takes it.
+        Name of the finding, by which it is accepted.
+    place, figure
+        As of the finding.
     """
 
-    def __init__(self, message: str, finding: str = "") -> None:
+    def __init__(
+        self,
+        *pieces: Piece,
+        finding: str = "",
+        place: tuple[float, float] | None = None,
+        figure: float | None = None,
+    ) -> None:
         self.finding = finding
-        super().__init__(message)
+        super().__init__(*pieces, *((Accept(finding),) if finding else ()), place=place, figure=figure)
 
 
 class RefusedError(MillcorrError):

@@ -13,13 +13,17 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 from typing import Any
 
-from . import errors
+from . import errors, progress
 from .errors import MillcorrError, UsageError
 
 REMEDY = "install FreeCAD (Debian: apt install freecad), or set FREECADCMD to its command line program"
+
+_POLL = 0.1
+"""Seconds between two looks whether a process is still wanted."""
 
 _SCRIPT = """\
 import json, os, sys
@@ -143,28 +147,42 @@ def call(function: str, arguments: dict[str, Any], timeout: float | None = None)
         for name in ("PYTHONHOME", "PYTHONPATH", "VIRTUAL_ENV"):
             environment.pop(name, None)
         try:
-            done = subprocess.run(
+            process = subprocess.Popen(
                 [program, str(script)],
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT,
                 env=environment,
-                timeout=timeout,
-                check=False,
             )
         except OSError as error:
             raise UsageError(f"{program} does not start: {error.strerror or error}; {REMEDY}") from error
-        except subprocess.TimeoutExpired as error:
-            raise UsageError(f"{program} did not finish within {timeout:g} s") from error
+        said = _waited_for(process, program, timeout)
         if not answer.exists():
-            lines = done.stdout.decode("utf-8", "replace").strip().splitlines()
-            last = lines[-1].strip() if lines else f"exit status {done.returncode}"
+            lines = said.decode("utf-8", "replace").strip().splitlines()
+            last = lines[-1].strip() if lines else f"exit status {process.returncode}"
             raise UsageError(f"{program} ended without an answer: {last}")
         answered: dict[str, Any] = json.loads(answer.read_text(encoding="utf-8"))
     if "error" in answered:
         raise _error(answered)
     returned: dict[str, Any] = answered["value"]
     return returned
+
+
+def _waited_for(process: subprocess.Popen[bytes], program: str, timeout: float | None) -> bytes:
+    """What a process says until it ends; it is ended where nobody wants it any more, or after `timeout` seconds."""
+    begun = time.monotonic()
+    with process:
+        try:
+            while True:
+                try:
+                    return process.communicate(timeout=_POLL)[0]
+                except subprocess.TimeoutExpired:
+                    progress.step()
+                if timeout is not None and time.monotonic() - begun > timeout:
+                    raise UsageError(f"{program} did not finish within {timeout:g} s")
+        except BaseException:
+            process.kill()
+            raise
 
 
 def _error(answered: dict[str, Any]) -> MillcorrError:

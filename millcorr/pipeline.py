@@ -7,29 +7,31 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from . import __version__, alignment, distrust, gcode
-from .compensation import Correction
-from .deviation import Deviation, statistics
-from .largest import largest_correction
-from .prediction.foreseen import FirstCut, Foreseen
-from .profile import Profile
-from .regeneration import Regeneration
+from millcorr.arrays import Bools, Floats, Ints
+from millcorr.geometry.correction import Correction
+
+from . import __version__
+from . import nc as gcode
+from . import plausibility as distrust
+from .comparison import alignment
+from .comparison.deviation import Deviation, statistics
+from .correction.largest import largest_correction
+from .correction.settings import Settings as Settings
+from .correction.targets import Elastic, Target
+from .geometry.profile import Profile
+from .messages import message
+from .path.moves import Regeneration
+from .path.verification import Verification
+from .process.prediction.foreseen import FirstCut, Foreseen
 from .separation import Separated
 from .separation.steps import Systematic
-from .settings import Settings as Settings
 from .stages.aimed import Aimed, aim
 from .stages.compared import Compared, compare
 from .stages.prepared import Prepared, prepare
 from .stages.prepared import nominal_from_program as nominal_from_program
 from .stages.request import Request as Request
 from .stages.written import Written, header, write
-from .targets import Elastic, Target
-from .verification import Verification
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -93,7 +95,7 @@ class Result:
     commanded: Floats
     carried: Correction | None
     systematic: Systematic | None
-    outlier: NDArray[np.bool_]
+    outlier: Bools
     random_std: float
     elastic: Elastic | None
     foreseen: Foreseen | None
@@ -130,6 +132,7 @@ class Result:
             "millcorr": __version__,
             "unit": "mm",
             "points": {
+                "parts": len(self.request.measurements),
                 "read": len(d) + len(d.rejected),
                 "used": len(d),
                 "rejected": [{"index": r.index, "reason": r.reason} for r in d.rejected],
@@ -273,7 +276,7 @@ def _result(prepared: Prepared, compared: Compared, aimed: Aimed, written: Writt
         text=emission.text,
         advice=(
             *(_advice(work, aimed.request.settings) if foreseen is None else foreseen.advice()),
-            *(f"{m.source}: {note}" for m in aimed.request.measurements for note in m.notes),
+            *(message(f"{m.source}: ", note) for m in aimed.request.measurements for note in m.notes),
         ),
         warnings=(*said, *(note for note in written.notes if note not in said)),
         noted=compared.noted,

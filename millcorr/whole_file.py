@@ -10,7 +10,9 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
+from . import progress
 from .errors import UsageError
+from .messages import Message, message, option
 
 
 def refuse_places(
@@ -24,7 +26,7 @@ def refuse_places(
     Parameters
     ----------
     outputs : mapping of str to Path
-        Files to write, by the option that names them; None where it was not given.
+        Files to write, by the key of the option that names them, or a message about it; None where it was not given.
     inputs : mapping of str to Path
         Files to read, by what they are.
     report : Path, optional
@@ -38,24 +40,27 @@ def refuse_places(
         Also where an output would lie in a directory that does not exist; a report makes its own.
     """
     taken = {place.resolve(): what for what, place in inputs.items() if place is not None}
-    for option, place in outputs.items():
+    for name, place in outputs.items():
         if place is None:
             continue
+        said = message(name, f" {place}") if isinstance(name, Message) else option(name, place)
         what = taken.get(place.resolve())
         if what is not None:
-            raise UsageError(f"{option} {place} is the {what} itself; the original must stay untouched")
+            raise UsageError(said, " is the ", what, " itself; the original must stay untouched")
         if place.is_dir():
-            raise UsageError(f"{option} {place} is a directory; name the file to write")
+            raise UsageError(said, " is a directory; name the file to write")
         if not place.absolute().parent.is_dir():
-            raise UsageError(f"{option} {place}: there is no directory {place.parent}: make it first")
-        taken[place.resolve()] = f"file of {option}"
+            raise UsageError(said, f": there is no directory {place.parent}: make it first")
+        taken[place.resolve()] = message("file of ", name if isinstance(name, Message) else option(name))
     if report is None:
         return
     if report.resolve() in taken or (report.exists() and not report.is_dir()):
-        raise UsageError(f"--report {report} is a file; name a directory")
+        raise UsageError(option("report", report), " is a file; name a directory")
     for place, what in taken.items():
         if place.parent == report.resolve() and place.name in files:
-            raise UsageError(f"--report {report} would replace the {what}, {place.name}: name another directory")
+            raise UsageError(
+                option("report", report), " would replace the ", what, f", {place.name}: name another directory"
+            )
 
 
 def write_whole(path: Path, text: str) -> Path:
@@ -99,6 +104,7 @@ def replaced_whole(path: Path | None, data: bytes) -> Iterator[None]:
             os.fsync(file.fileno())
         os.chmod(temporary, path.stat().st_mode & 0o777 if path.exists() else 0o666 & ~_umask())
         yield
+        progress.settle()
         os.replace(temporary, path)
     except BaseException:
         os.unlink(temporary)
@@ -134,8 +140,10 @@ def write_together(directory: Path, files: Mapping[str, Iterable[str] | Iterable
     stage = Path(tempfile.mkdtemp(prefix=".millcorr-report-", dir=home))
     try:
         for name, text in files.items():
+            progress.step()
             with open(stage / name, "wb") as file:
                 file.writelines(piece.encode() if isinstance(piece, str) else piece for piece in text)
+        progress.settle()
         if new:
             # mkdtemp makes a private directory; this one is as readable as any other.
             stage.chmod(0o777 & ~_umask())

@@ -14,8 +14,8 @@ import Part
 from scipy.spatial import cKDTree
 
 from millcorr.errors import InputError
-from millcorr.profile import Contour, Profile
-from millcorr.toolpath import Compensation, Kind, Toolpath
+from millcorr.geometry.profile import Contour, Profile
+from millcorr.nc.toolpath import Compensation, Kind, Toolpath
 
 from . import compat, convert
 

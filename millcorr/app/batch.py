@@ -23,16 +23,17 @@ from uuid import uuid4
 
 import FreeCAD
 
-from millcorr import gcode as nc
-from millcorr import pipeline, verification
+from millcorr import nc, pipeline
 from millcorr import report as reports
 from millcorr.errors import InputError, MillcorrError, RefusedError, UsageError
+from millcorr.messages import message_of, option
+from millcorr.path import verification
+from millcorr.production import series as production
+from millcorr.production.process_control import ACCEPTED, LIMITS
 from millcorr.readers import Reading
-from millcorr.series import production
-from millcorr.series.process_control import ACCEPTED, LIMITS
 from millcorr.whole_file import refuse_places
 
-from . import base_geometry, compat, correction, documents, dressup, measurement_object, sources, views
+from . import base_geometry, candidates, compat, correction, documents, dressup, measurement_object, sources, views
 
 # FreeCAD brings a document's objects to life only if their modules are there before it is opened.
 from . import profile_object as profile_object
@@ -49,6 +50,8 @@ def correct_document(
     report: str | Path | None = None,
     journal: str | Path | None = None,
     control: str | None = None,
+    export: Sequence[str] = (),
+    zone: float | None = None,
     **options: Any,
 ) -> pipeline.Result:
     """Correct one operation of a document from a measured part.
@@ -76,10 +79,12 @@ def correct_document(
     report : str or Path, optional
         Directory for the report.
     journal : str or Path, optional
-        Journal of the series, see `millcorr.series.production`; for a document that is a file, with an output. Where
+        Journal of the series, see `millcorr.production.series`; for a document that is a file, with an output. Where
         the rules say no correction the output is the very bytes of the document.
     control : str, optional
         ``"ewma:K"``, with the limits of `process_control.LIMITS` among the options.
+    export, zone
+        What is exported beside the report, see `millcorr.report.Exports`.
     **options
         ``tool_diameter`` in mm, how to read the measured files (fields of `millcorr.readers.Reading`: ``points,
         probe_radius, units, format, mapping, part, work_offset, ...``) and how to correct (fields of
@@ -108,9 +113,15 @@ def correct_document(
     compat.prepare_modules()
     source = Path(document) if isinstance(document, str | Path) else None
     files = [] if measured is None else [measured] if isinstance(measured, str | Path) else list(measured)
-    _refuse_inputs(source, files, output, gcode, report)
+    exports = reports.Exports(tuple(export), zone)
+    _refuse_inputs(source, files, output, gcode, report, exports)
     if journal is not None and (source is None or output is None):
-        raise UsageError("--journal belongs to a document that is a file, and to an --output: it records both")
+        raise UsageError(
+            option("journal"),
+            " belongs to a document that is a file, and to an ",
+            option("output"),
+            ": it records both",
+        )
     with ExitStack() as stack:
         here = stack.enter_context(documents.opened(document))
         stack.enter_context(_all_or_nothing(here))
@@ -129,7 +140,7 @@ def correct_document(
                 production.judged(replace(request, settings=settings), Path(journal), rules, before=cut_with)
             )
             if not part.corrected:
-                return _kept(part, source, operation, Path(output), gcode, report)
+                return _kept(part, source, operation, Path(output), gcode, report, exports)
             obj.Smoothed = part.smoothed
         corrected = correction.correct(obj)
         # Only what is new: another FreeCAD would lay the operation's own path anew, and the part was cut with
@@ -142,7 +153,7 @@ def correct_document(
             corrected = proved(obj, text, corrected)
         if part is not None:
             corrected = replace(corrected, result=_with_words(corrected.result, part.result))
-        _write(here, source, corrected, text, output, gcode, report, part)
+        _write(here, source, corrected, text, output, gcode, report, part, exports)
         return corrected.result
 
 
@@ -152,7 +163,13 @@ def _with_words(result: pipeline.Result, judged: pipeline.Result) -> pipeline.Re
 
 
 def _kept(
-    part: production.Judged, source: Path, operation: Any, output: Path, gcode: Any, directory: Any
+    part: production.Judged,
+    source: Path,
+    operation: Any,
+    output: Path,
+    gcode: Any,
+    directory: Any,
+    exports: reports.Exports,
 ) -> pipeline.Result:
     """Write what a part leads to that is not corrected: the very bytes of the document, its program and the report."""
     text: str | None = None
@@ -168,7 +185,7 @@ def _kept(
         ready.append((stack.enter_context(_beside(output)), output))
         shutil.copyfile(source, ready[-1][0])
         written = {"document": str(output)} | ({} if gcode is None else {"program": str(gcode)})
-        _put(ready, part, part.result, directory, written, [])
+        _put(ready, part, part.result, directory, written, [], exports)
     return part.result
 
 
@@ -185,18 +202,31 @@ def export_report(obj: Any, directory: str | Path) -> None:
     Raises
     ------
     MillcorrError
-        If the correction cannot be made; nothing is written then.
+        If the correction cannot be made; nothing is written then. A job that cannot be posted is told in the report.
     """
     corrected = correction.correct(obj)
-    text = _posted(obj)
-    _write(obj.Document, None, proved(obj, text, corrected), text, None, None, directory)
+    notes = ["Check only: no program was written."]
+    try:
+        corrected = proved(obj, _posted(obj), corrected)
+        notes.append(_READ_BACK)
+    # Posts are anybody's code, and end as they like; the report is about the path.
+    except (Exception, SystemExit) as error:  # noqa: BLE001
+        notes.append(f"The path error is that of the path itself: the job's post processor gave no program ({error}).")
+    _put([], None, corrected.result, directory, {}, notes, reports.NO_EXPORTS)
 
 
-def _refuse_inputs(source: Path | None, measured: Sequence[Any], output: Any, gcode: Any, report: Any) -> None:
+_READ_BACK = "The path error is that of the program as FreeCAD posted it, read back."
+
+
+def _refuse_inputs(
+    source: Path | None, measured: Sequence[Any], output: Any, gcode: Any, report: Any, exports: reports.Exports
+) -> None:
     """UsageError where something to write would replace what is read."""
     inputs = {f"measured file {n}": Path(file) for n, file in enumerate(measured, 1)}
     written = {what: None if place is None else Path(place) for what, place in (("output", output), ("gcode", gcode))}
-    refuse_places(written, {"document": source, **inputs}, None if report is None else Path(report), reports.FILES)
+    refuse_places(
+        written, {"document": source, **inputs}, None if report is None else Path(report), reports.FILES + exports.files
+    )
 
 
 @contextmanager
@@ -260,12 +290,15 @@ def _below(obj: Any) -> list[Any]:
 
 
 def _dressed(base: Any, measurement: Any, chosen: dict[str, Any]) -> Any:
+    """The dressup with the measured part: a new one, or the one that has measured parts already."""
     try:
+        if measurement is not None and candidates.is_correction(base) and base.Measurement is not None:
+            return dressup.add(base, measurement, **chosen)
         return dressup.create(base, measurement, **chosen)
     except ValueError as error:
         if isinstance(error, MillcorrError):
             raise
-        raise UsageError(f"a setting is not possible: {error}") from error
+        raise UsageError("a setting is not possible: ", message_of(error)) from error
 
 
 def _require_valid(obj: Any) -> None:
@@ -343,6 +376,7 @@ def _write(
     gcode: str | Path | None,
     directory: str | Path | None,
     part: production.Judged | None = None,
+    exports: reports.Exports = reports.NO_EXPORTS,
 ) -> None:
     """Write program and document beside their places, then the report, then put them in place."""
     with ExitStack() as stack:
@@ -362,8 +396,8 @@ def _write(
             written["document"] = str(output)
         notes = [] if written else ["Check only: no program was written."]
         if text is not None:
-            notes.append("The path error is that of the program as FreeCAD posted it, read back.")
-        _put(ready, part, corrected.result, directory, written, notes)
+            notes.append(_READ_BACK)
+        _put(ready, part, corrected.result, directory, written, notes, exports)
 
 
 def _put(
@@ -373,6 +407,7 @@ def _put(
     directory: str | Path | None,
     written: dict[str, str],
     notes: list[str],
+    exports: reports.Exports,
 ) -> None:
     """Write the report, then put files in their places; the document last: by it the journal knows that all is done."""
     with ExitStack() as stack:
@@ -382,7 +417,7 @@ def _put(
             written = {**written, "journal": f"part {number}"}
             notes = [*part.notes, *notes]
         if directory is not None:
-            reports.write(result, directory, outputs=written, notes=notes)
+            reports.write(result, directory, outputs=written, notes=notes, exports=exports)
         for beside, place in ready:
             os.replace(beside, place)
 

@@ -19,12 +19,20 @@ def measurements(document: Any) -> list[Any]:
 
 
 def shapes(document: Any) -> list[Any]:
-    """Objects whose shape can be a nominal profile."""
-    return [
-        obj
-        for obj in document.Objects
-        if getattr(obj, "Shape", None) is not None and not compat.is_operation(obj) and not obj.Shape.isNull()
-    ]
+    """Objects whose shape can be a nominal profile: not what is endless, nor stock, tools, operations, or our own."""
+    aside = {obj.Name for job in compat.jobs(document) for obj in compat.no_models(job)}
+    return [obj for obj in document.Objects if obj.Name not in aside and _can_be_nominal(obj)]
+
+
+def _can_be_nominal(obj: Any) -> bool:
+    if compat.is_datum(obj) or compat.is_operation(obj) or is_profile(obj) or getattr(obj, "Shape", None) is None:
+        return False
+    return bool(obj.Shape.Edges)
+
+
+def is_profile(obj: Any) -> bool:
+    """Whether an object is a compensated profile of ours, its proxy alive or not."""
+    return hasattr(obj, "Correction") and hasattr(obj, "Shown") and hasattr(obj, "Poles")
 
 
 def can_be_corrected(obj: Any) -> bool:

@@ -83,6 +83,22 @@ def jobs(document: Any) -> list[DocumentObject]:
     return [obj for obj in document.Objects if is_job(obj)]
 
 
+_DATUMS = ("App::OriginFeature", "App::DatumElement", "Part::Datum")
+
+
+def is_datum(obj: DocumentObject) -> bool:
+    """Whether an object is an axis, a plane or a point that all else is placed by; since 1.0 these have shapes."""
+    return any(obj.isDerivedFrom(kind) for kind in _DATUMS)
+
+
+def no_models(job: DocumentObject) -> list[DocumentObject]:
+    """What has a shape in a job and is no part: its stock, the tools with all they are made of, the group of models."""
+    controllers = [] if job.Tools is None else list(job.Tools.Group)
+    tools = [controller.Tool for controller in controllers if hasattr(controller.Tool, "Name")]
+    made_of = [obj for tool in tools for obj in tool.OutListRecursive]
+    return [obj for obj in (getattr(job, "Stock", None), job.Model, *tools, *made_of) if obj is not None]
+
+
 def operations(job: DocumentObject) -> list[DocumentObject]:
     """Operations and dressups of a job, in the order in which they are machined."""
     group = job.Operations

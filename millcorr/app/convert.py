@@ -13,13 +13,12 @@ import FreeCAD
 import numpy as np
 import Part
 import shapely
-from numpy.typing import NDArray
 
+from millcorr.arrays import Floats, Ints
 from millcorr.errors import InputError
-from millcorr.nurbs import NurbsCurve
-from millcorr.profile import Contour, Profile
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Contour, Profile
 
-Floats = NDArray[np.float64]
 Material = Literal["inside", "outside", "left", "right"]
 
 FLAT = 1e-6
@@ -174,7 +173,7 @@ def chain(curves: Sequence[NurbsCurve]) -> list[Contour]:
     return contours
 
 
-def _nodes(points: Floats) -> NDArray[np.int64]:
+def _nodes(points: Floats) -> Ints:
     """Number the distinct places among points, taking those within `JOINED` as one."""
     node = np.full(len(points), -1, dtype=np.int64)
     for k, point in enumerate(points):
@@ -211,7 +210,7 @@ def oriented(contours: Iterable[Contour], material: Material = "inside") -> Prof
     return Profile.from_contours(out)
 
 
-def _nesting(profile: Profile) -> NDArray[np.int64]:
+def _nesting(profile: Profile) -> Ints:
     """How many other closed contours enclose each contour, by crossings of a ray with sampled outlines."""
     depth = np.zeros(len(profile.contours), dtype=np.int64)
     if len(depth) == 1:
@@ -545,3 +544,20 @@ def shape_of_profile(profile: Profile, z: float = 0.0) -> Any:
             # Ends further apart than OCCT's tolerance: still the exact curves, just not one wire.
             wires.append(Part.Compound(edges))
     return wires[0] if len(wires) == 1 else Part.Compound(wires)
+
+
+def facets_of(solid: Any, deflection: float) -> Floats:
+    """Facets of a solid but for its upright faces, (n, 3, 3) in mm, anticlockwise seen from outside.
+
+    Their outlines lie off the solid's edges by no more than the deflection. Upright faces, which no vertical line
+    crosses, are left out: OCCT's facets of a curved one lean, and lie off it by many times the deflection.
+    """
+    # All at once first: faces then share the corners along their edges.
+    solid.tessellate(deflection)
+    out = [np.zeros((0, 3, 3))]
+    for face in solid.Faces:
+        if not is_vertical(face):
+            places, triangles = face.tessellate(deflection)
+            corners = np.array([(place.x, place.y, place.z) for place in places])
+            out.append(corners[np.array(triangles, dtype=np.int64)])
+    return np.concatenate(out)

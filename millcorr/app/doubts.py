@@ -6,11 +6,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from millcorr import distrust, pipeline
-from millcorr.distrust import Finding
+from millcorr import pipeline, plausibility
+from millcorr.comparison.ball_radius import contact_known
 from millcorr.errors import MillcorrError
-from millcorr.measurement import Measurement
-from millcorr.probe import contact_known
+from millcorr.plausibility import Finding
+from millcorr.readers.measurement import Measurement
 
 from . import correction, draft, dressup
 
@@ -39,13 +39,13 @@ def prepared(operation: Any = None) -> Callable[[Measurement], tuple[Finding, ..
             request = None
 
     def find(measurement: Measurement) -> tuple[Finding, ...]:
-        found = distrust.examine_file(measurement)
+        found = plausibility.examine_file(measurement)
         if request is None:
             return found
         nominal = request.nominal
         if nominal is None:
             program, radius = request.program, request.radius
             nominal = pipeline.nominal_from_program(program, radius, request.settings, measurement)
-        return found + distrust.examine_points(contact_known(measurement, nominal), nominal, request.radius)
+        return found + plausibility.examine_points(contact_known(measurement, nominal), nominal, request.radius)
 
     return find

@@ -89,12 +89,27 @@ def lines_to_create(draft: Draft, table: Sequence[Any]) -> list[str]:
     ]
 
 
-def lines_to_change(draft: Draft, obj: Any, table: Sequence[Any]) -> list[str]:
-    """Python lines that give an object the values of a draft; none where it has them."""
-    before = values_of(obj, table)
-    changed = [
-        f"{in_python(obj)}.{name} = {in_python(draft.value(name))}"
-        for name, value in before.items()
-        if draft.value(name) != value
-    ]
-    return [*changed, "App.ActiveDocument.recompute()"] if changed else []
+def lines_to_change(draft: Draft, obj: Any, before: Mapping[str, Any], part: Any = None) -> list[str]:
+    """Python lines that give a dressup the values of a draft; none where it has them.
+
+    Parameters
+    ----------
+    draft : Draft
+    obj : document object
+    before : mapping of str to object
+        What the dressup has, or will have once the part is added.
+    part : document object, optional
+        A newly measured part to add.
+    """
+    own, off = in_python(obj), {one.Name for one in before["SwitchedOff"]}
+    changed = {name: value for name in before if (value := draft.value(name)) != before[name]}
+    now = changed.pop("SwitchedOff", before["SwitchedOff"])
+    turned = [one for one in [*before["SwitchedOff"], *now] if (one.Name in off) != (one in now)]
+    lines = [f"{own}.{name} = {in_python(value)}" for name, value in changed.items()]
+    if part is not None:
+        chosen = [f"{name}={in_python(value)}" for name, value in changed.items()]
+        lines = [f"dressup.add({', '.join([own, in_python(part), *chosen])})"]
+    lines += [f"dressup.switch({own}, {in_python(one)}, {one not in now})" for one in turned]
+    if any(line.startswith("dressup.") for line in lines):
+        lines.insert(0, "from millcorr.app import dressup")
+    return [*lines, "App.ActiveDocument.recompute()"] if lines else []

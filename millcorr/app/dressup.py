@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from datetime import datetime
 from math import isfinite
 from typing import Any
@@ -10,12 +11,19 @@ from typing import Any
 import Part
 import Path
 
+from millcorr.correction.settings import Settings
 from millcorr.errors import InputError
+from millcorr.options import options_of
 
-from . import compat, correction, views
-from .properties import HIDDEN, QT_TRANSLATE_NOOP, READ_ONLY, Property, complete, store
+from . import compat, correction, draft, rounds, views
+from .properties import HIDDEN, QT_TRANSLATE_NOOP, READ_ONLY, Property, of_option, store
+from .stored import Proxy
 
 _text = QT_TRANSLATE_NOOP
+_SETTINGS = options_of(Settings)
+CORRECTION, TRANSFER = "Correction", "Transfer function"
+"""Headings in the property editor."""
+
 PROPERTIES = (
     Property("Link", "Base", "Base", _text("App::Property", "The operation whose path is corrected")),
     Property(
@@ -32,6 +40,31 @@ PROPERTIES = (
         [],
     ),
     Property(
+        "LinkList",
+        "EarlierParts",
+        "Correction",
+        _text(
+            "App::Property", "Parts measured in earlier rounds, oldest first; the later ones were cut with their path"
+        ),
+        [],
+        READ_ONLY,
+    ),
+    Property(
+        "LinkList",
+        "SwitchedOff",
+        "Correction",
+        _text("App::Property", "Measured parts that count for nothing"),
+        [],
+    ),
+    Property(
+        "StringList",
+        "EarlierRounds",
+        "Correction",
+        _text("App::Property", "Number of parts and settings of each earlier round"),
+        [],
+        HIDDEN,
+    ),
+    Property(
         "Link",
         "Nominal",
         "Correction",
@@ -43,159 +76,109 @@ PROPERTIES = (
         "Correction",
         _text("App::Property", "Diameter of the tool; 0 takes it from the tool controller"),
         0.0,
+        zero=_text("Millcorr", "the tool controller's"),
     ),
-    Property(
-        "Enumeration",
-        "Side",
-        "Correction",
+    of_option(
+        _SETTINGS["side"],
+        CORRECTION,
         _text("App::Property", "Side of the contour on which the tool runs, along its direction"),
-        ("auto", "left", "right"),
     ),
-    Property(
-        "String",
-        "Align",
-        "Correction",
+    of_option(
+        _SETTINGS["align"],
+        CORRECTION,
         _text(
             "App::Property",
             "Best fit of the measured points before comparing: none, shift, rigid, or some of x, y, turn joined by +",
         ),
-        "none",
     ),
-    Property(
-        "StringList",
-        "Accept",
-        "Correction",
+    of_option(
+        _SETTINGS["accept"],
+        CORRECTION,
         _text("App::Property", "Findings about the measurement that are accepted by name"),
-        [],
     ),
-    Property(
-        "String",
-        "Filter",
-        "Correction",
+    of_option(
+        _SETTINGS["filter"],
+        CORRECTION,
         _text(
             "App::Property",
             "What separates form from scatter: none, mean:5, mean:1,2,3,2,1, gauss:MM or auto",
         ),
-        "auto",
     ),
-    Property(
-        "Enumeration",
-        "Method",
-        "Correction",
-        _text("App::Property", "How the path answers a deviation"),
-        ("mirror", "transfer", "combined", "predicted"),
-    ),
+    of_option(_SETTINGS["method"], CORRECTION, _text("App::Property", "How the path answers a deviation")),
     Property(
         "FileIncluded",
         "Setup",
         "Correction",
         _text("App::Property", "TOML file with tool, material, machine and stock, kept in the document"),
     ),
-    Property(
-        "Length",
-        "Iterate",
-        "Correction",
+    of_option(
+        _SETTINGS["iterate"],
+        CORRECTION,
         _text("App::Property", "Correct again in the model until the error to expect is at most this; 0: only once"),
-        0.0,
+        zero=_text("Millcorr", "only once"),
     ),
-    Property(
-        "FloatList",
-        "Depth",
-        "Transfer function",
+    of_option(
+        _SETTINGS["depth"],
+        TRANSFER,
         _text("App::Property", "Depth in mm along the normal that the measured part was cut at; one, or one a part"),
-        [],
     ),
-    Property(
-        "Length",
-        "NextDepth",
-        "Transfer function",
+    of_option(
+        _SETTINGS["next_depth"],
+        TRANSFER,
         _text("App::Property", "Depth that the corrected path will cut; 0: that of the measured part"),
-        0.0,
+        zero=_text("Millcorr", "that of the measured part"),
     ),
-    Property(
-        "Enumeration",
-        "DepthAlong",
-        "Transfer function",
+    of_option(
+        _SETTINGS["depth_along"],
+        TRANSFER,
         _text("App::Property", "How deviations are taken: along the normal, or along one axis"),
-        ("normal", "x", "y"),
     ),
-    Property(
-        "Enumeration",
-        "TransferFunction",
-        "Transfer function",
+    of_option(
+        _SETTINGS["transfer_function"],
+        TRANSFER,
         _text("App::Property", "Smooth along the contour, one value, or one a point"),
-        ("smooth", "one", "points"),
     ),
-    Property(
-        "FloatList",
-        "Allowance",
-        "Transfer function",
+    of_option(
+        _SETTINGS["allowance"],
+        TRANSFER,
         _text("App::Property", "Stock in mm that the path of the measured part left on the nominal"),
-        [],
     ),
-    Property(
-        "Length",
-        "LeaveStock",
-        "Correction",
+    of_option(
+        _SETTINGS["leave_stock"],
+        CORRECTION,
         _text("App::Property", "Stock that the path leaves on the part: a first cut, before anything is measured"),
-        0.0,
     ),
-    Property("Float", "Gain", "Correction", _text("App::Property", "Share of the deviation taken back"), 1.0),
-    Property(
-        "Length",
-        "Limit",
-        "Correction",
-        _text("App::Property", "Largest correction; a larger one is refused"),
-        0.5,
-    ),
-    Property(
-        "Length",
-        "DeadBand",
-        "Correction",
-        _text("App::Property", "Deviations up to this are left alone"),
-        0.0,
-    ),
-    Property(
-        "Float",
-        "UnmeasuredShare",
-        "Correction",
+    of_option(_SETTINGS["gain"], CORRECTION, _text("App::Property", "Share of the deviation taken back")),
+    of_option(_SETTINGS["limit"], CORRECTION, _text("App::Property", "Largest correction; a larger one is refused")),
+    of_option(_SETTINGS["dead_band"], CORRECTION, _text("App::Property", "Deviations up to this are left alone")),
+    of_option(
+        _SETTINGS["unmeasured_share"],
+        CORRECTION,
         _text("App::Property", "Largest share of a contour without points near that is corrected all the same"),
-        0.6,
     ),
-    Property(
-        "StringList",
-        "Tools",
-        "Correction",
+    of_option(
+        _SETTINGS["tools"],
+        CORRECTION,
         _text("App::Property", "Diameters of other tools of the path, each as 3=16 or ROUGH=16"),
-        [],
     ),
-    Property(
-        "Bool",
-        "KeepAllowance",
-        "Correction",
+    of_option(
+        _SETTINGS["keep_allowance"],
+        CORRECTION,
         _text("App::Property", "Passes that rough along the contour are moved with it"),
-        False,
     ),
-    Property(
-        "Length",
-        "Tolerance",
-        "Correction",
-        _text("App::Property", "Largest distance of the path from the exact one"),
-        0.001,
+    of_option(
+        _SETTINGS["tolerance"], CORRECTION, _text("App::Property", "Largest distance of the path from the exact one")
     ),
-    Property(
-        "Enumeration",
-        "OutputMoves",
-        "Correction",
+    of_option(
+        _SETTINGS["output_moves"],
+        CORRECTION,
         _text("App::Property", "Moves of the corrected path: as the operation's, only lines, or arcs"),
         ("keep", "lines", "arcs"),
     ),
-    Property(
-        "Enumeration",
-        "CutterCompensation",
-        "Correction",
+    of_option(
+        _SETTINGS["cutter_compensation"],
+        CORRECTION,
         _text("App::Property", "What a path under G41 or G42 is: the contour itself, or the centre path"),
-        ("contour", "wear"),
     ),
     Property("Distance", "DeviationMean", "Result", _text("App::Property", "Mean deviation"), 0.0, READ_ONLY),
     Property("Distance", "DeviationMin", "Result", _text("App::Property", "Least deviation"), 0.0, READ_ONLY),
@@ -251,6 +234,14 @@ PROPERTIES = (
         HIDDEN,
     ),
     Property(
+        "StringList",
+        "Noted",
+        "Origin",
+        _text("App::Property", "Warnings that were there when the user last looked at the correction"),
+        [],
+        HIDDEN,
+    ),
+    Property(
         "String",
         "CutPath",
         "Origin",
@@ -263,7 +254,7 @@ PROPERTIES = (
 _RESULTS = tuple(
     row
     for row in PROPERTIES
-    if row.group in ("Result", "Origin") and row.name not in ("Corrected", "Smoothed", "CutPath")
+    if row.group in ("Result", "Origin") and row.name not in ("Corrected", "Smoothed", "Noted", "CutPath")
 )
 
 
@@ -273,23 +264,24 @@ CHANGED = (
 )
 
 
-class DressupMillcorr:
+class DressupMillcorr(Proxy):
     """Proxy of the dressup."""
 
-    def __init__(self, obj: Any) -> None:
-        complete(obj, PROPERTIES)
-        obj.Proxy = self
+    properties, view = PROPERTIES, "dressup"
 
-    def onDocumentRestored(self, obj: Any) -> None:
-        """Add the properties that an earlier version did not have; the path stays as it was saved."""
-        complete(obj, PROPERTIES)
-        if views.attach(obj, "dressup"):
-            job = compat.parent_job(obj)
-            if job is not None:
-                compat.give_views(job)
-            obj.ViewObject.Visibility = True
-            if obj.Base is not None:
-                obj.Base.ViewObject.Visibility = False
+    def completed(self, obj: Any, added: list[str]) -> None:
+        """Of an earlier version what it said when it was saved is known."""
+        if "Noted" in added:
+            take_note(obj)
+
+    def shown(self, obj: Any) -> None:
+        """The job and the operation below get their views, too; the path stays as it was saved."""
+        job = compat.parent_job(obj)
+        if job is not None:
+            compat.give_views(job)
+        obj.ViewObject.Visibility = True
+        if obj.Base is not None:
+            obj.Base.ViewObject.Visibility = False
 
     def execute(self, obj: Any) -> None:
         """Correct the path; on any failure the path is empty and the object is invalid."""
@@ -302,12 +294,20 @@ class DressupMillcorr:
         corrected = correction.correct(obj)
         obj.Path = corrected.path()
         _state(obj, corrected)
-        cut = f"{obj.Digest} {corrected.request.program.digest}"
-        if not obj.CutPath.startswith(f"{obj.Digest} "):
+        self._remember(obj, corrected)
+
+    def _remember(self, obj: Any, corrected: correction.Correction) -> None:
+        """Note with which path the newest part was cut, and say where a path is another one by now."""
+        own = any(rounds.is_on(obj, part) for part in rounds.newest_parts(obj))
+        was, now = corrected.cuts[-1] if own else ("", "")
+        fresh = own and was.partition(" ")[0] != now.partition(" ")[0]
+        if fresh:
             obj.Corrected = datetime.now().astimezone().isoformat(timespec="seconds")
-            obj.CutPath = cut
-        elif obj.Digest and obj.CutPath != cut:
+            obj.CutPath = now
+        if corrected.otherwise_cut:
             obj.Warnings = [*obj.Warnings, CHANGED.format(obj.Base.Label)]
+        if fresh or not corrected.cuts:
+            take_note(obj)
 
     def onDelete(self, obj: Any, subelements: Any = None) -> bool:
         """Give the operation its place in the job back."""
@@ -319,17 +319,6 @@ class DressupMillcorr:
             obj.Base = None
             base.Visibility = True
         return True
-
-    def dumps(self) -> None:
-        """Nothing but properties is stored."""
-        return None
-
-    def loads(self, state: Any) -> None:
-        """Nothing but properties is stored."""
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 def _empty_profiles(obj: Any) -> None:
@@ -401,7 +390,83 @@ def create(base: Any, measurement: Any = None, **settings: Any) -> Any:
     for name, value in settings.items():
         setattr(obj, name, value)
     compat.replace_operation(job, base, obj)
-    obj.Label = f"{base.Label} corrected"
+    obj.Label = label_of(obj)
     views.attach(obj, "dressup")
     base.Visibility = False
     return obj
+
+
+def add(obj: Any, measurement: Any, **settings: Any) -> Any:
+    """Add a part that was cut with the path of a dressup, and measured: the next round of its correction.
+
+    Parameters
+    ----------
+    obj : document object
+        The dressup; the rounds that it has stay as they are.
+    measurement : document object
+    **settings
+        Properties of the dressup by name that differ in this round.
+
+    Returns
+    -------
+    document object
+        The dressup, not yet recomputed.
+
+    Raises
+    ------
+    UsageError
+        If the part is there already.
+    """
+    usual = label_of(obj)
+    for name, value in added(obj, measurement).items():
+        setattr(obj, name, value)
+    obj.Smoothed = ""
+    for name, value in settings.items():
+        setattr(obj, name, value)
+    _name(obj, usual)
+    return obj
+
+
+def added(obj: Any, measurement: Any) -> dict[str, Any]:
+    """Properties of a dressup that change when a measured part is added, as `add` sets them."""
+    return rounds.added(obj, draft.values_of(obj, PROPERTIES), measurement, correction.begun_with(obj))
+
+
+def switch(obj: Any, measurement: Any, on: bool) -> None:
+    """Switch a measured part of a dressup on or off; it is not yet recomputed."""
+    usual = label_of(obj)
+    rest = [part for part in obj.SwitchedOff if part.Name != measurement.Name]
+    obj.SwitchedOff = rest if on else [*rest, measurement]
+    _name(obj, usual)
+
+
+def take_note(obj: Any) -> None:
+    """The user knows of all warnings that there are."""
+    store(obj, "Noted", list(obj.Warnings))
+
+
+def doubts_of(obj: Any) -> list[str]:
+    """Warnings of a dressup that came since the user last looked at it, whatever their figures."""
+    known = {_bare(text) for text in obj.Noted}
+    return [text for text in obj.Warnings if _bare(text) not in known]
+
+
+def _bare(text: str) -> str:
+    """A warning without its figures, which the next computation may give otherwise."""
+    return re.sub(r"[-+\u2212]?\d[\d.]*", "", text)
+
+
+def label_of(obj: Any) -> str:
+    """Label of a dressup: what it corrects and, where there are several, from how many measured parts."""
+    parts = rounds.parts_of(obj)
+    on = sum(rounds.is_on(obj, part) for part in parts)
+    label = f"{obj.Base.Label} corrected"
+    if on < len(parts):
+        return f"{label}, {on} of {len(parts)} parts"
+    return f"{label}, {on} parts" if on > 1 else label
+
+
+def _name(obj: Any, usual: str) -> None:
+    """Give a dressup its label anew, where it has the usual one: the user's own stays."""
+    if obj.Label == usual:
+        obj.Label = label_of(obj)

@@ -17,11 +17,12 @@ from pathlib import Path
 from typing import Any
 
 from millcorr.errors import FormatError, InputError, MillcorrError
-from millcorr.measurement import Measurement
 from millcorr.readers import Reading
+from millcorr.readers.measurement import Measurement
 
 from . import views
-from .properties import HIDDEN, QT_TRANSLATE_NOOP, READ_ONLY, Property, complete, store
+from .properties import HIDDEN, QT_TRANSLATE_NOOP, READ_ONLY, Property, store
+from .stored import Proxy
 
 AS_FILE = "as the file says"
 """Value of Points and Unit where the file itself tells."""
@@ -47,6 +48,7 @@ PROPERTIES = (
         "Measurement",
         _text("App::Property", "Radius of the probe's ball where the points are centres; 0: as the file says"),
         0.0,
+        zero=_text("Millcorr", "as the file says"),
     ),
     Property(
         "Enumeration",
@@ -76,6 +78,7 @@ PROPERTIES = (
         "Measurement",
         _text("App::Property", "Which of several measured parts in the file, from 1; 0: it holds one"),
         0,
+        zero=_text("Millcorr", "the only one"),
     ),
     Property(
         "Vector",
@@ -105,17 +108,10 @@ PROPERTIES = (
 )
 
 
-class MeasurementObject:
+class MeasurementObject(Proxy):
     """Proxy of a measurement: reads the file again on every recompute and states what it holds."""
 
-    def __init__(self, obj: Any) -> None:
-        complete(obj, PROPERTIES)
-        obj.Proxy = self
-
-    def onDocumentRestored(self, obj: Any) -> None:
-        """Add the properties that an earlier version did not have."""
-        complete(obj, PROPERTIES)
-        views.attach(obj, "measurement")
+    properties, view = PROPERTIES, "measurement"
 
     def execute(self, obj: Any) -> None:
         """Read the file and fill the read-only properties; raises FormatError or InputError."""
@@ -126,17 +122,6 @@ class MeasurementObject:
         store(obj, "Count", len(measurement))
         store(obj, "Levels", level_count(measurement))
         store(obj, "HasZ", measurement.has_z)
-
-    def dumps(self) -> None:
-        """Nothing but properties is stored."""
-        return None
-
-    def loads(self, state: Any) -> None:
-        """Nothing but properties is stored."""
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 def create(
@@ -321,15 +306,14 @@ class _At:
         return hash(self.key())
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=12)
 def _read(digests: tuple[str, ...], at: _At, source: str) -> Measurement:
     """Points of a file; the digests stand for its content and that of mapping and probe."""
     try:
         measurement = at.reading.read(at.file)
     except FormatError as error:
         # The stored copy lies in a temporary place that means nothing to the user.
-        where = str(error.file) if error.line is None else f"{error.file}:{error.line}"
-        raise FormatError(str(error).removeprefix(f"{where}: "), source, error.line) from error
+        raise FormatError(error.said, source, error.line) from error
     return replace(measurement, source=source)
 
 

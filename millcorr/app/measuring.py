@@ -14,15 +14,24 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from millcorr import measuring_programs, measuring_task
-from millcorr.errors import UsageError
-from millcorr.gcode import Program
-from millcorr.measuring_programs import MeasuringProgram
-from millcorr.measuring_task import save as written
-from millcorr.probing.heights import Cleared
-from millcorr.profile import Profile
+import numpy as np
 
-from . import base_geometry, compat, motion
+from millcorr.cli import measuring_task
+from millcorr.cli.measuring_task import save as written
+from millcorr.errors import UsageError
+from millcorr.geometry.profile import Profile
+from millcorr.messages import option
+from millcorr.nc import Program
+from millcorr.probing import TouchProbe
+from millcorr.probing import controls as measuring_programs
+from millcorr.probing.controls import MeasuringProgram
+from millcorr.probing.heights import Cleared
+from millcorr.probing.workpiece import Workpiece
+
+from . import base_geometry, compat, convert, motion
+
+FACETS = 0.01
+"""Facets of the model lie so near to it, mm: less than any margin of a probe."""
 
 
 def contour_of(operation: Any, nominal: Any = None) -> tuple[Profile, Program, float]:
@@ -53,17 +62,38 @@ def contour_of(operation: Any, nominal: Any = None) -> tuple[Profile, Program, f
     program = motion.program_of_path(path, operation.Label)
     profile = base_geometry.nominal_of(bottom, program.toolpath, nominal)
     if profile is None:
-        raise UsageError(f"{bottom.Label} is no Profile or Pocket operation: give the contour with --nominal #LABEL")
+        raise UsageError(
+            f"{bottom.Label} is no Profile or Pocket operation: give the contour with ", option("nominal", of="#LABEL")
+        )
     if base_geometry.leaves_radius_to_control(bottom):
         side = base_geometry.side_of_path(profile, program.toolpath)
         program = motion.program_of_path(path, operation.Label, side)
     return profile, program, compat.tool_diameter(operation) / 2
 
 
-def suggested_heights(operation: Any, nominal: Any = None) -> tuple[float, float] | None:
-    """Height to measure at and safe height that an operation suggests, mm; None where it shows none."""
+def workpiece_of(operation: Any) -> Workpiece | None:
+    """The solids of the model that an operation's job machines, in the job's frame; None where it has none."""
+    job = compat.parent_job(operation)
+    models = [] if job is None else list(job.Model.Group)
+    solids = [solid for model in models for solid in compat.shape_in_document(model).Solids]
+    return Workpiece(np.concatenate([convert.facets_of(solid, FACETS) for solid in solids]), FACETS) if solids else None
+
+
+def suggested_heights(
+    operation: Any, probe: Mapping[str, Any], placement: Mapping[str, Any] | None = None, nominal: Any = None
+) -> tuple[float | None, float | None]:
+    """Height to measure at and safe height that model and path suggest, mm; None where they show none.
+
+    The parameters are those of `prepared`.
+    """
     profile, program, radius = contour_of(operation, nominal)
-    return measuring_programs.heights(Cleared(program.toolpath, radius, True), profile)
+    return measuring_programs.heights(
+        profile,
+        measuring_task.wanted_at(placement or {}),
+        TouchProbe(**probe),
+        Cleared(program.toolpath, radius, True),
+        workpiece_of(operation),
+    )
 
 
 def prepared(
@@ -83,7 +113,7 @@ def prepared(
     operation : document object
         Operation or dressup that cuts the contour.
     dialect : str
-        Name from `millcorr.measuring_programs.DIALECTS`.
+        Name from `millcorr.probing.controls.DIALECTS`.
     probe, placement : mapping
         Fields of `millcorr.probing.TouchProbe` and `Placement`; 40 points where nothing is said.
     nominal : document object, optional
@@ -91,7 +121,7 @@ def prepared(
     output : str or Path
         File that it will be written to; program and log are named after it.
     **options
-        ``z, safe_z, feed, positioning, tool, log, name`` as in `millcorr.measuring_task.prepared`.
+        ``z, safe_z, feed, positioning, tool, log, name`` as in `millcorr.cli.measuring_task.prepared`.
 
     Returns
     -------
@@ -112,6 +142,7 @@ def prepared(
         probe=probe,
         placement=placement or {},
         source=operation.Label,
+        workpiece=workpiece_of(operation),
         **options,
     )
 

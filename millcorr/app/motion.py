@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """FreeCAD's Path commands to a program and back.
 
-Path commands are written as NC text, as precise as FreeCAD saves them, and read by `millcorr.gcode`, so that
+Path commands are written as NC text, as precise as FreeCAD saves them, and read by `millcorr.nc`, so that
 one interpreter decides what a program means, wherever it comes from.
 """
 
@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 import Path
 
-from millcorr import gcode
+from millcorr import nc
 from millcorr.errors import InputError
-from millcorr.toolpath import Compensation, Kind, Plane, Toolpath
+from millcorr.nc.toolpath import Compensation, Kind, Plane, Toolpath
 
 _PREAMBLE = "G17 G21 G40 G49 G80 G90 G91.1 G94"
 """What FreeCAD's commands mean when they do not say otherwise, as the first line of the text."""
@@ -59,7 +59,7 @@ def line_of_command(command: Any) -> str:
     return " ".join(words)
 
 
-def program_of_path(path: Any, name: str, compensation: Compensation = Compensation.OFF) -> gcode.Program:
+def program_of_path(path: Any, name: str, compensation: Compensation = Compensation.OFF) -> nc.Program:
     """Program of a FreeCAD path.
 
     Parameters
@@ -72,7 +72,7 @@ def program_of_path(path: Any, name: str, compensation: Compensation = Compensat
 
     Returns
     -------
-    gcode.Program
+    nc.Program
         Its line k + 1, counted from 0, is command k; the first line is the preamble.
 
     Raises
@@ -81,7 +81,7 @@ def program_of_path(path: Any, name: str, compensation: Compensation = Compensat
         If a command cannot be followed.
     """
     preamble = _PREAMBLE.replace("G40", _COMPENSATION[compensation])
-    return gcode.parse("\n".join([preamble, *map(line_of_command, path.Commands)]) + "\n", name)
+    return nc.parse("\n".join([preamble, *map(line_of_command, path.Commands)]) + "\n", name)
 
 
 def path_of_toolpath(commands: Sequence[Any], before: Toolpath, after: Toolpath, marks: Sequence[str] = ()) -> Any:

@@ -12,7 +12,7 @@ from typing import Any
 
 from millcorr import errors
 from millcorr.errors import MillcorrError, UsageError
-from millcorr.series.journal import RepeatedError
+from millcorr.production.journal import RepeatedError
 
 from . import batch, compat, demonstration, documents, measuring, sources
 
@@ -47,13 +47,19 @@ def file_profile(path: str) -> dict[str, Any]:
     return sources.profile_of_file(path).as_dict()
 
 
-def operation_contour(document: str, operation: str | None) -> dict[str, Any]:
-    """Profile of an operation as `Profile.as_dict`, its path as G-code, and the diameter of its tool in mm."""
+def operation_contour(document: str, operation: str | None, model: bool) -> dict[str, Any]:
+    """Profile of an operation as `Profile.as_dict`, its path as G-code, and the diameter of its tool in mm.
+
+    With `model` also the facets of its job's model and their tolerance in mm; None where there is no solid.
+    """
     compat.prepare_modules()
     with documents.opened(document) as here:
         top = batch.find_operation(here, operation)
         profile, program, _ = measuring.contour_of(top)
-        return {"profile": profile.as_dict(), "path": program.text, "tool_diameter": compat.tool_diameter(top)}
+        part = measuring.workpiece_of(top) if model else None
+        facets = part and {"facets": part.facets.tolist(), "tolerance": part.tolerance}
+        diameter = compat.tool_diameter(top)
+        return {"profile": profile.as_dict(), "path": program.text, "tool_diameter": diameter, "model": facets}
 
 
 FUNCTIONS: dict[str, Callable[..., dict[str, Any]]] = {

@@ -9,12 +9,13 @@ from typing import Any
 import numpy as np
 import Part
 
-from millcorr import contour_check
 from millcorr.errors import UsageError
 from millcorr.pipeline import Result
+from millcorr.production import contour_check
 
 from . import convert, correction, views
-from .properties import QT_TRANSLATE_NOOP, READ_ONLY, Property, complete, store
+from .properties import QT_TRANSLATE_NOOP, READ_ONLY, Property, store
+from .stored import Proxy
 
 _text = QT_TRANSLATE_NOOP
 
@@ -86,17 +87,10 @@ PROPERTIES = (
 )
 
 
-class ProfileObject:
+class ProfileObject(Proxy):
     """Proxy of the compensated profile."""
 
-    def __init__(self, obj: Any) -> None:
-        complete(obj, PROPERTIES)
-        obj.Proxy = self
-
-    def onDocumentRestored(self, obj: Any) -> None:
-        """Add the properties that an earlier version did not have."""
-        complete(obj, PROPERTIES)
-        views.attach(obj, "profile")
+    properties, view = PROPERTIES, "profile"
 
     def execute(self, obj: Any) -> None:
         """Make the shape; on any failure it is empty and the object is invalid."""
@@ -112,17 +106,6 @@ class ProfileObject:
         store(obj, "Degree", max(c.degree for c in curves))
         store(obj, "Poles", sum(len(c.poles) for c in curves))
         store(obj, "ContourLength", float(profile.total.sum()))
-
-    def dumps(self) -> None:
-        """Nothing but properties is stored."""
-        return None
-
-    def loads(self, state: Any) -> None:
-        """Nothing but properties is stored."""
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 def create(dressup: Any, shown: str = "compensated") -> Any:

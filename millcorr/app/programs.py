@@ -15,11 +15,12 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from millcorr import pipeline, session
+from millcorr import pipeline
+from millcorr.cli import session
+from millcorr.correction.settings import Settings
 from millcorr.errors import UsageError
+from millcorr.production.process_control import LIMITS
 from millcorr.readers import Reading
-from millcorr.series.process_control import LIMITS
-from millcorr.settings import Settings
 
 _MEASURED = str | Path | Sequence[str | Path]
 
@@ -46,7 +47,7 @@ def correct(
     tool_diameter : float
         mm.
     nominal : str, optional
-        As `millcorr.session.correct_program`.
+        As `millcorr.cli.session.correct_program`.
     setup : str or Path, optional
         Tool, material, machine and stock, for the methods that simulate; it may name the tool's diameter.
     output, report : str or Path, optional
@@ -54,8 +55,8 @@ def correct(
     journal : str, optional
         Journal of the series; '' for the one beside the nominal or the program.
     **options
-        Fields of `millcorr.readers.Reading` and of `millcorr.settings.Settings`, and the process
-        control: ``control`` and `millcorr.series.process_control.LIMITS`.
+        Fields of `millcorr.readers.Reading` and of `millcorr.correction.settings.Settings`, and the process
+        control: ``control`` and `millcorr.production.process_control.LIMITS`.
 
     Returns
     -------
@@ -113,7 +114,7 @@ def split(
     nominal: str | None = None,
     **options: Any,
 ) -> str:
-    """Write the program of a first cut; see `millcorr.session.split_program`, with `Settings` by name."""
+    """Write the program of a first cut; see `millcorr.cli.session.split_program`, with `Settings` by name."""
     reading, settings = _said(options)
     if reading != Reading():
         raise UsageError("a first cut is made before anything is measured")

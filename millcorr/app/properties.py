@@ -9,6 +9,8 @@ from typing import Any
 
 from FreeCAD import Qt
 
+from millcorr.options import Declared
+
 SHOWN, READ_ONLY, HIDDEN = 0, 1, 2
 """Editor modes of FreeCAD."""
 
@@ -33,6 +35,8 @@ class Property:
         Value on creation; for an Enumeration its allowed values, the first being the default.
     mode : int
         `SHOWN`, `READ_ONLY` or `HIDDEN`.
+    zero : str
+        What 0 stands for where it is no such number; a form shows that in its place.
     """
 
     kind: str
@@ -41,6 +45,39 @@ class Property:
     doc: str
     default: Any = None
     mode: int = SHOWN
+    zero: str = ""
+
+
+_KINDS = {str: "String", bool: "Bool", int: "Integer"}
+_LISTS = {str: "StringList", float: "FloatList"}
+
+
+def of_option(one: Declared, group: str, doc: str, choices: tuple[str, ...] = (), zero: str = "") -> Property:
+    """Property of a declared option.
+
+    Parameters
+    ----------
+    one : Declared
+    group, doc : str
+        As of `Property`.
+    choices : tuple of str, optional
+        Those of its choices that the object offers.
+    zero : str, optional
+        As of `Property`.
+
+    Returns
+    -------
+    Property
+        What may be left out is 0 or empty where it is.
+    """
+    if one.choices:
+        offered = choices or one.choices
+        # The first is the default.
+        return Property("Enumeration", one.field, group, doc, (one.default, *(c for c in offered if c != one.default)))
+    if one.several:
+        return Property(_LISTS[one.type], one.field, group, doc, list(one.default))
+    kind = _KINDS.get(one.type) or ("Length" if one.unit == "MM" else "Float")
+    return Property(kind, one.field, group, doc, 0.0 if one.default is None else one.default, zero=zero)
 
 
 def complete(obj: Any, table: Sequence[Property]) -> list[str]:

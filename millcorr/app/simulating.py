@@ -13,11 +13,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from millcorr import pipeline, setup_file
-from millcorr.prediction.signals import Signals
-from millcorr.scene.simulation import Played
-from millcorr.settings import Settings
-from millcorr.simulation import simulated
+from millcorr import pipeline
+from millcorr.correction.settings import Settings
+from millcorr.process import setup_file
+from millcorr.process.prediction.signals import Signals
+from millcorr.production.simulation import simulated, study
+from millcorr.report.scene.simulation import Played
 
 from . import base_geometry, compat, measuring
 
@@ -30,7 +31,7 @@ def request_of(operation: Any, setup: str | Path) -> pipeline.Request:
     operation : document object
         Operation or dressup with a path.
     setup : str or Path
-        TOML file; see `millcorr.setup_file`.
+        TOML file; see `millcorr.process.setup_file`.
 
     Returns
     -------
@@ -81,8 +82,8 @@ def write(operation: Any, setup: str | Path, directory: str | Path) -> str:
 
 
 def written(request: pipeline.Request, directory: str | Path) -> str:
-    """Write the report of a simulation; see `millcorr.report.simulation.write`. Needs nothing of FreeCAD."""
+    """Simulate, and write the report of it; see `millcorr.report.simulation.write`. Needs nothing of FreeCAD."""
     # Imported when it is wanted: the plots take their time to load.
     from millcorr.report import simulation as report_simulation
 
-    return report_simulation.write(request, Path(directory))
+    return report_simulation.write(study(request), Path(directory))

@@ -10,7 +10,7 @@ import FreeCAD
 import Part
 
 from millcorr.errors import FormatError, UsageError
-from millcorr.profile import Profile
+from millcorr.geometry.profile import Profile
 
 from . import compat, convert, documents
 

@@ -12,14 +12,13 @@ import re
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.measurement import Measurement
-from millcorr.toolpath import Compensation, Kind, Toolpath, named_tool
+from millcorr import progress
+from millcorr.arrays import Bools, Floats, Ints
+from millcorr.nc.toolpath import Compensation, Kind, Toolpath, named_tool
+from millcorr.readers.measurement import Measurement
 
 from .path_distance import PathDistance
-
-Floats = NDArray[np.float64]
 
 SAMPLE = 500
 """So many points, evenly taken, tell which tool made them."""
@@ -83,6 +82,7 @@ def cutter_radii(
     unknown : tuple of int
         Numbers of such tools.
     """
+    progress.step()
     compensated = toolpath.compensation != Compensation.OFF
     out = np.where(compensated, path_radius, np.nan if path_radius == 0 else radius)
     cuts = (toolpath.kind != Kind.RAPID) & np.isfinite(toolpath.end[:, :2]).all(axis=1)
@@ -105,7 +105,7 @@ def cutter_radii(
 
 def _tool_of(
     toolpath: Toolpath,
-    cuts: NDArray[np.bool_],
+    cuts: Bools,
     tools: list[int],
     radius: float,
     path_radius: float,
@@ -125,8 +125,8 @@ def _tool_of(
 
 def nearest_group(
     toolpath: Toolpath,
-    cuts: NDArray[np.bool_],
-    group: NDArray[np.int64],
+    cuts: Bools,
+    group: Ints,
     candidates: Sequence[int],
     away: tuple[float, float],
     measurement: Measurement,

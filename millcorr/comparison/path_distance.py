@@ -10,13 +10,9 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.toolpath import Kind, Plane, Toolpath
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Bools = NDArray[np.bool_]
+from millcorr.arrays import Floats, Ints
+from millcorr.nc.toolpath import Kind, Plane, Toolpath
 
 BLOCK = 5_000
 """So many points are asked for at once: shapely lets no other thread run while it makes them, a window must live on."""

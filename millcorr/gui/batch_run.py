@@ -13,7 +13,8 @@ import threading
 from dataclasses import dataclass
 from pathlib import Path
 
-from millcorr import freecad_process, jobs
+from millcorr import freecad_process
+from millcorr.cli import jobs
 
 _LINE = re.compile(r"\[ *\d+/\d+\] (before|ok|exit (-?\d+)) +([0-9.]+) s  (.*)")
 

@@ -8,16 +8,17 @@ from math import isfinite
 from pathlib import Path
 from typing import Any
 
-from millcorr import jobs, session
 from millcorr.app.properties import QT_TRANSLATE_NOOP, Property
+from millcorr.cli import jobs, session
 from millcorr.errors import MillcorrError
-from millcorr.series import history, journal
+from millcorr.production import history, journal
 
 from . import file_task, recorder
 from .batch_run import BatchRun, Ended
 from .options import Expression, call
 from .qt import QtCore, QtWidgets
 from .text import translate
+from .unit import unit
 
 _text = QT_TRANSLATE_NOOP
 
@@ -51,10 +52,10 @@ _PARTS = (
     _text("Millcorr", "Series"),
     _text("Millcorr", "Part"),
     _text("Millcorr", "Measured"),
-    _text("Millcorr", "Mean, \u00b5m"),
-    _text("Millcorr", "Std. deviation, \u00b5m"),
-    _text("Millcorr", "Height, \u00b5m"),
-    _text("Millcorr", "Correction, \u00b5m"),
+    _text("Millcorr", "Mean, {}"),
+    _text("Millcorr", "Std. deviation, {}"),
+    _text("Millcorr", "Height, {}"),
+    _text("Millcorr", "Correction, {}"),
     _text("Millcorr", "Decision"),
 )
 
@@ -62,7 +63,7 @@ _PARTS = (
 def _table(name: str, headings: tuple[str, ...]) -> Any:
     table = QtWidgets.QTableWidget(0, len(headings))
     table.setObjectName(name)
-    table.setHorizontalHeaderLabels([translate("Millcorr", heading) for heading in headings])
+    table.setHorizontalHeaderLabels([translate("Millcorr", heading).format(unit().fine) for heading in headings])
     table.verticalHeader().hide()
     table.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
     table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectionBehavior.SelectRows)
@@ -95,9 +96,9 @@ class BatchTask(file_task.FileTask):
         self._timer.setInterval(POLL)
         self._timer.timeout.connect(self._look)
 
-    def complete(self) -> bool:
-        """Whether a file is named."""
-        return bool(self.fields["Batch"].value)
+    def missing(self) -> list[str]:
+        """The batch file."""
+        return [] if self.fields["Batch"].value else ["Batch"]
 
     def work(self) -> Callable[[], Any]:
         """Check the file."""
@@ -122,7 +123,7 @@ class BatchTask(file_task.FileTask):
             self._failed(error)
             return
         again = self.fields["Again"].value or None
-        recorder.record(["from millcorr import jobs", call("jobs.run", path, again=again)], jobs, "run", None)
+        recorder.record(["from millcorr.cli import jobs", call("jobs.run", path, again=again)], jobs, "run", None)
         self._ended = 0
         self._rows = {name: row for row, name in enumerate(self.run.names)}
         self.table.setRowCount(len(self._rows))
@@ -196,9 +197,9 @@ class HistoryTask(file_task.FileTask):
         plots.clicked.connect(lambda *_: self._plot())
         self.layout.addWidget(plots)
 
-    def complete(self) -> bool:
-        """Whether a journal is named."""
-        return bool(self.fields["Journal"].value)
+    def missing(self) -> list[str]:
+        """The journal."""
+        return [] if self.fields["Journal"].value else ["Journal"]
 
     def work(self) -> Callable[[], Any]:
         """Read the journal."""
@@ -213,8 +214,9 @@ class HistoryTask(file_task.FileTask):
         for row, (chain, entry) in enumerate(rows):
             s = entry.statistics
             deviation = s["deviation"]
+            fine, decimals = unit().fine_mm, unit().fine_digits + 1
             numbers = [deviation["mean"], deviation["std"], deviation["height"], s["correction"]]
-            shown = [f"{1000 * v:.2f}" if isfinite(v) else "\u2013" for v in numbers]
+            shown = [f"{v / fine:.{decimals}f}" if isfinite(v) else "\u2013" for v in numbers]
             decision = history.decision_in_words(entry)
             names = " ".join(name for name, _ in entry.measurements)
             _put(self.table, row, [chain.name, str(entry.part), names, *shown, decision])
@@ -230,7 +232,7 @@ class HistoryTask(file_task.FileTask):
         """Write the report."""
         path, directory = file_task.absolute([self.fields["Journal"].value, self.fields["Report"].value or "history"])
         line = call("session.history", Expression(f"Path({path!r})"), report=Expression(f"Path({directory!r})"))
-        lines = ["from pathlib import Path", "from millcorr import session", f"print({line})"]
+        lines = ["from pathlib import Path", "from millcorr.cli import session", f"print({line})"]
         return file_task.Job(lines, session, "history", lambda: session.history(Path(path), report=Path(directory)))
 
     def show_written(self, text: str) -> None:

@@ -15,9 +15,6 @@ from .text import QT_TRANSLATE_NOOP, translate
 
 _text = QT_TRANSLATE_NOOP
 
-_lacking: dict[str, str] = {}
-"""What each command's tooltip says now that it lacks."""
-
 
 @dataclass(frozen=True, slots=True)
 class Command:
@@ -53,7 +50,8 @@ class Command:
             "Pixmap": icon(self.name),
             "MenuText": translate(self.name, self.menu),
             "ToolTip": translate(self.name, self.tooltip),
-            "WhatsThis": guide.whats_this(self.name, self.menu, self.tooltip),
+            # FreeCAD appends this to its tooltip: what is to be read is set with ours.
+            "WhatsThis": self.name,
             "Accel": self.shortcut,
             # FreeCAD asks even while a task is open, so that the tooltip can say so.
             "CmdType": "ForEdit",
@@ -63,18 +61,21 @@ class Command:
         """Whether the command can run; its tooltip tells what is missing otherwise."""
         busy = not self.beside and bool(FreeCADGui.Control.activeDialog())
         lacking = _text("Millcorr", "the open task ended: OK or Cancel") if busy else self.lacks()
-        if _lacking.get(self.name, "") != lacking:
-            _lacking[self.name] = lacking
-            self._tell(lacking)
+        self._tell(lacking)
         return not lacking
 
     def _tell(self, lacking: str) -> None:
         text = translate(self.name, self.tooltip)
         if lacking:
             text += "<br><b>" + translate("Millcorr", "Needs:") + "</b> " + translate("Millcorr", lacking)
+        keys = f" ({self.shortcut})" if self.shortcut else ""
+        tooltip = f"<p><b>{translate(self.name, self.menu)}</b>{keys}<br>{text}</p>"
         for action in FreeCADGui.Command.get(self.name).getAction():
-            action.setToolTip(f"<p><b>{translate(self.name, self.menu)}</b><br>{text}</p>")
-            action.setStatusTip(translate("Millcorr", lacking) if lacking else translate(self.name, self.tooltip))
+            # FreeCAD makes its own when the language changes.
+            if action.toolTip() != tooltip:
+                action.setToolTip(tooltip)
+                action.setWhatsThis(guide.whats_this(self.name, self.menu, self.tooltip))
+                action.setStatusTip(translate("Millcorr", lacking) if lacking else translate(self.name, self.tooltip))
 
     def Activated(self) -> None:
         """Do it."""

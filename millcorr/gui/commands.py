@@ -6,6 +6,8 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui
 
+from millcorr.app import candidates
+
 from . import selection, shop_commands
 from .command import Command
 from .qt import QtWidgets
@@ -23,11 +25,11 @@ def _import() -> None:
 def _correct() -> None:
     from . import dressup_panel, panel
 
-    chosen = selection.correction()
-    if chosen is not None and chosen in FreeCADGui.Selection.getSelection():
-        made = dressup_panel.edit(chosen)
+    chosen = selection.operation()
+    if candidates.is_correction(chosen):
+        made = dressup_panel.edit(chosen, selection.new_measurement())
     else:
-        made = dressup_panel.new(selection.operation(), selection.measurement())
+        made = dressup_panel.new(chosen, selection.measurement())
     if made is not None and not panel.show(made):
         made.reject()
 
@@ -45,7 +47,7 @@ def _profile() -> None:
 
 
 def _report() -> None:
-    from . import panel
+    from . import macros
 
     dressup = selection.correction()
     title = translate("Millcorr_Report", "Directory for the report")
@@ -55,7 +57,7 @@ def _report() -> None:
             "from millcorr.app import batch",
             f"batch.export_report(App.ActiveDocument.getObject({dressup.Name!r}), {directory!r})",
         ]
-        panel.run(FreeCAD.ActiveDocument, translate("Millcorr_Report", "Export report"), lines)
+        macros.run(translate("Millcorr_Report", "Export report"), lines, directory)
 
 
 def _picture() -> None:

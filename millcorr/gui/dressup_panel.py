@@ -9,20 +9,26 @@ from typing import Any
 
 import FreeCADGui
 
-from millcorr.app import candidates, correction, draft, dressup
+from millcorr.app import candidates, correction, draft, dressup, rounds
 from millcorr.errors import MillcorrError, RefusedError
+from millcorr.options import field_name
+from millcorr.report.scene.measured import lines_of
 
 from . import methods, picture, picture_properties, preferences
 from .figures import COLUMNS, figures_of
 from .hover import Hover
 from .layer import view_of
+from .line_set import LineLayer
+from .magnification import MagnificationFields
 from .panel import Panel, clear, narrow
 from .qt import QtCore, QtWidgets
 from .remedies import Remedy, accepted_by, first_field, remedies_in, worded
 from .text import translate
+from .unit import unit
+from .worker import Worker
 
 _COMMON = ("Filter", "Align", "Gain", "Limit", "DeadBand")
-_ELSEWHERE = ("Base", "Measurement", "Accept")
+_ELSEWHERE = ("Base", "Measurement", "Accept", "EarlierParts", "EarlierRounds", "SwitchedOff")
 _USUAL = draft.defaults(dressup.PROPERTIES)
 
 
@@ -35,11 +41,15 @@ class DressupPanel(Panel):
         The operation.
     obj : document object, optional
         The dressup; none yet where it is to be made.
+    measurement : document object, optional
+        The measured part; of a dressup that has measured parts, one to add to them.
     """
 
     def __init__(self, base: Any, obj: Any = None, measurement: Any = None) -> None:
         super().__init__(base.Document, translate("Millcorr", "Compensated toolpath"), "Millcorr_Dressup")
         self.base, self.obj = base, obj
+        # A dressup with measured parts keeps them: what is chosen is added.
+        self._adds = obj is not None and obj.Measurement is not None
         label = f"{base.Label} corrected" if obj is None else obj.Label
         values = draft.defaults(dressup.PROPERTIES) if obj is None else draft.values_of(obj, dressup.PROPERTIES)
         look = draft.defaults(picture_properties.PROPERTIES, ("Picture",))
@@ -49,6 +59,7 @@ class DressupPanel(Panel):
         elif "ShowPicture" in obj.ViewObject.PropertiesList:
             look = draft.values_of(obj.ViewObject, picture_properties.PROPERTIES, ("Picture",))
         shown = obj is not None or preferences.get("ShowPicture")
+        values |= {} if obj is None else {"CutPath": obj.CutPath, "Smoothed": obj.Smoothed}
         self.draft, self.look = draft.Draft(label, values), draft.Draft(label, look | {"ShowPicture": shown})
         self.outcome: picture.Drawn | None = None
         self._taken = False
@@ -57,7 +68,13 @@ class DressupPanel(Panel):
         self._make_settings()
         self.layout.addStretch()
         self._show_values()
+        if self._adds and measurement is not None and measurement not in rounds.parts_of(obj):
+            self.fields["Measurement"].show_value(measurement)
+            self._add(measurement)
+        self._list_parts()
         self.picture = picture.Picture()
+        self.points = LineLayer(self.document)
+        self._seen = Worker(self.form, self.points.fill, lambda error: self.points.hide())
         view = view_of(self.document)
         self._hover = None
         if view is not None:
@@ -71,7 +88,22 @@ class DressupPanel(Panel):
 
     def _make_choice(self) -> None:
         rows = [row for row in dressup.PROPERTIES if row.name == "Measurement"]
-        box = self.group(translate("Millcorr", "Measured part"), rows, self._settings_changed)
+        title = translate("Millcorr", "Measured parts") if self._adds else translate("Millcorr", "Measured part")
+        box = self.group(title, rows, self._settings_changed)
+        if self._adds:
+            self.fields["Measurement"].label.setText(translate("Millcorr", "Add"))
+        self.parts = QtWidgets.QListWidget()
+        self.parts.setObjectName("Parts")
+        self.parts.setToolTip(
+            translate(
+                "Millcorr",
+                "Oldest first. Each part was cut with the path that those before it gave; what is not ticked counts "
+                "for nothing.",
+            )
+        )
+        self.parts.setVisible(self._adds)
+        self.parts.itemChanged.connect(lambda *_: self._switched())
+        box.layout().insertWidget(0, self.parts)
         self.importing = QtWidgets.QPushButton(translate("Millcorr", "&Import file\u2026"))
         self.importing.setObjectName("Import")
         self.importing.setAutoDefault(False)
@@ -91,7 +123,7 @@ class DressupPanel(Panel):
             grid.setHorizontalSpacing(4)
             layout.addLayout(grid)
         right = QtCore.Qt.AlignmentFlag.AlignRight
-        deviations.addWidget(QtWidgets.QLabel("mm"), 0, 0)
+        deviations.addWidget(QtWidgets.QLabel(unit().name), 0, 0)
         for column, heading in enumerate(COLUMNS, 1):
             deviations.addWidget(QtWidgets.QLabel(f"<b>{translate('Millcorr', heading)}</b>"), 0, column, right)
         self.values: dict[str, list[Any]] = {}
@@ -131,17 +163,24 @@ class DressupPanel(Panel):
         self.more = self.group(translate("Millcorr", "More settings"), more, self._settings_changed, folded=True)
         shown = [row for row in picture_properties.PROPERTIES if row.name != "ShowPicture"]
         self.group(translate("Millcorr", "Picture"), shown, self._look_changed, folded=True)
+        self.magnification = MagnificationFields(self.fields)
         self._offer_objects()
 
     def _show_values(self) -> None:
         for name, field in self.fields.items():
             owner = self.draft if name in self.draft.__dict__ else self.look
-            field.show_value(owner.value(name))
+            if name != "Measurement" or not self._adds:
+                field.show_value(owner.value(name))
         methods.show(self.fields, self.draft.value("Method"))
+        self.magnification.chosen()
 
     def _offer_objects(self) -> None:
         measured = candidates.measurements(self.document)
-        self.fields["Measurement"].offer(measured, translate("Millcorr", "none: only make the path exact"))
+        none, new = translate("Millcorr", "none: only make the path exact"), measured
+        if self._adds:
+            none = translate("Millcorr", "no further part")
+            new = [part for part in measured if part not in rounds.parts_of(self.obj)]
+        self.fields["Measurement"].offer(new, none)
         self.fields["FurtherParts"].offer(measured)
         own = translate("Millcorr", "the operation's own contour")
         self.fields["Nominal"].offer(candidates.shapes(self.document), own)
@@ -149,8 +188,10 @@ class DressupPanel(Panel):
     # What the user does ------------------------------------------------------------------------------
 
     def _settings_changed(self) -> None:
+        if self._adds:
+            self._add(self.fields["Measurement"].value)
         for name, field in self.fields.items():
-            if name not in self.draft.__dict__:
+            if name not in self.draft.__dict__ or (name == "Measurement" and self._adds):
                 continue
             try:
                 self.draft.change(name, self._counted(name, field))
@@ -162,6 +203,40 @@ class DressupPanel(Panel):
                 field.complain(self.wrong)
                 return
         methods.show(self.fields, self.draft.value("Method"))
+        self.changed()
+
+    def _add(self, measurement: Any) -> None:
+        """Add a measured part to those of the dressup, or none."""
+        own = draft.values_of(self.obj, dressup.PROPERTIES)
+        pending = self.draft.value("Measurement")
+        if measurement is None:
+            measurement = self.obj.Measurement
+        if measurement == pending:
+            return
+        own |= {"CutPath": self.obj.CutPath, "Smoothed": self.obj.Smoothed}
+        new = {"CutPath": "", "Smoothed": ""}
+        chosen = own if measurement == self.obj.Measurement else own | dressup.added(self.obj, measurement) | new
+        for name in ("Measurement", "FurtherParts", "EarlierParts", "EarlierRounds", "Accept", *new):
+            self.draft.change(name, chosen[name])
+        self.fields["FurtherParts"].show_value(self.draft.value("FurtherParts"))
+        self._list_parts()
+
+    def _list_parts(self) -> None:
+        """Measured parts of the draft, newest last, each to be switched off and on."""
+        before = self.parts.blockSignals(True)
+        self.parts.clear()
+        states = QtCore.Qt.CheckState
+        for part in rounds.parts_of(self.draft):
+            item = QtWidgets.QListWidgetItem(part.Label, self.parts)
+            item.setCheckState(states.Checked if rounds.is_on(self.draft, part) else states.Unchecked)
+        rows = min(max(self.parts.count(), 1), 4)
+        self.parts.setFixedHeight(rows * self.parts.sizeHintForRow(0) + 2 * self.parts.frameWidth() + 10)
+        self.parts.blockSignals(before)
+
+    def _switched(self) -> None:
+        parts, checked = rounds.parts_of(self.draft), QtCore.Qt.CheckState.Checked
+        off = [part for k, part in enumerate(parts) if self.parts.item(k).checkState() != checked]
+        self.draft.change("SwitchedOff", off)
         self.changed()
 
     def _counted(self, name: str, field: Any) -> Any:
@@ -179,9 +254,9 @@ class DressupPanel(Panel):
         try:
             look = picture.look_of(self.look)
         except MillcorrError as error:
-            text = str(error)
-            self.fields["Magnification" if text.startswith("magn") else "ToleranceBand"].complain(text)
+            self.fields[field_name(error.about)].complain(error.message)
             return
+        self.magnification.chosen()
         self.picture.choose(self.look)
         if look != self._drawn:
             self.changed()
@@ -217,30 +292,42 @@ class DressupPanel(Panel):
         self._offer_objects()
         self.set_field("Measurement", measurement)
 
-    def _picked(self, text: str) -> None:
-        self.point.setText(text)
+    def _picked(self, pick: picture.Pick) -> None:
+        from . import plots
+
+        self.point.setText(pick.text)
+        plots.pick(self.obj, pick.row, pick.index)
 
     # The work ----------------------------------------------------------------------------------------
 
     def work(self) -> Callable[[], Any]:
         """Correct and draw the draft."""
         finish, look = correction.prepared(self.draft), picture.look_of(self.look)
-        self._drawn = look
+        self._drawn, top = look, picture.top_of(self.base)
 
         def function() -> Any:
-            drawn = picture.draw(finish().result, look)
-            return drawn, drawn.result.summary()
+            corrected = finish()
+            drawn = picture.draw(corrected.result, look, top)
+            return drawn, drawn.result.summary(), corrected.otherwise_cut
 
         return function
 
     def show_outcome(self, outcome: Any) -> None:
         """Show figures, picture and notes."""
-        self.outcome, summary = outcome
+        self.outcome, summary, otherwise_cut = outcome
+        self._hide_points()
         self._show_figures(summary)
         self.picture.fill(self.outcome, self.look)
+        self.magnification.show(self.outcome.overlay.magnification)
+        self.look.change("Magnification", self.fields["Magnification"].value)
         clear(self.notes)
-        for text in summary["warnings"]:
-            self._note(worded(text), "doubt")
+        warnings = [*summary["warnings"], *([dressup.CHANGED.format(self.base.Label)] if otherwise_cut else [])]
+        doubts = [] if self.obj is None else [text for text in dressup.doubts_of(self.obj) if text in warnings]
+        # What came up since the user last looked stands where it is seen.
+        self.say("\n".join(map(worded, doubts)), "doubt")
+        for text in warnings:
+            if text not in doubts:
+                self._note(worded(text), "doubt")
         for text in summary["advice"]:
             self._note(worded(text), "note")
 
@@ -249,6 +336,7 @@ class DressupPanel(Panel):
         self.outcome = None
         self._show_figures(None)
         self.picture.hide()
+        self._show_points()
         clear(self.notes)
         name = accepted_by(text)
         field = self._field_at_fault(text)
@@ -270,6 +358,19 @@ class DressupPanel(Panel):
             self.offer(
                 translate("Millcorr", "It is right as it is"), lambda: self.accept_finding(name), f"Accept {name}"
             )
+
+    def _show_points(self) -> None:
+        """Draw what was measured: it may tell why nothing can be made of it."""
+        try:
+            finish = correction.seen(self.draft)
+        except (MillcorrError, ValueError):
+            self._hide_points()
+            return
+        self._seen.start(lambda: lines_of(*finish()))
+
+    def _hide_points(self) -> None:
+        self._seen.cancel()
+        self.points.hide()
 
     def _field_at_fault(self, text: str) -> Any:
         """Field of the setting that is wrong in itself; None where the trouble lies elsewhere."""
@@ -309,7 +410,12 @@ class DressupPanel(Panel):
         if self.obj is None:
             self._before = {obj.Name for obj in self.document.Objects}
             return draft.lines_to_create(self.draft, dressup.PROPERTIES)
-        return draft.lines_to_change(self.draft, self.obj, dressup.PROPERTIES)
+        before = draft.values_of(self.obj, dressup.PROPERTIES)
+        new = self.draft.value("Measurement")
+        added = new != self.obj.Measurement and self._adds
+        if added:
+            before |= dressup.added(self.obj, new)
+        return draft.lines_to_change(self.draft, self.obj, before, new if added else None)
 
     def applied(self) -> None:
         """Show the new dressup as its preview was shown; raises RefusedError where FreeCAD could not compute it."""
@@ -325,6 +431,7 @@ class DressupPanel(Panel):
         for name, value in self.look.__dict__.items():
             if name != "Label" and draft.plain(getattr(obj.ViewObject, name)) != value:
                 setattr(obj.ViewObject, name, value)
+        dressup.take_note(obj)
         if self.outcome is not None:
             obj.ViewObject.Proxy.take(self.picture)
             self._taken = True
@@ -336,6 +443,8 @@ class DressupPanel(Panel):
         super().close()
         if not self._taken:
             self.picture.remove()
+        self._seen.cancel()
+        self.points.remove()
         if self.document is None:
             # Nor may its view be touched: it is half gone.
             return
@@ -345,9 +454,9 @@ class DressupPanel(Panel):
             self.obj.ViewObject.Proxy.pause(False)
 
 
-def edit(obj: Any) -> DressupPanel | None:
-    """Panel of a dressup, to be shown; None where it has no operation."""
-    return None if obj.Base is None else DressupPanel(obj.Base, obj)
+def edit(obj: Any, measurement: Any = None) -> DressupPanel | None:
+    """Panel of a dressup, to be shown, with a measured part to add to it; None where it has no operation."""
+    return None if obj.Base is None else DressupPanel(obj.Base, obj, measurement)
 
 
 def new(base: Any, measurement: Any = None) -> DressupPanel:

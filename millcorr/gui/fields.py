@@ -8,11 +8,10 @@ from typing import Any
 
 from .qt import QtCore, QtWidgets
 from .text import QT_TRANSLATE_NOOP, label_of, translate
+from .unit import unit
+from .wheel import calm
 
 _text = QT_TRANSLATE_NOOP
-
-DECIMALS = 4
-"""Lengths are entered to 0.1 um."""
 
 SUGGESTIONS = {
     "Filter": ("auto", "none", "mean:3", "mean:5", "mean:7", "mean:1,2,3,2,1", "gauss:2.5", "robust:2.5"),
@@ -30,6 +29,8 @@ CHOICES = {
     "combined": _text("Millcorr", "combined: one or two touches, and a model of the machine"),
     "predicted": _text("Millcorr", "predicted: by the model alone, before anything is measured"),
     "keep": _text("Millcorr", "as the operation's"),
+    "blue": _text("Millcorr", "blue, undercut red"),
+    "red": _text("Millcorr", "red, undercut blue"),
 }
 """What the values of enumerations mean, where the value alone does not tell."""
 
@@ -47,7 +48,7 @@ class Field:
 
     def __init__(self, row: Any, changed: Callable[[], None]) -> None:
         self.name: str = row.name
-        self.widget = self._make(row)
+        self.widget = calm(self._make(row))
         self.widget.setObjectName(row.name)
         self.widget.setToolTip(translate("App::Property", row.doc))
         self.widget.setAccessibleName(label_of(row.name))
@@ -126,27 +127,36 @@ class Field:
 
 
 class NumberField(Field):
-    """A length in mm, an angle in degrees, or a plain number."""
+    """A length, shown in the window's unit and given in mm, an angle in degrees, or a plain number."""
 
     def _make(self, row: Any) -> Any:
         box = QtWidgets.QDoubleSpinBox()
         lengths = row.kind in ("Length", "Distance")
-        box.setDecimals(DECIMALS if lengths else 3)
+        shown = unit()
+        self._size = shown.mm if lengths else 1.0
+        # What was put in is given back as it was, unless the user has changed what is shown of it.
+        self._put_in = (0.0, 0.0)
+        box.setDecimals(shown.digits if lengths else 3)
         box.setRange(0.0 if row.kind == "Length" else -1e6, 1e6)
-        box.setSingleStep(0.001 if lengths else 0.1)
+        # A micrometre, or a tenth of a thou.
+        box.setSingleStep(shown.step if lengths else 0.1)
         # A number that is not yet complete must not start a correction.
         box.setKeyboardTracking(False)
-        box.setSuffix(" mm" if lengths else " \u00b0" if row.kind == "Angle" else "")
+        box.setSuffix(f" {shown.name}" if lengths else " \u00b0" if row.kind == "Angle" else "")
+        # Shown at the smallest number there is.
+        box.setSpecialValueText(translate("Millcorr", row.zero) if row.zero else "")
         return box
 
     def _connect(self, changed: Callable[[], None]) -> None:
         self.widget.valueChanged.connect(lambda *_: changed())
 
     def _get(self) -> float:
-        return float(self.widget.value())
+        now, (seen, value) = float(self.widget.value()), self._put_in
+        return value if now == seen else now * self._size
 
     def _put(self, value: Any) -> None:
-        self.widget.setValue(float(value))
+        self.widget.setValue(float(value) / self._size)
+        self._put_in = float(self.widget.value()), float(value)
 
 
 class IntegerField(Field):
@@ -156,6 +166,7 @@ class IntegerField(Field):
         box = QtWidgets.QSpinBox()
         box.setRange(0, 1_000_000)
         box.setKeyboardTracking(False)
+        box.setSpecialValueText(translate("Millcorr", row.zero) if row.zero else "")
         return box
 
     def _connect(self, changed: Callable[[], None]) -> None:

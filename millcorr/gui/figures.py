@@ -9,6 +9,7 @@ from math import isfinite
 from typing import Any
 
 from .text import QT_TRANSLATE_NOOP, translate
+from .unit import unit
 
 _text = QT_TRANSLATE_NOOP
 
@@ -62,11 +63,12 @@ _COUNTS = (
 
 
 def length(value: float | None, signed: bool) -> str:
-    """A length in mm as the panel shows it, under a heading with the unit: to 0.1 um, a dash where there is none."""
+    """A length in mm as the panel shows it, under a heading with the window's unit; a dash where there is none."""
     if value is None or not isfinite(value):
         return NONE
-    text = f"{value:+.4f}" if signed else f"{value:.4f}"
-    return "0.0000" if float(text) == 0 else text
+    shown = unit()
+    plain = shown.number(value)
+    return plain if not signed or float(plain) == 0 else shown.number(value, "+")
 
 
 def figures_of(summary: Mapping[str, Any] | None) -> list[Figure]:

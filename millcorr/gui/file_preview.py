@@ -11,6 +11,7 @@ from millcorr.readers.preview import Preview
 
 from .qt import QtGui, QtWidgets
 from .text import translate
+from .wheel import calm
 
 
 class FilePreview(QtWidgets.QTableWidget):
@@ -55,7 +56,7 @@ class FilePreview(QtWidgets.QTableWidget):
         self.setVerticalHeaderLabels(["", *(str(k + 1) for k in range(len(seen.cells)))])
         meaning = {at: name for name, at in self._told.items()}
         for column in range(width):
-            box = QtWidgets.QComboBox()
+            box = calm(QtWidgets.QComboBox())
             box.setObjectName(f"Column {column + 1}")
             box.setAccessibleName(translate("Millcorr", "Meaning of column {}").format(column + 1))
             box.addItem(translate("Millcorr", "not used"), "")

@@ -14,19 +14,16 @@ from types import ModuleType
 from typing import Any
 
 import FreeCAD
-import FreeCADGui
 
 from millcorr.errors import InputError
 
-from . import guide, recorder
+from . import recorder
 from .panel import Panel
 from .qt import QtCore, QtGui, QtWidgets
-from .remedies import accepted_by, first_field, remedies_in, worded
-from .text import translate
+from .remedies import accepted_by, remedies_in, worded, wrong_field
+from .task_window import Dock, Window
+from .text import label_of, translate
 from .worker import Worker
-
-ASIDE = 440
-"""Width of a window beside the 3-D view, pixels."""
 
 _open: dict[str, Any] = {}
 """Windows that are open, by title: Python must hold on to them."""
@@ -71,14 +68,15 @@ class FileTask(Panel):
     """Name of the document that it is about: its window closes with it."""
 
     aside = False
-    """Whether its window stands at the left, because the 3-D view shows something of it."""
+    """Whether it is docked, because the 3-D view shows something of it."""
 
     def __init__(self, title: str, icon_name: str, page: str) -> None:
         super().__init__(None, title, icon_name)
         self.page = page
-        self._writer = Worker(self.form, self._written, self._failed, self._progressed)
+        self._writer = Worker(self.form, self._written, self._could_not, self._progressed, self._not_written)
         self.written = ""
-        self.ready: Callable[[bool], None] = lambda ready: None
+        # What was refused when it was looked at cannot be written; what could not be written can be tried again.
+        self._unfit = False
 
     # What a task is made of --------------------------------------------------------------------------
 
@@ -86,9 +84,13 @@ class FileTask(Panel):
         """What writes; raises MillcorrError where something is missing."""
         raise NotImplementedError
 
+    def missing(self) -> list[str]:
+        """Names of fields that must be filled in first."""
+        raise NotImplementedError
+
     def complete(self) -> bool:
         """Whether everything is said that looking needs."""
-        raise NotImplementedError
+        return not self.missing()
 
     @property
     def values(self) -> dict[str, Any]:
@@ -113,13 +115,28 @@ class FileTask(Panel):
         self._pause.stop()
         self._show_progress(False)
         self.say("")
+        self.judge()
+
+    def lacking(self) -> str:
+        """Why nothing can be written; empty where it can."""
+        missing = [label_of(name) for name in self.missing()]
+        if missing:
+            return translate("Millcorr", "Needs: {}").format(", ".join(missing))
+        return super().lacking() if self._unfit else ""
+
+    def ready(self, ready: bool) -> None:
+        """Whether something else may be written, or is being written."""
+        if ready:
+            self.judge()
+        elif self.applying is not None:
+            self.applying.setEnabled(False)
 
     def write(self) -> None:
         """Write, in the background."""
         try:
             job = self.job()
         except (OSError, ValueError) as error:
-            self._failed(error)
+            self._could_not(error)
             return
         self._pause.stop()
         self.worker.cancel()
@@ -135,21 +152,37 @@ class FileTask(Panel):
         self.ready(True)
         self.show_written(self.written)
 
+    def _stopped(self) -> None:
+        """Stop what goes on; what is being put in its place already is written, and said to be."""
+        if self.writing:
+            self._writer.stop()
+        else:
+            super()._stopped()
+
+    def _not_written(self) -> None:
+        self._show_progress(False)
+        self.ready(True)
+        self.say(translate("Millcorr", "Stopped; nothing was written"))
+
     def show_written(self, text: str) -> None:
         """Show what was written."""
         self.say(worded(spaced(text)), "good")
 
     def _failed(self, error: BaseException) -> None:
-        self.ready(True)
-        # What the file system refuses is told like any other refusal.
-        super()._failed(InputError(str(error)) if isinstance(error, OSError) else error)
+        self._unfit = True
+        super()._failed(_told(error))
+
+    def _could_not(self, error: BaseException) -> None:
+        """It was not written."""
+        self._unfit = False
+        super()._failed(_told(error))
 
     def show_failure(self, text: str) -> None:
         """Beside the field that is at fault, or at the top, with buttons for what resolves it."""
         remedies = [remedy for remedy in remedies_in(text) if remedy.field in self.fields]
-        name, first = accepted_by(text), first_field(text)
+        name, first = accepted_by(text), wrong_field(text)
         # A message that begins with an option is about the value that it has.
-        wrong = first if text.startswith("--") else remedies[0].field if remedies and remedies[0].value is None else ""
+        wrong = first or (remedies[0].field if remedies and remedies[0].value is None else "")
         if wrong in self.fields and not name:
             self.say("")
             self.fields[wrong].complain(worded(text))
@@ -171,54 +204,9 @@ class FileTask(Panel):
         self.changed()
 
     def stop_all(self) -> None:
-        """Stop whatever goes on."""
+        """Stop whatever goes on; what has been written by then is still recorded."""
         self.close()
-        self._writer.cancel()
-
-
-class Window(QtWidgets.QDialog):
-    """The window of a task."""
-
-    def __init__(self, task: FileTask) -> None:
-        super().__init__(FreeCADGui.getMainWindow())
-        self.task = task
-        self.setObjectName(f"Millcorr{type(task).__name__}")
-        self.setWindowTitle(task.title)
-        self.setWindowIcon(task.form.windowIcon())
-        scroll = QtWidgets.QScrollArea()
-        scroll.setWidgetResizable(True)
-        scroll.setFrameShape(QtWidgets.QFrame.Shape.NoFrame)
-        scroll.setWidget(task.form)
-        layout = QtWidgets.QVBoxLayout(self)
-        layout.addWidget(scroll)
-        box = QtWidgets.QDialogButtonBox
-        buttons = box()
-        self.write = None
-        if task.verb:
-            self.write = buttons.addButton(translate("Millcorr", task.verb), box.ButtonRole.ApplyRole)
-            self.write.setObjectName("Write")
-            self.write.clicked.connect(lambda *_: task.write())
-            task.ready = self.write.setEnabled
-        explain = buttons.addButton(translate("Millcorr", "Help"), box.ButtonRole.HelpRole)
-        explain.setObjectName("Help")
-        explain.clicked.connect(lambda *_: guide.show(task.page))
-        close = buttons.addButton(translate("Millcorr", "Close"), box.ButtonRole.RejectRole)
-        close.setObjectName("Close")
-        for button in (explain, close):
-            button.setAutoDefault(False)
-        buttons.rejected.connect(self.reject)
-        layout.addWidget(buttons)
-        hint = task.form.sizeHint()
-        # Beside the 3-D view there is little room.
-        wide = ASIDE if task.aside else max(480, hint.width() + 60)
-        self.resize(wide, min(820, hint.height() + 120))
-
-    def done(self, result: int) -> None:
-        """Stop everything, however the window is closed."""
-        self.task.stop_all()
-        _open.pop(self.task.title, None)
-        super().done(result)
-        self.deleteLater()
+        self._writer.finish()
 
 
 class _Documents:
@@ -234,20 +222,23 @@ class _Documents:
 _documents: list[_Documents] = []
 
 
-def open_window(task: Callable[[], FileTask], title: str) -> Window:
+def open_window(task: Callable[[], FileTask], title: str) -> Window | Dock:
     """Open the window of a task, or bring it forward if it is open; gives it."""
     if not _documents:
         _documents.append(_Documents())
         FreeCAD.addDocumentObserver(_documents[0])
     if title not in _open:
-        _open[title] = Window(task())
-    window: Window = _open[title]
-    if window.task.aside:
-        main = FreeCADGui.getMainWindow()
-        window.move(main.mapToGlobal(QtCore.QPoint(4, 60)))
+        made = task()
+        _open[title] = (Dock if made.aside else Window)(made, lambda: _open.pop(title, None))
+    window: Window | Dock = _open[title]
     window.show()
     window.raise_()
     return window
+
+
+def _told(error: BaseException) -> BaseException:
+    """What the file system refuses is told like any other refusal."""
+    return InputError(str(error)) if isinstance(error, OSError) else error
 
 
 def monospaced(name: str, lines: int) -> Any:

@@ -9,6 +9,7 @@ from typing import Any
 import FreeCADGui
 
 from .qt import QtCore, QtGui, QtWidgets
+from .screen import fit
 from .text import translate
 
 DIRECTORY = Path(__file__).resolve().parents[2] / "docs"
@@ -42,7 +43,8 @@ class Guide(QtWidgets.QDialog):
         super().__init__(FreeCADGui.getMainWindow())
         self.setObjectName("MillcorrGuide")
         self.setWindowTitle(translate("Millcorr", "Millcorr help"))
-        self.resize(820, 700)
+        self.setWindowFlag(QtCore.Qt.WindowType.WindowContextHelpButtonHint, False)
+        fit(self, 820, 700)
         layout = QtWidgets.QVBoxLayout(self)
         row = QtWidgets.QHBoxLayout()
         self.text = QtWidgets.QTextBrowser()

@@ -8,7 +8,7 @@ from typing import Any
 
 from pivy import coin
 
-from .picture import Picture
+from .picture import Pick, Picture
 from .qt import QtCore, QtGui, QtWidgets
 
 REST = 60
@@ -23,12 +23,13 @@ class Hover:
     view : 3-D view
     picture : Picture
     picked : callable
-        Gets the text of what is clicked.
+        Gets what is clicked.
     """
 
-    def __init__(self, view: Any, picture: Picture, picked: Callable[[str], None]) -> None:
+    def __init__(self, view: Any, picture: Picture, picked: Callable[[Pick], None]) -> None:
         self._view, self._picture, self._picked = view, picture, picked
         self._place = (0, 0)
+        self._told = False
         self._rest = QtCore.QTimer()
         self._rest.setSingleShot(True)
         self._rest.setInterval(REST)
@@ -48,18 +49,20 @@ class Hover:
     def _pressed(self, callback: Any) -> None:
         event = callback.getEvent()
         if event.getButton() == coin.SoMouseButtonEvent.BUTTON1 and event.getState() == coin.SoButtonEvent.DOWN:
-            text = self._picture.text_at(self._view, *event.getPosition().getValue())
-            if text:
-                self._picked(text)
+            pick = self._picture.pick_at(self._view, *event.getPosition().getValue())
+            if pick is not None:
+                self._picked(pick)
 
     def _tell(self) -> None:
         if not QtWidgets.QApplication.mouseButtons() == QtCore.Qt.MouseButton.NoButton:
             return
-        text = self._picture.text_at(self._view, *self._place)
-        if text:
-            QtWidgets.QToolTip.showText(QtGui.QCursor.pos(), text)
-        else:
+        pick = self._picture.pick_at(self._view, *self._place)
+        if pick is not None:
+            QtWidgets.QToolTip.showText(QtGui.QCursor.pos(), pick.text)
+        elif self._told:
+            # What another picture in the same view tells stays.
             QtWidgets.QToolTip.hideText()
+        self._told = pick is not None
 
     def end(self) -> None:
         """Watch no more."""

@@ -12,22 +12,26 @@ import FreeCADGui
 
 from millcorr.app import candidates, doubts, measurement_object
 from millcorr.errors import MillcorrError
+from millcorr.messages import message_of
 from millcorr.readers import FORMATS, Reading
 from millcorr.readers import mapping as mappings
 from millcorr.readers.preview import HEAD, Preview, preview
 
-from . import panel, preferences
+from . import origins, panel, preferences
 from .field_kinds import field_for
 from .fields import Field
 from .file_preview import FilePreview
 from .fold import Fold
-from .icons import icon
+from .icons import qt_icon
 from .keys import keep
 from .panel import clear
-from .qt import QtCore, QtGui, QtWidgets
+from .qt import QtCore, QtWidgets
 from .remedies import Remedy, first_field, remedies_in, worded
+from .screen import fit
 from .text import translate
 from .theme import STYLE
+from .unit import unit
+from .wheel import calm
 from .worker import Worker
 
 _ASKED = ("Points", "BallRadius", "Unit")
@@ -53,9 +57,10 @@ class ImportDialog(QtWidgets.QDialog):
         self.document, self.operation, self._imported = document, operation, imported
         self.setObjectName("MillcorrImport")
         self.setWindowTitle(translate("Millcorr", "Import measurement"))
-        self.setWindowIcon(QtGui.QIcon(icon("Millcorr_Measurement")))
+        self.setWindowIcon(qt_icon("Millcorr_Measurement"))
+        self.setWindowFlag(QtCore.Qt.WindowType.WindowContextHelpButtonHint, False)
         self.setStyleSheet(STYLE)
-        self.resize(760, 640)
+        fit(self, 760, 640)
         self.fields: dict[str, Field] = {}
         self.seen = Preview("")
         self.measurement: Any = None
@@ -139,7 +144,7 @@ class ImportDialog(QtWidgets.QDialog):
         self.offset_given.setObjectName("WorkOffsetGiven")
         self.offset = []
         for axis in "XYZ":
-            box = QtWidgets.QDoubleSpinBox()
+            box = calm(QtWidgets.QDoubleSpinBox())
             box.setRange(-1e6, 1e6)
             box.setDecimals(4)
             box.setKeyboardTracking(False)
@@ -249,7 +254,7 @@ class ImportDialog(QtWidgets.QDialog):
             try:
                 return measurement, said, look(measurement), ""
             except MillcorrError as error:
-                return measurement, said, (), str(error)
+                return measurement, said, (), error.message
 
         self._worker.start(function)
 
@@ -269,9 +274,13 @@ class ImportDialog(QtWidgets.QDialog):
     def _show_found(self, levels: int, low: list[float], high: list[float]) -> None:
         measurement = self.measurement
         axes = "XYZ" if measurement.has_z else "XY"
-        size = ", ".join(f"{a} {least:.3f} \u2026 {most:.3f}" for a, least, most in zip(axes, low, high, strict=False))
-        text = translate("Millcorr", "Points: {}, heights: {}. {} mm. Format: {}, unit in the file: {}").format(
-            len(measurement), levels, size, measurement.format, measurement.unit
+        shown = unit()
+        size = ", ".join(
+            f"{a} {least / shown.mm:.3f} \u2026 {most / shown.mm:.3f}"
+            for a, least, most in zip(axes, low, high, strict=False)
+        )
+        text = translate("Millcorr", "Points: {}, heights: {}. {} {}. Format: {}, unit in the file: {}").format(
+            len(measurement), levels, size, shown.name, measurement.format, measurement.unit
         )
         self._say("\n".join([text, *_known(measurement), *measurement.notes]), "good")
 
@@ -279,9 +288,9 @@ class ImportDialog(QtWidgets.QDialog):
         self._state()
         if not isinstance(error, MillcorrError | ValueError):
             FreeCAD.Console.PrintError(f"{type(error).__name__}: {error}\n")
-        self._show_failure(str(error))
+        self._show_failure(message_of(error), getattr(error, "reason", ""))
 
-    def _show_failure(self, text: str) -> None:
+    def _show_failure(self, text: str, question: str = "") -> None:
         clear(self.findings)
         self.measurement = None
         self._state()
@@ -292,8 +301,7 @@ class ImportDialog(QtWidgets.QDialog):
                 self.more.setChecked(True)
             field.set_shown(True)
             # What the file leaves open is a question, not an error of the user's.
-            open_question = text.startswith("say ")
-            field.complain(text.partition(": ")[2] if open_question else worded(text))
+            field.complain(question or worded(text))
         else:
             self._say(worded(text), "wrong")
 
@@ -364,7 +372,8 @@ class ImportDialog(QtWidgets.QDialog):
 
 def _known(measurement: Any) -> list[str]:
     """What of a measurement neither its file nor the user said, a line each."""
-    return [f"{what}: {basis}" for what, basis in measurement.bases.items() if basis.how in ("inferred", "assumed")]
+    bases = measurement.bases.items()
+    return [origins.in_words(what, basis) for what, basis in bases if basis.how in ("inferred", "assumed")]
 
 
 def _kept(seen: Preview, columns: dict[str, int]) -> Path:

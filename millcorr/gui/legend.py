@@ -8,11 +8,14 @@ from typing import Any
 
 from pivy import coin
 
-from millcorr.scene import correction as overlay
-from millcorr.scene.correction import Look, Overlay
+from millcorr.report.scene import correction as overlay
+from millcorr.report.scene.correction import Overlay
+from millcorr.report.scene.scale import Look
+from millcorr.report.scene.wall import UNKNOWN
 
 from .qt import QtCore, QtGui
 from .text import QT_TRANSLATE_NOOP, translate
+from .unit import unit
 
 _text = QT_TRANSLATE_NOOP
 
@@ -52,9 +55,9 @@ class Legend:
         apart.addChild(corner)
         self.node.addChild(apart)
 
-    def fill(self, drawn: Overlay, look: Look, parts: Collection[str]) -> None:
-        """Paint the legend of those parts of an overlay that are shown."""
-        picture = painted(drawn, look, parts)
+    def fill(self, drawn: Any, parts: Collection[str]) -> None:
+        """Paint the legend of those parts of a picture, a `picture.Drawn`, that are shown."""
+        picture = painted(drawn.overlay, drawn.look, parts, bare=drawn.wall.bare)
         data = _bytes_of(picture)
         self._image.image.setValue(coin.SbVec2s(picture.width(), picture.height()), 4, data)
 
@@ -63,20 +66,21 @@ def _colour(rgba: int) -> Any:
     return QtGui.QColor((rgba >> 24) & 255, (rgba >> 16) & 255, (rgba >> 8) & 255)
 
 
-def _rows(drawn: Overlay, parts: Collection[str]) -> list[tuple[Any, str]]:
-    """Colour and text of each row; bounds in um, because that is how large errors are."""
+def _rows(drawn: Overlay, parts: Collection[str], bare: bool) -> list[tuple[Any, str]]:
+    """Colour and text of each row; bounds in the small unit, because that is how large errors are."""
     rows = []
-    um = [1000.0 * step for step in drawn.steps.tolist()]
-    if len(drawn.rows) and "Whiskers" in parts:
-        for k, shade in enumerate(drawn.shades.tolist()):
-            text = f"{um[k + 1]:+.1f} \u2026 {um[k]:+.1f} \u00b5m"
-            if k == 0 and len(um) > 2:
-                text += "   " + translate("Millcorr", "material left")
-            elif k == len(um) - 2 and len(um) > 2:
-                text += "   " + translate("Millcorr", "undercut")
-            elif k == len(um) // 2 - 1:
-                text += "   " + translate("Millcorr", "in tolerance")
-            rows.append((_colour(shade), text))
+    scale = drawn.scale
+    shown = unit()
+    steps = [shown.fine_number(step).replace("-", "\u2212") for step in scale.steps.tolist()]
+    if len(drawn.rows) and {"Whiskers", "Wall"} & set(parts):
+        last = len(scale.shades) - 1
+        names = {0: translate("Millcorr", "material left"), last: translate("Millcorr", "undercut")}
+        names[scale.within] = translate("Millcorr", "in tolerance")
+        for k, shade in enumerate(scale.shades.tolist()):
+            text = f"{steps[k + 1]} \u2026 {steps[k]} {shown.fine}"
+            rows.append((_colour(shade), "   ".join([text, *([names[k]] if k in names else [])])))
+    if bare and "Wall" in parts:
+        rows.append((_colour(UNKNOWN), translate("Millcorr", "no points near")))
     rows += [
         (_colour(rgba), translate("Millcorr", text))
         for part, lines, rgba, text in _ENTRIES
@@ -85,12 +89,26 @@ def _rows(drawn: Overlay, parts: Collection[str]) -> list[tuple[Any, str]]:
     return rows
 
 
-def painted(drawn: Overlay, look: Look, parts: Collection[str]) -> Any:
-    """The legend as an image; on a light plate, so that it can be read on any background."""
-    title = translate("Millcorr", "Deviations {}:1").format(f"{look.magnification:g}")
+def painted(drawn: Overlay, look: Look, parts: Collection[str], *, bare: bool) -> Any:
+    """The legend as an image; on a light plate, so that it can be read on any background.
+
+    Parameters
+    ----------
+    drawn : Overlay
+    look : Look
+    parts : collection of str
+        Switches of the picture that are on.
+    bare : bool
+        Whether the wall has places without a point near.
+    """
+    title = translate("Millcorr", "Deviations {}:1").format(f"{drawn.magnification:.6g}")
+    if look.magnification is None:
+        title += ", " + translate("Millcorr", "automatic")
+    elif look.magnification > drawn.magnification:
+        title += ", " + translate("Millcorr", "the largest possible")
     if drawn.thinned > 1:
         title += " " + translate("Millcorr", "(the largest of every {})").format(drawn.thinned)
-    rows = _rows(drawn, parts)
+    rows = _rows(drawn, parts, bare)
     font = QtGui.QFont("sans-serif")
     font.setPixelSize(12)
     bold = QtGui.QFont(font)

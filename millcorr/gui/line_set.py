@@ -7,7 +7,7 @@ from typing import Any
 
 from pivy import coin
 
-from millcorr.scene.correction import Lines
+from millcorr.report.scene.correction import Lines
 
 from .layer import Layer, over_everything, scene_of
 
@@ -20,11 +20,15 @@ Lists = tuple[list[Any], list[int], list[int]]
 
 def lists_of(lines: Lines) -> Lists:
     """Polylines for the scene graph; in a thread where they are many."""
-    vertices: list[Any] = []
-    for at in range(0, len(lines.vertices), AT_ONCE):
-        # Tuples: lists would be looked through again and again by the collector of garbage.
-        vertices.extend(zip(*lines.vertices[at : at + AT_ONCE].T.tolist(), strict=True))
-    return vertices, lines.colours.tolist(), lines.index.tolist()
+    return rows_as_tuples(lines.vertices), lines.colours.tolist(), lines.index.tolist()
+
+
+def rows_as_tuples(array: Any) -> list[Any]:
+    """Rows of an array, (n, k), as tuples: lists are looked through again and again by the collector of garbage."""
+    out: list[Any] = []
+    for at in range(0, len(array), AT_ONCE):
+        out.extend(zip(*array[at : at + AT_ONCE].T.tolist(), strict=True))
+    return out
 
 
 HALO, RIM = 0xF6F6F6FF, 1.0

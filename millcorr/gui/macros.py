@@ -7,11 +7,15 @@ A macro says in ``__Name__`` and ``__Comment__`` what it is, as FreeCAD's macros
 from __future__ import annotations
 
 import ast
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import FreeCADGui
 
+from millcorr.errors import MillcorrError
+
+from . import told
 from .icons import icon
 from .text import translate
 
@@ -55,9 +59,30 @@ class Macro:
         return True
 
     def Activated(self) -> None:
-        """Run the macro."""
-        text = f"open({str(self.file)!r}, encoding='utf-8').read()"
-        FreeCADGui.doCommand(f"exec(compile({text}, {self.file.name!r}, 'exec'))")
+        """Run the macro: it asks, and has what it does recorded by `run`, which asks nothing."""
+        code = compile(self.file.read_text(encoding="utf-8"), self.file.name, "exec")
+        exec(code, {"__name__": self.file.stem})
+
+
+def run(title: str, lines: Sequence[str], *written: str) -> bool:
+    """Run lines of Python through the macro recorder and tell what came of it; gives whether they ran.
+
+    Parameters
+    ----------
+    title : str
+        What is done.
+    lines : sequence of str
+    *written : str
+        Files and directories that there are then.
+    """
+    try:
+        for line in lines:
+            FreeCADGui.doCommand(line)
+    except (MillcorrError, OSError) as error:
+        told.failed(title, str(error))
+        return False
+    told.done(title, written)
+    return True
 
 
 MACROS = tuple(Macro(file) for file in sorted(DIRECTORY.glob("*.FCMacro")))

@@ -10,8 +10,9 @@ from typing import Any
 from millcorr.app import candidates, draft, measuring
 from millcorr.app.properties import QT_TRANSLATE_NOOP, Property
 from millcorr.errors import UsageError
+from millcorr.messages import option
 from millcorr.probing import TOUCHES
-from millcorr.scene.probing import overlay_of
+from millcorr.report.scene.probing import overlay_of
 
 from . import file_task, preferences
 from .line_set import LineLayer
@@ -58,7 +59,14 @@ _PROBE = (
     Property(
         "Length", "BallRadius", "", _text("App::Property", "Radius at which the probe triggers, as calibrated"), 0.0
     ),
-    Property("Integer", "PointsCount", "", _text("App::Property", "Number of points; 0: by their distance"), 40),
+    Property(
+        "Integer",
+        "PointsCount",
+        "",
+        _text("App::Property", "Number of points; 0: by their distance"),
+        40,
+        zero=_text("Millcorr", "by their distance"),
+    ),
     Property("Length", "Spacing", "", _text("App::Property", "Distance of points along the contour"), 0.0),
     Property("Bool", "Curvature", "", _text("App::Property", "Denser where the contour bends"), False),
     Property(
@@ -76,7 +84,12 @@ _ROOM = (
     Property("Length", "Overtravel", "", _text("App::Property", "How far behind the surface a touch gives up"), 1.0),
     Property("Length", "Stock", "", _text("App::Property", "Stock that is still on the contour"), 0.0),
     Property(
-        "Length", "FreeWidth", "", _text("App::Property", "How far beside the contour it is free; 0: everywhere"), 0.0
+        "Length",
+        "FreeWidth",
+        "",
+        _text("App::Property", "How far beside the contour it is free; 0: everywhere"),
+        0.0,
+        zero=_text("Millcorr", "everywhere"),
     ),
 )
 _MORE = (
@@ -86,7 +99,12 @@ _MORE = (
         "Float", "PositioningFeed", "", _text("App::Property", "Feed of moves at measuring height, mm/min"), 1000.0
     ),
     Property(
-        "Integer", "ProbeTool", "", _text("App::Property", "Number of the probe in the magazine; 0: it is in use"), 0
+        "Integer",
+        "ProbeTool",
+        "",
+        _text("App::Property", "Number of the probe in the magazine; 0: it is in use"),
+        0,
+        zero=_text("Millcorr", "it is in use"),
     ),
     Property("String", "Log", "", _text("App::Property", "Name of the file the control writes; empty: as usual"), ""),
 )
@@ -141,14 +159,25 @@ class MeasuringTask(file_task.FileTask):
         self.fields["Feed"].show_value(preferences.get("TouchFeed"))
         shapes = candidates.shapes(self.operation.Document)
         self.fields["Nominal"].offer(shapes, translate("Millcorr", "the operation's own contour"))
-        low, high = measuring.suggested_heights(self.operation) or (0.0, 0.0)
-        self.fields["Z"].show_value(round(low, 4))
-        self.fields["SafeZ"].show_value(round(high, 4))
+        # Heights follow from probe and part until the user says others.
+        self._said: set[str] = set()
+        for name in ("Z", "SafeZ"):
+            self.fields[name].show_value(0.0)
+            self.fields[name].widget.valueChanged.connect(lambda *_, name=name: self._said.add(name))
 
-    def complete(self) -> bool:
-        """Whether the probe is known."""
+    def set_field(self, name: str, value: Any) -> None:
+        """Give a field a value as if the user had."""
+        self._said.add(name)
+        super().set_field(name, value)
+
+    def changed(self) -> None:
+        """Look again, and say what was checked of the dialect."""
         self.checked.setText(translate("Millcorr", CHECKED[self.fields["Dialect"].value]))
-        return bool(self.fields["BallRadius"].value > 0)
+        super().changed()
+
+    def missing(self) -> list[str]:
+        """The probe's ball."""
+        return [] if self.fields["BallRadius"].value > 0 else ["BallRadius"]
 
     def _options(self) -> dict[str, Any]:
         v = self.values
@@ -169,8 +198,8 @@ class MeasuringTask(file_task.FileTask):
             "probe": probe,
             "placement": placement,
             "nominal": v["Nominal"],
-            "z": v["Z"],
-            "safe_z": v["SafeZ"],
+            "z": v["Z"] if "Z" in self._said else None,
+            "safe_z": v["SafeZ"] if "SafeZ" in self._said else None,
             "feed": v["Feed"],
             "positioning": v["PositioningFeed"],
             "tool": v["ProbeTool"] or None,
@@ -186,22 +215,23 @@ class MeasuringTask(file_task.FileTask):
         """What is touched, what is not and why, and the program."""
         self.say(worded(file_task.spaced(outcome.words())), "doubt" if outcome.warnings else "good")
         self.text.setPlainText(outcome.text)
-        values = self.values
-        self.picture.fill(overlay_of(outcome.plan, values["Z"], values["SafeZ"]))
+        self.fields["Z"].show_value(outcome.z)
+        self.fields["SafeZ"].show_value(outcome.safe_z)
+        self.picture.fill(overlay_of(outcome.plan, outcome.z, outcome.safe_z))
 
     def show_failure(self, text: str) -> None:
         """No program, and why."""
         self.text.setPlainText("")
         self.picture.hide()
         # The tool of a measuring program is the probe.
-        super().show_failure(text.replace("--tool:", "--probe-tool:"))
+        super().show_failure(text)
 
     def job(self) -> file_task.Job:
         """Write the program and what it needs beside it."""
         if not self.fields["Output"].value:
-            raise UsageError("--output needs a name: the measuring program is written there")
+            raise UsageError(option("output"), " needs a name: the measuring program is written there")
         if not self.complete():
-            raise UsageError("--probe-radius: say the radius at which the probe triggers")
+            raise UsageError(option("probe_radius"), ": say the radius at which the probe triggers")
         output = file_task.absolute([self.fields["Output"].value])[0]
         options = self._options()
         made = measuring.prepared(self.operation, **options)

@@ -7,18 +7,20 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from .remedies import first_field
+from millcorr.correction.settings import METHODS, WITH_SETUP, Settings
+from millcorr.messages import message_of
+from millcorr.options import field_name, options_of, options_with
+
+_SETUP = "Setup"
+
+NAMES = (_SETUP, *(one.field for one in options_of(Settings).values() if one.methods))
+"""Fields that belong to some method, in the order of a form."""
 
 FIELDS: dict[str, tuple[str, ...]] = {
-    "mirror": ("Allowance",),
-    "transfer": ("Depth", "NextDepth", "DepthAlong", "TransferFunction", "Allowance"),
-    "combined": ("Setup", "Iterate", "Depth", "Allowance"),
-    "predicted": ("Setup", "Iterate"),
+    method: (*((_SETUP,) if method in WITH_SETUP else ()), *(one.field for one in options_with(Settings, method)))
+    for method in METHODS
 }
 """Fields of each method."""
-
-NAMES = ("Setup", "Iterate", "Depth", "NextDepth", "DepthAlong", "TransferFunction", "Allowance")
-"""Fields that belong to some method, in the order of a form."""
 
 
 def counts(name: str, method: str) -> bool:
@@ -44,9 +46,8 @@ def at_fault(text: str, method: str, setup: str) -> str:
     setup : str
         Path of the setup; empty where there is none.
     """
-    if "Setup" in FIELDS[method]:
-        begins = (setup, Path(setup).name) if setup else ()
-        if "needs --setup" in text or text.startswith(begins):
-            return "Setup"
-    first = "Depth" if "needs --depth" in text else first_field(text)
-    return first if first in FIELDS[method] else ""
+    said = message_of(text)
+    if "Setup" in FIELDS[method] and setup and Path(said.file).name == Path(setup).name:
+        return "Setup"
+    named = [*said.missing, *(option.key for option in said.options)]
+    return next((field for field in map(field_name, named[:1]) if field in FIELDS[method]), "")

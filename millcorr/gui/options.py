@@ -4,29 +4,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import fields
 from typing import Any
 
-from millcorr.settings import Settings
-
-from . import methods
+from millcorr.correction.settings import Settings
+from millcorr.options import options_of
+from millcorr.readers.reading import Reading
 
 AS_FILE = "as the file says"
 """Choice of a form where the measured file itself tells."""
 
-READING = {
-    "Points": "points",
-    "BallRadius": "probe_radius",
-    "Unit": "units",
-    "Format": "format",
-    "Mapping": "mapping",
-    "Part": "part",
-    "WorkRotation": "work_rotation",
-    "Probe": "probe",
-}
+READING = {one.field: key for key, one in options_of(Reading).items() if one.count == 1}
 """Fields that say how a measured file is to be read, and their names in `millcorr.readers.Reading`."""
-
-_DEFAULTS = {field.name: field.default for field in fields(Settings)}
 
 
 def reading_options(values: Mapping[str, Any]) -> dict[str, Any]:
@@ -38,13 +26,12 @@ def reading_options(values: Mapping[str, Any]) -> dict[str, Any]:
 def setting_options(values: Mapping[str, Any]) -> dict[str, Any]:
     """How to correct, from the values of a form; what is as usual is left out, and what belongs to another method."""
     out = {}
-    for name, usual in _DEFAULTS.items():
-        field = name.title().replace("_", "")
-        value = values.get(field) if methods.counts(field, values.get("Method", "mirror")) else None
+    for key, one in options_of(Settings).items():
+        value = values.get(one.field) if one.counts_with(values.get("Method", "mirror")) else None
         value = tuple(value) if isinstance(value, list) else value
-        if value is None or value == usual or (usual is None and not value):
+        if value is None or value == one.default or (one.default is None and not value):
             continue
-        out[name] = value
+        out[key] = value
     return out
 
 

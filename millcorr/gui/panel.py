@@ -14,13 +14,15 @@ import FreeCAD
 import FreeCADGui
 
 from millcorr.errors import MillcorrError
+from millcorr.messages import message_of
 
+from . import told
 from .field_kinds import field_for
 from .fields import Field
 from .fold import Fold
-from .icons import icon
+from .icons import qt_icon
 from .keys import keep
-from .qt import QtCore, QtGui, QtWidgets
+from .qt import QtCore, QtWidgets
 from .text import translate
 from .theme import STYLE
 from .worker import Worker
@@ -46,7 +48,7 @@ class Panel:
         self.form = QtWidgets.QWidget()
         self.form.setObjectName("MillcorrPanel")
         self.form.setWindowTitle(title)
-        self.form.setWindowIcon(QtGui.QIcon(icon(icon_name)))
+        self.form.setWindowIcon(qt_icon(icon_name))
         self.form.setStyleSheet(STYLE)
         keep(self.form, lambda: self.busy)
         self.layout = QtWidgets.QVBoxLayout(self.form)
@@ -59,6 +61,7 @@ class Panel:
         self._pause.setInterval(PAUSE)
         self._pause.timeout.connect(self._begin)
         self._accepting = False
+        self.applying: Any = None
         self.worker = Worker(self.form, self._done, self._failed, self._progressed)
         self._make_state()
 
@@ -133,6 +136,7 @@ class Panel:
     def changed(self) -> None:
         """A setting was changed: work begins in a moment."""
         self.wrong = ""
+        self.judge()
         self.worker.cancel()
         for field in self.fields.values():
             field.complain("")
@@ -175,6 +179,7 @@ class Panel:
         self._show_progress(False)
         self.say("")
         self.show_outcome(outcome)
+        self.judge()
         if self._accepting:
             self.accept()
 
@@ -187,9 +192,25 @@ class Panel:
             import traceback
 
             FreeCAD.Console.PrintError("".join(traceback.format_exception(error)))
+            self.judge()
             return
-        self.wrong = str(error)
-        self.show_failure(str(error))
+        self.wrong = message_of(error)
+        self.show_failure(self.wrong)
+        if not self.message.text():
+            at_fault = [field.label.text() for field in self.fields.values() if field.note.text()]
+            self.say(translate("Millcorr", "Not possible yet: see {}").format(", ".join(at_fault)), "wrong")
+        self.judge()
+
+    def lacking(self) -> str:
+        """Why what is shown cannot be applied; empty where it can."""
+        return self.message.text() if self.wrong else ""
+
+    def judge(self) -> None:
+        """Switch the button that applies on or off, its reason as a tooltip."""
+        if self.applying is not None and not self.closed:
+            lacking = self.lacking()
+            self.applying.setEnabled(not lacking)
+            self.applying.setToolTip(lacking)
 
     def _stopped(self) -> None:
         self._pause.stop()
@@ -198,6 +219,7 @@ class Panel:
         self._show_progress(False)
         self.wrong = translate("Millcorr", "Stopped: change a setting to compute again")
         self.say(self.wrong)
+        self.judge()
 
     def say(self, text: str, kind: str = "note") -> None:
         """Say something at the top: a note, a "doubt", or what is "wrong"."""
@@ -217,6 +239,11 @@ class Panel:
         self.buttons.addWidget(button)
 
     # What FreeCAD asks -------------------------------------------------------------------------------
+
+    def modifyStandardButtons(self, box: Any) -> None:
+        """FreeCAD's OK and Cancel: OK is there while there is something sound to apply."""
+        self.applying = box.button(QtWidgets.QDialogButtonBox.StandardButton.Ok)
+        self.judge()
 
     def accept(self) -> bool:
         """OK: run the lines in one transaction; the panel stays where there is nothing sound to apply."""
@@ -306,7 +333,7 @@ def run(document: Any, title: str, lines: Sequence[str], after: Callable[[], Non
         after()
     except MillcorrError as error:
         document.abortTransaction()
-        FreeCAD.Console.PrintError(f"{title}: {error}\n")
+        told.failed(title, str(error))
         return False
     except BaseException:
         document.abortTransaction()

@@ -10,18 +10,46 @@ _text = QT_TRANSLATE_NOOP
 PROPERTIES = (
     Property("Bool", "ShowPicture", "Picture", _text("App::Property", "Show the deviations in the 3-D view"), False),
     Property(
+        "Bool",
+        "AutomaticMagnification",
+        "Picture",
+        _text("App::Property", "Deviations and the part's size decide how much larger deviations are drawn"),
+        True,
+    ),
+    Property(
         "Float",
         "Magnification",
         "Picture",
-        _text("App::Property", "So many times longer than they are deviations and differences are drawn"),
+        _text(
+            "App::Property",
+            "So many times longer than they are deviations and differences are drawn, as far as it turns no contour "
+            "inside out",
+        ),
         500.0,
     ),
     Property(
-        "Length",
-        "ToleranceBand",
+        "Distance",
+        "UpperLimit",
         "Picture",
-        _text("App::Property", "Deviations up to this, either way, are in tolerance and green"),
+        _text("App::Property", "Larger deviations are out of tolerance: too much material is left"),
         0.01,
+    ),
+    Property(
+        "Distance",
+        "LowerLimit",
+        "Picture",
+        _text("App::Property", "Smaller deviations are out of tolerance: too much is cut away"),
+        -0.01,
+    ),
+    Property(
+        "Enumeration",
+        "MaterialLeft",
+        "Picture",
+        _text("App::Property", "Colour of material left; measuring machines' programs show it red"),
+        ("blue", "red"),
+    ),
+    Property(
+        "Bool", "Wall", "Picture", _text("App::Property", "Show the deviation as the colour of the wall itself"), True
     ),
     Property("Bool", "Whiskers", "Picture", _text("App::Property", "Show each deviation as a line"), True),
     Property("Bool", "Band", "Picture", _text("App::Property", "Show the tolerance band"), True),

@@ -8,13 +8,18 @@ from typing import Any
 
 from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg, NavigationToolbar2QT
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
+from matplotlib.ticker import FuncFormatter, MaxNLocator
+from numpy import isfinite
 
-from millcorr.scene.plots import Along, Distribution, Series
+from millcorr.report.length_unit import MM
+from millcorr.report.scene.plots import Along, Distribution, Series
 
+from .qt import QtCore, QtWidgets
 from .text import translate
+from .unit import unit
 
-UNIT = "\u00b5m"
+ENTRY = 190
+"""Width of an entry of the legend, pixels."""
 
 
 class Canvas(FigureCanvasQTAgg):
@@ -34,9 +39,12 @@ class Canvas(FigureCanvasQTAgg):
         self.figure.set_facecolor(colours["paper"])
         self.pointed: Callable[[float | None], None] = lambda x: None
         self.zoomed: Callable[[float, float], None] = lambda low, high: None
+        self.clicked: Callable[[float], None] = lambda x: None
         self._mark: Any = None
+        self._pin: Any = None
         self._told = False
         self.mpl_connect("motion_notify_event", self._moved)
+        self.mpl_connect("button_release_event", self._released)
         self.mpl_connect("axes_leave_event", lambda event: self.pointed(None))
 
     def recolour(self, colours: dict[str, str]) -> None:
@@ -46,11 +54,17 @@ class Canvas(FigureCanvasQTAgg):
         self.axes.set_facecolor(colours["paper"])
         self.draw_idle()
 
+    def empty(self) -> None:
+        """Show nothing."""
+        self.clear("", "").set_axis_off()
+        self.draw_idle()
+
     def clear(self, below: str, beside: str) -> Any:
         """Empty axes with their names and colours; gives them."""
         axes, c = self.axes, self.colours
         axes.clear()
-        self._mark = None
+        axes.set_axis_on()
+        self._mark = self._pin = None
         axes.set_facecolor(c["paper"])
         axes.grid(True, color=c["faint"], linewidth=0.8)
         axes.set_axisbelow(True)
@@ -67,17 +81,27 @@ class Canvas(FigureCanvasQTAgg):
         handles, labels = self.axes.get_legend_handles_labels()
         if not handles:
             return
+        columns = max(1, min(len(handles), self.width() // ENTRY))
         made = self.axes.legend(
-            handles, labels, fontsize=8, ncols=4, loc="lower left", bbox_to_anchor=(0, 1), frameon=False, borderpad=0.2
+            handles,
+            labels,
+            fontsize=8,
+            ncols=columns,
+            loc="lower left",
+            bbox_to_anchor=(0, 1),
+            frameon=False,
+            borderpad=0.2,
         )
         for text in made.get_texts():
             text.set_color(self.colours["ink"])
 
     def along(self, plot: Along) -> None:
         """Deviations along the contour."""
-        axes = self.clear(
-            translate("Millcorr", "arc length s, mm"), translate("Millcorr", "deviation, {}").format(UNIT)
-        )
+        shown = unit()
+        below = translate("Millcorr", "arc length s, {}").format(shown.name)
+        axes = self.clear(below, translate("Millcorr", "deviation, {}").format(shown.fine))
+        _count_in(axes.xaxis, shown.mm)
+        _count_in(axes.yaxis, shown.fine_mm / MM.fine_mm)
         c = self.colours
         size = 6 if len(plot.rows) < 1000 else 2
         told = translate("Millcorr", "uncertainty, k = {:g}").format(plot.coverage)
@@ -116,7 +140,9 @@ class Canvas(FigureCanvasQTAgg):
 
     def distribution(self, plot: Distribution) -> None:
         """Histogram of the deviations."""
-        axes = self.clear(translate("Millcorr", "deviation, {}").format(UNIT), translate("Millcorr", "points"))
+        shown = unit()
+        axes = self.clear(translate("Millcorr", "deviation, {}").format(shown.fine), translate("Millcorr", "points"))
+        _count_in(axes.xaxis, shown.fine_mm / MM.fine_mm)
         c = self.colours
         for counts, colour, name in (
             (plot.before, c["raw"], translate("Millcorr", "measured")),
@@ -132,7 +158,9 @@ class Canvas(FigureCanvasQTAgg):
 
     def history(self, plot: Series) -> None:
         """Parts of a series."""
-        axes = self.clear(translate("Millcorr", "part"), translate("Millcorr", "deviation, {}").format(UNIT))
+        shown = unit()
+        axes = self.clear(translate("Millcorr", "part"), translate("Millcorr", "deviation, {}").format(shown.fine))
+        _count_in(axes.yaxis, shown.fine_mm / MM.fine_mm)
         c = self.colours
         name = translate("Millcorr", "range of the points")
         axes.vlines(plot.part, plot.low, plot.high, color=c["raw"], linewidth=2, label=name)
@@ -140,11 +168,25 @@ class Canvas(FigureCanvasQTAgg):
         axes.errorbar(
             plot.part, plot.mean, plot.std, fmt="o-", color=c["predicted"], markersize=4, capsize=3, label=name
         )
+        for values, look, name in (
+            (plot.form, {"color": c["excess"], "marker": "s"}, translate("Millcorr", "form, root mean square")),
+            (plot.smoothed, {"color": c["ink"]}, translate("Millcorr", "smoothed, largest")),
+        ):
+            if isfinite(values).any():
+                axes.plot(plot.part, values, linewidth=1.2, markersize=4, label=name, **look)
+        name = translate("Millcorr", "limits")
+        for sign in (1.0, -1.0):
+            if isfinite(plot.limit).any():
+                axes.plot(plot.part, sign * plot.limit, color=c["undercut"], linewidth=1.2, linestyle="--", label=name)
+                name = ""
         axes.axhline(0, color=c["soft"], linewidth=1)
+        name = translate("Millcorr", "program corrected")
         for part in plot.part[plot.corrected]:
-            axes.axvline(part + 0.5, color=c["soft"], linewidth=0.8, linestyle=":")
-        axes.xaxis.set_major_locator(MaxNLocator(integer=True))
-        axes.set_xlim(plot.part.min() - 0.6, plot.part.max() + 0.6)
+            axes.axvline(part + 0.5, color=c["soft"], linewidth=0.8, linestyle=":", label=name)
+            name = ""
+        axes.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))
+        # As in the report: a few parts do not fill the axis.
+        axes.set_xlim(plot.part.min() - 0.6, max(plot.part.max(), plot.part.min() + 9) + 0.6)
         self.legend()
         self.draw_idle()
 
@@ -157,6 +199,15 @@ class Canvas(FigureCanvasQTAgg):
         self._mark.set_visible(x is not None)
         if x is not None:
             self._mark.set_xdata([x, x])
+        self.draw_idle()
+
+    def pin(self, x: float | None) -> None:
+        """A broad upright at a place that was picked, until another one is; none where it is None."""
+        if self._pin is not None:
+            self._pin.remove()
+            self._pin = None
+        if x is not None:
+            self._pin = self.axes.axvline(x, color=self.colours["undercut"], linewidth=5, alpha=0.35, zorder=1)
         self.draw_idle()
 
     def show_range(self, low: float, high: float) -> None:
@@ -176,12 +227,44 @@ class Canvas(FigureCanvasQTAgg):
         if not self._told:
             self.zoomed(*self.shown_range)
 
+    def _released(self, event: Any) -> None:
+        # While the toolbar pans or zooms, a click is none.
+        if event.button == 1 and event.inaxes is self.axes and not self.widgetlock.locked():
+            self.clicked(float(event.xdata))
+
     def _moved(self, event: Any) -> None:
         self.pointed(event.xdata if event.inaxes is self.axes else None)
+
+
+class _Ticks(MaxNLocator):
+    """Ticks at round numbers of another unit than that of the data.
+
+    Parameters
+    ----------
+    size : float
+        Of that unit, in the data's.
+    """
+
+    def __init__(self, size: float) -> None:
+        super().__init__(nbins="auto", steps=[1, 2, 2.5, 5, 10])
+        self._size = size
+
+    def tick_values(self, vmin: float, vmax: float) -> Any:
+        """Places of the ticks, in the data's unit."""
+        return self._size * super().tick_values(vmin / self._size, vmax / self._size)
+
+
+def _count_in(axis: Any, size: float) -> None:
+    """Let an axis count in a unit of a size, in the data's."""
+    if size != 1.0:
+        axis.set_major_locator(_Ticks(size))
+        axis.set_major_formatter(FuncFormatter(lambda at, _: f"{round(at / size, 9):z.6g}".replace("-", "\u2212")))
 
 
 def toolbar(canvas: Canvas, parent: Any) -> Any:
     """The toolbar of matplotlib: back, pan, zoom, save."""
     made = NavigationToolbar2QT(canvas, parent, coordinates=False)
     made.setObjectName("PlotTools")
+    made.setIconSize(QtCore.QSize(18, 18))
+    made.setSizePolicy(QtWidgets.QSizePolicy.Policy.Maximum, QtWidgets.QSizePolicy.Policy.Fixed)
     return made

@@ -25,6 +25,11 @@ class Drawing(QtWidgets.QWidget):
         self._paper = QtGui.QColor(paper)
         self.update()
 
+    def empty(self) -> None:
+        """Show nothing."""
+        self._drawing = None
+        self.update()
+
     @property
     def drawn(self) -> bool:
         """Whether there is a drawing."""

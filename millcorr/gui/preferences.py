@@ -26,8 +26,11 @@ DEFAULTS: dict[str, Any] = {
     "Tolerance": 0.001,
     "Points": 0,
     "BallRadius": 0.0,
+    "AutomaticMagnification": True,
     "Magnification": 500.0,
-    "ToleranceBand": 0.01,
+    "UpperLimit": 0.01,
+    "LowerLimit": -0.01,
+    "MaterialLeft": 0,
     "ShowPicture": True,
     "Dialect": 0,
     "TouchFeed": 100.0,
@@ -37,10 +40,14 @@ DEFAULTS: dict[str, Any] = {
 }
 """Every preference and what it is where nothing was set; choices are counted from 0."""
 
+LOOK = ("AutomaticMagnification", "Magnification", "UpperLimit", "LowerLimit", "MaterialLeft")
+"""Preferences of pictures; properties of a dressup's view have the same names."""
+
 CHOICES = {
     "Points": ("as the file says", "contact", "centre", "axis"),
     "Dialect": ("linuxcnc-protected", "linuxcnc", "grbl", "fanuc", "haas", "okuma", "heidenhain", "siemens"),
     "Plots": ("as the window", "light", "dark"),
+    "MaterialLeft": ("blue", "red"),
 }
 """What the numbers of choices stand for, in the order of the page."""
 
@@ -85,7 +92,7 @@ def form_values() -> dict[str, Any]:
 
 def look_values() -> dict[str, Any]:
     """How a new picture looks, by field."""
-    return {name: get(name) for name in ("Magnification", "ToleranceBand")}
+    return {name: get(name) for name in LOOK}
 
 
 def add_page() -> None:

@@ -7,8 +7,11 @@ from collections.abc import Callable
 from typing import Any
 
 from millcorr.app import dressup, measurement_object, programs
-from millcorr.app.properties import QT_TRANSLATE_NOOP, Property
+from millcorr.app.properties import QT_TRANSLATE_NOOP, Property, of_option
+from millcorr.correction.settings import Settings
 from millcorr.errors import UsageError
+from millcorr.messages import option
+from millcorr.options import options_of
 
 from . import file_task, methods, preferences
 from .figure_table import FigureTable
@@ -18,6 +21,7 @@ from .panel import clear
 from .qt import QtWidgets
 from .remedies import worded
 from .text import translate
+from .unit import unit
 
 _text = QT_TRANSLATE_NOOP
 
@@ -58,12 +62,10 @@ _MORE = (
         _ROWS[name]
         for name in ("Side", "CutterCompensation", "Tools", "KeepAllowance", "UnmeasuredShare", "Tolerance", "Accept")
     ),
-    Property(
-        "Enumeration",
-        "OutputMoves",
+    of_option(
+        options_of(Settings)["output_moves"],
         "",
         _text("App::Property", "Moves of the corrected program: as the program's, only lines, arcs, or NURBS"),
-        ("keep", "lines", "arcs", "nurbs"),
     ),
 )
 _WRITTEN = (
@@ -83,7 +85,7 @@ class CorrectTask(file_task.FileTask):
         self.group(translate("Millcorr", "Program"), _PROGRAM, self._program_changed)
         self.group(translate("Millcorr", "Measured part"), _MEASURED, self.changed)
         self.group(translate("Millcorr", "How the file is read"), _READING, self.changed, folded=True)
-        self.table = FigureTable(translate("Millcorr", "Deviations, mm"), figures_of(None), COLUMNS)
+        self.table = FigureTable(translate("Millcorr", "Deviations, {}").format(unit().name), figures_of(None), COLUMNS)
         self.layout.addWidget(self.table)
         self.notes = QtWidgets.QVBoxLayout()
         self.layout.addLayout(self.notes)
@@ -111,11 +113,15 @@ class CorrectTask(file_task.FileTask):
         methods.show(self.fields, self.fields["Method"].value)
         self.changed()
 
-    def complete(self) -> bool:
-        """Whether program, tool and measurement are named, where the method needs them."""
+    def missing(self) -> list[str]:
+        """Program, tool and measurement, where the method needs them."""
         values = self.values
-        tool = values["ToolDiameter"] or self._setup(values)
-        return bool(values["Program"] and tool and (values["Measured"] or values["Method"] == "predicted"))
+        known = {
+            "Program": values["Program"],
+            "ToolDiameter": values["ToolDiameter"] or self._setup(values),
+            "Measured": values["Measured"] or values["Method"] == "predicted",
+        }
+        return [name for name, said in known.items() if not said]
 
     def _setup(self, values: dict[str, Any]) -> str | None:
         """Path of the setup where the method needs one and it is named."""
@@ -161,7 +167,7 @@ class CorrectTask(file_task.FileTask):
         """Write program and report."""
         values = self.values
         if not values["Output"]:
-            raise UsageError("--output needs a name: the corrected program is written there")
+            raise UsageError(option("output"), " needs a name: the corrected program is written there")
         given, options = self._asked()
         written = file_task.absolute([values["Output"], values["Report"] or "."])
         options["output"], options["report"] = written[0], written[1] if values["Report"] else None
@@ -209,6 +215,10 @@ class SplitTask(file_task.FileTask):
         if not self.fields["Output"].value:
             self.fields["Output"].show_value(file_task.beside(self.fields["Program"].value, "-first"))
         self.changed()
+
+    def missing(self) -> list[str]:
+        """Program and tool, and what to write."""
+        return [name for name in ("Program", "ToolDiameter", "Stock", "Output") if not self.fields[name].value]
 
     def complete(self) -> bool:
         """Never: there is nothing to look at before it is written."""

@@ -1,33 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What resolves a finding or an error, in terms of the window: fields and values in place of command-line options.
+"""What resolves a finding or an error, in terms of the window: fields and values in place of options.
 
-The core's messages name the options that resolve them. Whoever works in the window reads the field's name
-there, and gets a button where the message says the value, too.
+The core's messages name options as data (`millcorr.messages`). Whoever works in the window reads the field's name
+there, and gets a button where the message proposes a value.
 """
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 
+from millcorr.messages import Option, message_of
+from millcorr.options import field_name
+
 from .text import label_of, translate
-
-FIELDS = {
-    "units": "Unit",
-    "probe-radius": "BallRadius",
-    "work-rotation": "WorkRotation",
-    "measured": "Measurement",
-    "tool": "Tools",
-    "unmeasured": "UnmeasuredShare",
-}
-"""Properties whose option is called otherwise."""
-
-SWITCHES = ("keep-allowance",)
-"""Options that are there or not: to name one is to propose it."""
-
-_VALUE = r"(?:contact|centre|axis|mm\b|inch|left\b|right\b|shift\b|rigid\b|auto\b|\d+(?:\.\d+)?(?:e[-+]\d+)?(?![\w=]))"
-_OPTION = re.compile(rf"--([a-z]+(?:-[a-z]+)*)(?: ({_VALUE})| (?:MM|SHARE)\b)?")
-_ACCEPT = re.compile(r"\s*\(if it is right as it is: --accept ([a-z-]+)\)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,45 +40,38 @@ class Remedy:
         return translate("Millcorr", "Set {} to {}").format(label_of(self.field), value)
 
 
-def field_of(option: str) -> str:
-    """Property of an option: ``dead-band`` is ``DeadBand``."""
-    return FIELDS.get(option) or option.title().replace("-", "")
-
-
-def accepted_by(message: str) -> str:
+def accepted_by(said: str) -> str:
     """Name of the finding that stopped a correction and can be accepted; empty where there is none."""
-    found = _ACCEPT.search(message)
-    return found.group(1) if found else ""
+    return message_of(said).finding
 
 
-def remedies_in(message: str) -> tuple[Remedy, ...]:
+def remedies_in(said: str) -> tuple[Remedy, ...]:
     """Changes that a message proposes, in its order, each field once; those with a value first."""
     found: dict[str, Remedy] = {}
-    for option, value in _OPTION.findall(_ACCEPT.sub("", message)):
-        field = field_of(option)
-        if value or field not in found:
-            found[field] = Remedy(field, True if option in SWITCHES else _number(value) if value else None)
+    for option in message_of(said).options:
+        field = field_name(option.key)
+        if option.proposed or field not in found:
+            value = option.value if option.proposed and isinstance(option.value, str | float) else None
+            found[field] = Remedy(field, True if option.proposed and option.value is True else value)
     return tuple(sorted(found.values(), key=lambda remedy: remedy.value is None))
 
 
-def _number(text: str) -> str | float:
-    try:
-        return float(text)
-    except ValueError:
-        return text
-
-
-def worded(message: str) -> str:
+def worded(said: str) -> str:
     """A message with fields in place of options."""
 
-    def in_words(match: re.Match[str]) -> str:
-        label = label_of(field_of(match.group(1)))
-        return f"\u201c{label}\u201d" + (f" {match.group(2)}" if match.group(2) else "")
+    def in_words(option: Option) -> str:
+        label = label_of(field_name(option.key))
+        return f"\u201c{label}\u201d {option.shown}".rstrip()
 
-    return _OPTION.sub(in_words, _ACCEPT.sub("", message))
+    return message_of(said).in_words(in_words)
 
 
-def first_field(message: str) -> str:
+def first_field(said: str) -> str:
     """Property that a message is about first; empty where it names none."""
-    found = _OPTION.search(message)
-    return field_of(found.group(1)) if found else ""
+    return next((field_name(option.key) for option in message_of(said).options), "")
+
+
+def wrong_field(said: str) -> str:
+    """Property whose value a message begins with, because it is wrong in itself; empty where it begins otherwise."""
+    subject = message_of(said).subject
+    return field_name(subject) if subject else ""

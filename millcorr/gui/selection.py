@@ -9,6 +9,7 @@ import FreeCAD
 import FreeCADGui
 
 from millcorr.app import candidates, compat
+from millcorr.app.rounds import parts_of
 
 from .text import QT_TRANSLATE_NOOP
 
@@ -45,6 +46,14 @@ def measurement() -> Any:
     known = candidates.measurements(FreeCAD.ActiveDocument)
     chosen = [obj for obj in known if obj in FreeCADGui.Selection.getSelection()]
     return (chosen or known or [None])[-1]
+
+
+def new_measurement() -> Any:
+    """The selected measurement, or the last one that no correction has yet; None where there is none."""
+    known = candidates.measurements(FreeCAD.ActiveDocument)
+    used = [part for obj in FreeCAD.ActiveDocument.Objects if candidates.is_correction(obj) for part in parts_of(obj)]
+    chosen = [obj for obj in known if obj in FreeCADGui.Selection.getSelection()]
+    return (chosen or [obj for obj in known if obj not in used] or [None])[-1]
 
 
 def lacks_document() -> str:

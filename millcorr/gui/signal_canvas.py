@@ -9,7 +9,7 @@ from typing import Any
 from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 from matplotlib.figure import Figure
 
-from millcorr.scene.simulation import Trace
+from millcorr.report.scene.simulation import Trace
 
 from .qt import QtCore
 from .text import translate

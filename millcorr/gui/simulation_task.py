@@ -10,16 +10,19 @@ from millcorr.app import draft, simulating
 from millcorr.app.properties import QT_TRANSLATE_NOOP, Property
 from millcorr.errors import UsageError
 from millcorr.report import simulation_view
-from millcorr.scene import simulation as simulation_arrays
-from millcorr.scene.simulation import Played
+from millcorr.report.scene import simulation as simulation_arrays
+from millcorr.report.scene.simulation import Played
 
 from . import file_task, plots
 from .cutter import Cutter
 from .line_set import LineLayer
+from .magnification import MagnificationFields
 from .options import Expression, call
 from .qt import QtCore, QtWidgets
 from .text import translate
 from .theme import ThemeWatch, colours, theme
+from .unit import unit
+from .wheel import calm
 
 _text = QT_TRANSLATE_NOOP
 
@@ -39,6 +42,13 @@ _ROWS = (
         "",
         _text("App::Property", "Tool, material, machine and stock"),
         _text("Millcorr", "Setups (*.toml);;All files (*)"),
+    ),
+    Property(
+        "Bool",
+        "AutomaticMagnification",
+        "",
+        _text("App::Property", "Errors and the part's size decide how much larger errors are drawn"),
+        True,
     ),
     Property("Float", "Magnification", "", _text("App::Property", "So many times larger errors are drawn"), 100.0),
     Property("Directory", "Report", "", _text("App::Property", "Directory for the report with all signals")),
@@ -71,7 +81,10 @@ class SimulateTask(file_task.FileTask):
         self.time = 0.0
         self.contours, self.cutter = LineLayer(operation.Document), Cutter(operation.Document)
         self.group(operation.Label, _ROWS, self.changed)
-        self.fields["Magnification"].show_value(100.0)
+        self.fields["AutomaticMagnification"].show_value(True)
+        self.magnification = MagnificationFields(self.fields)
+        self.magnification.chosen()
+        self.fields["AutomaticMagnification"].widget.toggled.connect(lambda *_: self.magnification.chosen())
         self.found = QtWidgets.QLabel(
             translate("Millcorr", "Name the setup: tool, material, machine and stock, as a TOML file.")
         )
@@ -103,13 +116,13 @@ class SimulateTask(file_task.FileTask):
         self.play.setAutoDefault(False)
         self.play.setEnabled(False)
         self.play.clicked.connect(lambda *_: self.toggle())
-        self.slider = QtWidgets.QSlider(QtCore.Qt.Orientation.Horizontal)
+        self.slider = calm(QtWidgets.QSlider(QtCore.Qt.Orientation.Horizontal))
         self.slider.setObjectName("Time")
         self.slider.setAccessibleName(translate("Millcorr", "time, s"))
         self.slider.setRange(0, STEPS)
         self.slider.setEnabled(False)
         self.slider.valueChanged.connect(self._slid)
-        self.speed = QtWidgets.QComboBox()
+        self.speed = calm(QtWidgets.QComboBox())
         self.speed.setObjectName("Speed")
         self.speed.setToolTip(translate("Millcorr", "So many times faster than the machine"))
         for speed in SPEEDS:
@@ -125,37 +138,42 @@ class SimulateTask(file_task.FileTask):
 
     # The work ----------------------------------------------------------------------------------------
 
-    def complete(self) -> bool:
-        """Whether a setup is named."""
-        return bool(self.fields["Setup"].value)
+    def missing(self) -> list[str]:
+        """The setup."""
+        return [] if self.fields["Setup"].value else ["Setup"]
 
     def work(self) -> Callable[[], Any]:
         """Simulate, and prepare what is drawn."""
         finish = simulating.prepared(self.operation, self.fields["Setup"].value)
-        magnification = self.fields["Magnification"].value
+        wanted = self.magnification.wanted
 
         def function() -> Any:
             played = finish()
-            return played, simulation_arrays.traces(played), simulation_arrays.lines(played, magnification)
+            times = simulation_arrays.magnification(played, wanted)
+            return played, times, simulation_arrays.traces(played), simulation_arrays.lines(played, times)
 
         return function
 
     def show_outcome(self, outcome: Any) -> None:
         """Contours, signals, and the player at its start."""
-        self.played, self.traces, lines = outcome
+        self.played, times, self.traces, lines = outcome
+        self.magnification.show(times)
         played = self.played
         self.contours.fill(lines)
         radius = played.before.setup.tool.radius
         self.cutter.size(radius, 5 * radius)
-        largest = 1000.0 * played.before.largest
-        text = translate("Millcorr", "Largest predicted error {:.1f} \u00b5m").format(largest)
+        shown = unit()
+        text = translate("Millcorr", "Largest predicted error {} {}").format(
+            shown.fine_number(played.before.largest, ""), shown.fine
+        )
         if played.after is not None:
-            text += translate("Millcorr", ", corrected {:.1f} \u00b5m").format(1000.0 * played.after.largest)
+            after = shown.fine_number(played.after.largest, "")
+            text += translate("Millcorr", ", corrected {} {}").format(after, shown.fine)
         text += "<br>" + translate(
             "Millcorr",
             "<span style='color:#888'>\u2014</span> commanded path, <span style='color:#c00'>\u2014</span> machined "
             "contour, <span style='color:#2e9a1c'>\u2014</span> corrected contour, errors {:g}:1",
-        ).format(self.fields["Magnification"].value)
+        ).format(times)
         cautions = [*played.before.cautions, *([played.refused] if played.refused else [])]
         self.found.setText("<br>".join([text, *cautions]))
         self._draw()

@@ -23,7 +23,13 @@ else:
 __all__ = ["QT_TRANSLATE_NOOP", "label_of", "translate"]
 
 
+_OTHERWISE = {"Tolerance": QT_TRANSLATE_NOOP("App::Property", "Path tolerance")}
+"""What properties are called in forms whose names are too short beside others, the picture's limits of tolerance."""
+
+
 def label_of(name: str) -> str:
     """What a property is called in a form: ``DeadBand`` is "Dead band"."""
+    if name in _OTHERWISE:
+        return translate("App::Property", _OTHERWISE[name])
     words = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)
     return translate("App::Property", words[:1] + words[1:].lower())

@@ -8,7 +8,7 @@ from typing import Any
 
 import FreeCADGui
 
-from millcorr.app import candidates, correction, draft, dressup
+from millcorr.app import candidates, correction, draft, dressup, rounds
 from millcorr.app.properties import QT_TRANSLATE_NOOP, Property
 from millcorr.errors import RefusedError, UsageError
 
@@ -19,6 +19,7 @@ from .qt import QtCore, QtWidgets
 from .remedies import remedies_in, worded
 from .text import translate
 from .transfer_figures import transfer_figures
+from .unit import unit
 
 _text = QT_TRANSLATE_NOOP
 
@@ -93,7 +94,7 @@ class TransferPanel(DraftPanel):
         for name, field in self.fields.items():
             field.show_value(values.value(name))
         self.system = FigureTable(translate("Millcorr", "Machining system"), transfer_figures(None))
-        self.table = FigureTable(translate("Millcorr", "Deviations, mm"), figures_of(None), COLUMNS)
+        self.table = FigureTable(translate("Millcorr", "Deviations, {}").format(unit().name), figures_of(None), COLUMNS)
         self.layout.addWidget(self.system)
         self.layout.addWidget(self.table)
         self.notes = QtWidgets.QVBoxLayout()
@@ -125,7 +126,7 @@ class TransferPanel(DraftPanel):
 
     def lines(self) -> list[str]:
         """Change the dressup."""
-        return draft.lines_to_change(self.draft, self.obj, dressup.PROPERTIES)
+        return draft.lines_to_change(self.draft, self.obj, draft.values_of(self.obj, dressup.PROPERTIES))
 
     def applied(self) -> None:
         """Nothing that FreeCAD could not recompute remains."""
@@ -152,7 +153,8 @@ class SplitPanel(DraftPanel):
         self.obj = base if candidates.is_correction(base) else None
         usual = draft.defaults(dressup.PROPERTIES) | {"Base": base}
         values = usual if self.obj is None else draft.values_of(self.obj, dressup.PROPERTIES)
-        values |= {"Measurement": None, "FurtherParts": [], "Method": "mirror"}
+        # What was measured before counts for nothing in a first cut, and stays in the list.
+        values |= {"SwitchedOff": [] if self.obj is None else rounds.parts_of(self.obj), "Method": "mirror"}
         super().__init__(
             base.Document,
             translate("Millcorr", "Split allowance"),
@@ -206,13 +208,19 @@ class SplitPanel(DraftPanel):
         if outcome is None:
             self.left.setText("")
             return
+        shown = unit()
         left, stock = self.draft.value("LeaveStock"), self.fields["Stock"].value
         self.left.setText(
             translate(
                 "Millcorr",
-                "The first cut takes {:g} mm and leaves {:g} mm. "
-                "Its path is within {:.2f} \u00b5m of the exact parallel.",
-            ).format(round(stock - left, 4), left, 1000 * outcome.verification.path_error_max)
+                "The first cut takes {0} {2} and leaves {1} {2}. Its path is within {3} {4} of the exact parallel.",
+            ).format(
+                f"{round((stock - left) / shown.mm, shown.digits):g}",
+                f"{round(left / shown.mm, shown.digits):g}",
+                shown.name,
+                f"{outcome.verification.path_error_max / shown.fine_mm:.{shown.fine_digits + 1}f}",
+                shown.fine,
+            )
         )
 
     def show_failure(self, text: str) -> None:
@@ -229,4 +237,4 @@ class SplitPanel(DraftPanel):
         """Make the dressup, or change it."""
         if self.obj is None:
             return draft.lines_to_create(self.draft, dressup.PROPERTIES)
-        return draft.lines_to_change(self.draft, self.obj, dressup.PROPERTIES)
+        return draft.lines_to_change(self.draft, self.obj, draft.values_of(self.obj, dressup.PROPERTIES))

@@ -10,11 +10,12 @@ from typing import Any
 
 import FreeCAD
 
-from millcorr.app.properties import complete
+from millcorr.app.properties import READ_ONLY, SHOWN, complete, store
 from millcorr.app.views import MAKERS
 from millcorr.errors import MillcorrError
 
 from .icons import icon
+from .preferences import LOOK
 from .qt import QtCore
 
 
@@ -89,6 +90,26 @@ class DressupView(View):
         self._paused = False
         self._fresh = False
         complete(vobj, PROPERTIES)
+        self._lock(vobj)
+
+    def _lock(self, vobj: Any) -> None:
+        """The magnification can be written where it is not chosen by itself."""
+        vobj.setEditorMode("Magnification", READ_ONLY if vobj.AutomaticMagnification else SHOWN)
+
+    def finishRestoring(self) -> None:
+        """Take over what an earlier version called otherwise; FreeCAD calls it when all properties are there."""
+        vobj = self.Object.ViewObject
+        if "ToleranceBand" in vobj.PropertiesList:
+            band = vobj.ToleranceBand.Value
+            vobj.UpperLimit, vobj.LowerLimit = band, -band
+            vobj.removeProperty("ToleranceBand")
+
+    def getIcon(self) -> str:
+        """Path of the icon, with a mark where something came up that the user does not know."""
+        from millcorr.app import dressup
+
+        known = hasattr(self.Object, "Noted")
+        return icon("Millcorr_Doubt" if known and dressup.doubts_of(self.Object) else self.icon_name)
 
     def claimChildren(self) -> list[Any]:
         """The operation that is corrected."""
@@ -110,7 +131,13 @@ class DressupView(View):
 
     def onChanged(self, vobj: Any, name: str) -> None:
         """Draw anew when the view's properties ask for it."""
-        if name in ("ShowPicture", "Visibility", "Magnification", "ToleranceBand"):
+        automatic = getattr(vobj, "AutomaticMagnification", False)
+        if name == "Magnification" and automatic:
+            # It was chosen when the picture was made.
+            return
+        if name == "AutomaticMagnification" and "Magnification" in vobj.PropertiesList:
+            self._lock(vobj)
+        if name in ("ShowPicture", "Visibility", *LOOK):
             self._fresh &= name in ("ShowPicture", "Visibility")
             self.refresh_soon()
         elif self._picture is not None and name in vobj.PropertiesList and vobj.getGroupOfProperty(name) == "Picture":
@@ -121,6 +148,8 @@ class DressupView(View):
         if name == "Path":
             self._fresh = False
             self.refresh_soon()
+        elif name in ("Warnings", "Noted"):
+            obj.ViewObject.signalChangeIcon()
 
     def pause(self, paused: bool) -> None:
         """Show nothing while a panel shows its preview."""
@@ -180,12 +209,13 @@ class DressupView(View):
             self._worker = Worker(None, self._show, self._failed)
         try:
             finish, look = correction.prepared(self.Object), picture.look_of(self.Object.ViewObject)
+            top = picture.top_of(self.Object)
         except MillcorrError as error:
             self._failed(error)
             return
 
         def function() -> Any:
-            return picture.draw(finish().result, look)
+            return picture.draw(finish().result, look, top)
 
         self._worker.start(function)
 
@@ -200,8 +230,11 @@ class DressupView(View):
 
         if self._picture is None:
             self._place(Picture())
-        self._picture.fill(drawn, self.Object.ViewObject)
+        vobj = self.Object.ViewObject
+        self._picture.fill(drawn, vobj)
         self._fresh = True
+        if vobj.AutomaticMagnification:
+            store(vobj, "Magnification", drawn.overlay.magnification)
         if self._wanted():
             self._begin_hover()
         else:
@@ -215,8 +248,11 @@ class DressupView(View):
         if view is not None:
             self._hover = Hover(view, self._picture, self._picked)
 
-    def _picked(self, text: str) -> None:
-        FreeCAD.Console.PrintMessage(f"{self.Object.Label}: " + ", ".join(text.splitlines()) + "\n")
+    def _picked(self, pick: Any) -> None:
+        from . import plots
+
+        FreeCAD.Console.PrintMessage(f"{self.Object.Label}: " + ", ".join(pick.text.splitlines()) + "\n")
+        plots.pick(self.Object, pick.row, pick.index)
 
     def _end_hover(self) -> None:
         if self._hover is not None:

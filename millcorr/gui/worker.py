@@ -26,6 +26,8 @@ class Worker:
         Gets the exception.
     on_progress : callable
         Gets the stage, to be translated, and the share that is done.
+    on_stopped : callable
+        Called where work that was to `stop` has, without an outcome.
     """
 
     def __init__(
@@ -34,8 +36,10 @@ class Worker:
         on_done: Callable[[Any], None],
         on_failed: Callable[[BaseException], None],
         on_progress: Callable[[str, float], None] = lambda stage, share: None,
+        on_stopped: Callable[[], None] = lambda: None,
     ) -> None:
         self._on_done, self._on_failed, self._on_progress = on_done, on_failed, on_progress
+        self._on_stopped = on_stopped
         self._work: Work | None = None
         self._timer = QtCore.QTimer(parent)
         self._timer.setInterval(POLL)
@@ -59,6 +63,18 @@ class Worker:
             self._work.cancel()
             self._work = None
 
+    def stop(self) -> None:
+        """Ask work that writes to stop; what comes of it is still told, for it may have written already."""
+        if self._work is not None:
+            self._work.cancel()
+
+    def finish(self) -> None:
+        """Stop, wait for the end, and tell what came of it at once."""
+        if self._work is not None:
+            self._work.cancel()
+            self._work.wait()
+            self._look()
+
     def _look(self) -> None:
         work = self._work
         if work is None:
@@ -68,7 +84,9 @@ class Worker:
             return
         self._timer.stop()
         self._work = None
-        if work.error is not None:
+        if work.cancelled:
+            self._on_stopped()
+        elif work.error is not None:
             self._on_failed(work.error)
         else:
             self._on_done(work.value)

@@ -2,5 +2,5 @@
 """The path of a corrected program: laid, written, and proven by what is written.
 
 In come a program, its passes and a correction; out go moves, text and proof. The pipeline calls `emission`. What reads
-the written text for the proof, `reading`, shares nothing with `millcorr.gcode`, which wrote it.
+the written text for the proof, `reading`, shares nothing with `millcorr.nc`, which wrote it.
 """

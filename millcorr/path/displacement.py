@@ -11,23 +11,21 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.deviation import is_corner
-from millcorr.footpoint import FootPointSearch, Place
-from millcorr.profile import SAME_HEIGHT, Profile
-from millcorr.regeneration.curve_moves import Intervals, fit_moves
-from millcorr.regeneration.leads import carry_along, own_work
-from millcorr.regeneration.moves import FIT_SHARE, KEEP_SHARE, Regeneration, put_together, wanted_kind
-from millcorr.regeneration.path_following import length_in_plane
-from millcorr.theoretical_contour import SAME_POINT, cutting_runs
-from millcorr.toolpath import Kind, Toolpath
+from millcorr import progress
+from millcorr.arrays import Bools, Floats, Ints
+from millcorr.comparison.deviation import is_corner
+from millcorr.comparison.theoretical_contour import SAME_POINT, cutting_runs
+from millcorr.geometry.footpoint import FootPointSearch, Place
+from millcorr.geometry.profile import Profile
+from millcorr.nc.toolpath import Kind, Toolpath
+from millcorr.path.curve_moves import Intervals, fit_moves
+from millcorr.path.leads import carry_along, own_work
+from millcorr.path.moves import FIT_SHARE, KEEP_SHARE, Regeneration, put_together, wanted_kind
+from millcorr.path.path_following import length_in_plane
+from millcorr.tolerances import EXACT
 
 from .wanted_surface import WantedSurface, meeting
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Bools = NDArray[np.bool_]
 
 STEP = 0.3
 """The displacement is looked at every so many mm along the path at least: no correction has shorter waves."""
@@ -60,9 +58,6 @@ differ by less."""
 
 FEW_ROUNDS = 4
 """Steps after which a disc beside a corner rests on what it meets there, or something else is in the way."""
-
-STILL = 1e-6
-"""What would be displaced by no more than this, in mm, stays as it is."""
 
 
 class DisplacedPath:
@@ -183,7 +178,7 @@ def displace(
     if along is not None and along[0].any():
         passes = _displaced_passes(toolpath, order[along[0][order]], nominal, along[1], after, radius)
         rows, node_row, node_u, shift = _in_order(toolpath, [(rows, node_row, node_u, shift), *passes])
-    shift[np.hypot(*shift.T) <= STILL] = 0.0
+    shift[np.hypot(*shift.T) <= EXACT] = 0.0
     path = DisplacedPath(toolpath, rows, node_row, node_u, shift)
     moved = np.zeros(len(rows), dtype=bool)
     np.logical_or.at(moved, node_row, shift.any(axis=1))
@@ -331,6 +326,7 @@ def _nodes(
     left = np.flatnonzero((found.row[1:] == found.row[:-1]) & (number[:-1] > 0) & (number[1:] < total[row[1:]] - 1))
     a, b = found.take(left), found.take(left + 1)
     for _ in range(HALVINGS):
+        progress.step()
         middle = at(a.row, (a.u + b.u) / 2)
         off = np.hypot(*(middle.local - (a.local + b.local) / 2).T)
         seen = a.touching | middle.touching | b.touching
@@ -459,11 +455,12 @@ def _about_corners(
         shift -= before.corner_shift(foot)
         room = before.distance(place)
     for _ in range(FEW_ROUNDS):
+        progress.step()
         # Where a side turns with its correction, the disc meets it beside the corner.
         off = room - after.distance(np.column_stack([place[:, :2] + shift, place[:, 2]]))
         shift += off[:, None] * away
     size = np.hypot(*shift.T)
-    blocked = np.bincount(found.row[rows], (np.abs(off) > BENT) | (size <= STILL), minlength=count) > 0
+    blocked = np.bincount(found.row[rows], (np.abs(off) > BENT) | (size <= EXACT), minlength=count) > 0
     free = ~blocked[found.row[rows]]
     rows = rows[free]
     way, amount, corner = found.way.copy(), found.amount.copy(), np.zeros(len(found.u), dtype=bool)
@@ -573,6 +570,7 @@ def _held(node_row: Ints, node_u: Floats, amount: Floats, touching: Bools) -> Fl
 def _hand_on(amount: Floats, node_row: Ints, first: Ints, last: Ints, this: Ints, next_one: Ints) -> None:
     """What touches nothing moves as much as what it goes on from without a corner, as past a corner. In place."""
     while True:
+        progress.step()
         here, there = np.isnan(amount[last[this]]), np.isnan(amount[first[next_one]])
         gives, takes = np.flatnonzero(~here & there), np.flatnonzero(here & ~there)
         if not len(gives) and not len(takes):
@@ -588,7 +586,7 @@ def _vertices(toolpath: Toolpath, rows: Ints) -> tuple[Ints, Ints]:
     start, end = toolpath.start[rows, :2], toolpath.end[rows, :2]
     # The next pass may begin where this one ends, but deeper.
     down = np.nan_to_num(toolpath.start[rows[1:], 2] - toolpath.end[rows[:-1], 2])
-    meets = (np.hypot(*(start[1:] - end[:-1]).T) < 1e-6) & (np.abs(down) < SAME_HEIGHT)
+    meets = (np.hypot(*(start[1:] - end[:-1]).T) < 1e-6) & (np.abs(down) < EXACT)
     this = np.flatnonzero(meets)
     after = this + 1
     begin = np.concatenate([[0], np.flatnonzero(~meets) + 1])
@@ -634,6 +632,7 @@ def _cut_off(
         follows[nearer] = farther
         left = shorter > 0
         while left.any():
+            progress.step()
             side, new, shorter = side[left], new[left], shorter[left]
             goes, room = np.full((len(rows), 2), np.nan), np.full(len(rows), -1.0)
             goes[side], room[side] = new, shorter

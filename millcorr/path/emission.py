@@ -7,36 +7,34 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr import gcode
-from millcorr.commanded import CommandedSurface, beside_the_path
-from millcorr.compensation import Correction
-from millcorr.deviation import Deviation
+from millcorr import nc, progress
+from millcorr.arrays import Bools, Floats, Ints
+from millcorr.comparison.commanded_surface import CommandedSurface
+from millcorr.comparison.deviation import Deviation
+from millcorr.correction.settings import Settings
 from millcorr.errors import FitError, LimitError
-from millcorr.nurbs import NurbsCurve
-from millcorr.profile import Contour, Profile
-from millcorr.reconstruction import CompensatedContour
-from millcorr.regeneration.free_ends import keep_coordinate
-from millcorr.regeneration.leads import own_work
-from millcorr.regeneration.moves import Regeneration
-from millcorr.settings import Settings
-from millcorr.toolpath import Plane, Toolpath
-from millcorr.verification import Verification
+from millcorr.geometry.correction import Correction
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Contour, Profile
+from millcorr.messages import message, remedy
+from millcorr.nc.toolpath import Plane, Toolpath
+from millcorr.path.free_ends import keep_coordinate
+from millcorr.path.leads import own_work
+from millcorr.path.moves import Regeneration
+from millcorr.path.passes import beside_the_path
+from millcorr.path.reconstruction import CompensatedContour
+from millcorr.path.verification import Verification
+from millcorr.tolerances import ARITHMETIC
 
+from . import klartext_proof
 from .displacement import displace
+from .klartext_reading import plain_language
 from .neighbours import refuse_cut_neighbours
+from .repeated_leads import leads_alike
 from .surface_proof import prove_surface
 from .text_proof import prove_text
 from .wanted_surface import WantedSurface
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Bools = NDArray[np.bool_]
-
-
-STILL = 1e-9
-"""A move shorter than this along every axis, in mm, goes nowhere."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -64,7 +62,7 @@ class Emission:
 
 
 def emit(
-    program: gcode.Program,
+    program: nc.Program,
     toolpath: Toolpath,
     following: Bools,
     along: Bools,
@@ -126,6 +124,7 @@ def emit(
     if settings.leave_stock:
         # An allowance may be more than a detail of the contour: then nothing of it is left to lay a path on.
         CompensatedContour(nominal, correction)
+    progress.step()
     carried = Correction.none(nominal) if carried is None else carried
     before, after = WantedSurface(nominal, carried, correction), WantedSurface(nominal, correction, carried)
     regeneration = displace(
@@ -145,16 +144,26 @@ def emit(
         # Ends slide along themselves by no more than twice as far again.
         reach += 2 * regeneration.largest_shift
         regeneration = keep_coordinate(toolpath, regeneration, axis="yx".index(settings.depth_along))
+    progress.step()
+    regeneration = leads_alike(program, toolpath, regeneration)
     text = written_text(program, regeneration, settings.tolerance, header)
     # Of a first cut's vanishing fillets the lines go, and their neighbours' ends with them.
     lines = np.unique(program.toolpath.source) if settings.leave_stock else regeneration.lines
-    emitted = prove_text(program.data, text, lines, header=header, reach=reach).moves.toolpath()
+    lines = np.unique(program.lines_of(program.written_out(lines)))
+    prove = klartext_proof.prove if plain_language(program.data) else prove_text
+    proven = prove(program.data, text, lines, header=header, reach=reach, beside=program.beside)
+    emitted = proven.moves.toolpath()
+    progress.step()
     emitted = emitted.take(~_nowhere(emitted))
     goes = ~_nowhere(regeneration.toolpath)
     planned, following_now = regeneration.toolpath.take(goes), regeneration.following[goes]
     if len(emitted) != len(planned):
         raise LimitError(f"the written program reads back with {len(emitted)} moves in place of {len(planned)}")
-    _refuse_other_moves(planned, emitted, regeneration.lines, settings.tolerance)
+    compared = regeneration.lines
+    if plain_language(program.data):
+        compared = compared[~klartext_proof.led_lines(program.data)[program.lines_of(compared)]]
+    _refuse_other_moves(planned, emitted, compared, settings.tolerance)
+    progress.step()
     original = CommandedSurface(toolpath, cutters)
     written = CommandedSurface(emitted, cutters[regeneration.origin[goes]])
     changed = np.isin(toolpath.source, regeneration.lines), np.isin(planned.source, regeneration.lines)
@@ -171,6 +180,7 @@ def emit(
         exact=exact,
         beyond=None if measured is None else _beyond(after, measured),
     )
+    progress.step()
     leads = beside_the_path(toolpath, following) & ~following & ~own_work(toolpath, following)
     refuse_cut_neighbours(original, written, changed, leads, shift=shift, tolerance=settings.tolerance)
     notes = []
@@ -181,14 +191,18 @@ def emit(
         )
     if line:
         notes.append(
-            f"line {line} of the corrected program, which is not corrected itself, cuts {held * 1000:.1f} um into the "
-            f"corrected surface at X{beside[0]:.3f} Y{beside[1]:.3f}, beyond what was measured: if that is a wall of "
-            "the part and no lead, --keep-allowance moves such passes along"
+            message(
+                f"line {line} of the corrected program, which is not corrected itself, cuts ",
+                f"{held * 1000:.1f} um into the corrected surface at X{beside[0]:.3f} Y{beside[1]:.3f}, ",
+                "beyond what was measured: if that is a wall of the part and no lead, ",
+                remedy("keep_allowance"),
+                " moves such passes along",
+            )
         )
     moved = np.intersect1d(toolpath.source[along], regeneration.lines)
     if len(moved):
-        which = f"{_listed(moved + 1)} of {program.name}"
-        notes.append(f"passes that leave stock on the corrected wall are moved along with it: {which}")
+        which = f"{_listed(np.unique(program.lines_of(moved)) + 1)} of {program.name}"
+        notes.append(f"other passes on the corrected wall are moved along with it: {which}")
     compensated, residual = compensated_profile(nominal, correction, after)
     return Emission(compensated, residual, regeneration, proof, text), tuple(notes)
 
@@ -234,7 +248,7 @@ def _refuse_other_moves(planned: Toolpath, emitted: Toolpath, lines: Ints, toler
 def _nowhere(toolpath: Toolpath) -> Bools:
     """Moves that go nowhere: a reader may count them or not."""
     # Sums of displacements differ in their last digit where the text states one and the same place.
-    still = (np.abs(toolpath.end - toolpath.start) < STILL) | np.isnan(toolpath.start + toolpath.end)
+    still = (np.abs(toolpath.end - toolpath.start) < ARITHMETIC) | np.isnan(toolpath.start + toolpath.end)
     out: Bools = still.all(axis=1) & (toolpath.sweep == 0)
     return out
 
@@ -266,9 +280,9 @@ def compensated_profile(nominal: Profile, correction: Correction, surface: Wante
     return Profile.from_contours(contours), 0.0
 
 
-def written_text(program: gcode.Program, regeneration: Regeneration, tolerance: float, header: Sequence[str]) -> bytes:
+def written_text(program: nc.Program, regeneration: Regeneration, tolerance: float, header: Sequence[str]) -> bytes:
     """The new program; decimals as the program has them where the tolerance allows."""
-    plain = gcode.write(program, regeneration.toolpath, tolerance=tolerance)
+    plain = nc.write(program, regeneration.toolpath, tolerance=tolerance)
     if plain == program.data:
         return plain
     room = tolerance - regeneration.fit_error
@@ -276,4 +290,4 @@ def written_text(program: gcode.Program, regeneration: Regeneration, tolerance: 
     own = program.style.decimals
     unit = 25.4 if (program.modal.unit == 20).any() else 1.0
     decimals = own if np.sqrt(0.5) * unit * 10.0**-own <= 0.9 * room else None
-    return gcode.write(program, regeneration.toolpath, decimals=decimals, tolerance=tolerance, header=header)
+    return nc.write(program, regeneration.toolpath, decimals=decimals, tolerance=tolerance, header=header)

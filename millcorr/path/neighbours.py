@@ -8,17 +8,14 @@ radius to either side of their paths, wherever nothing else cuts deeper; none of
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.commanded import FEW_HEIGHTS, CommandedSurface, rows_near
+from millcorr.arrays import Bools, Floats, Ints
+from millcorr.comparison.commanded_surface import CommandedSurface, rows_near
 from millcorr.comparison.path_distance import PathDistance
 from millcorr.errors import LimitError
-from millcorr.regeneration.path_following import length_in_plane
-from millcorr.toolpath import Kind, Toolpath
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Bools = NDArray[np.bool_]
+from millcorr.nc.toolpath import Kind, Toolpath
+from millcorr.path.passes import FEW_HEIGHTS
+from millcorr.path.path_following import length_in_plane
 
 ONE_WALL = 0.866
 """Where a moved pass meets a wall at more than 30 degrees (cosine between their normals) it moves the edge between two
@@ -101,7 +98,9 @@ def refuse_cut_neighbours(
     raise LimitError(
         f"line {int(written.toolpath.source[by]) + 1} of the corrected program would cut {amount * 1000:.1f} um into "
         f"another wall at X{x:.3f} Y{y:.3f}, which line {int(original.toolpath.source[row[k]]) + 1} of the program has "
-        "made and which is not corrected: measure it, too, or correct less there"
+        "made and which is not corrected: measure it, too, or correct less there",
+        place=(float(x), float(y)),
+        figure=amount,
     )
 
 

@@ -9,27 +9,34 @@ coordinate unknown (NaN); nothing is refused here.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from millcorr.read_only import ReadOnlyArrays
-from millcorr.toolpath import Bools, Floats, Ints, Kind, Plane, Toolpath, named_tool
+from millcorr import progress
+from millcorr.arrays import Bools, Bytes, Floats, Ints, ReadOnlyArrays, compact
+from millcorr.nc.toolpath import Kind, Plane, Toolpath, named_tool
+from millcorr.tolerances import ARITHMETIC
 
-Bytes = NDArray[np.uint8]
+from .corner_moves import broken, complex_of, way
+from .unrolled import ADDRESS, unrolled
 
 _PIECE = 1 << 18
 """Bytes of text that are taken apart at once: columns of single digits then fit into the cache."""
+_BY_POINT, _TANGENT = 90000, 90001
+"""Motion of Siemens' CIP and CT."""
 _EXACT_DIGITS = 15
 """A number of so many digits is a whole float64 over a power of ten, so that one division rounds it right."""
-_SAME_POINT = 1e-9
 _PATHS = {0: Kind.RAPID, 10: Kind.LINE, 20: Kind.ARC, 30: Kind.ARC, 50: Kind.CUBIC}
 _NO_PATH = (330, *range(380, 390), 730, 740, 760, 800, 810, 820, 830, 840, 850, 860, 870, 880, 890)
 _CYCLES = (730, 740, 760, 810, 820, 830, 840, 850, 860, 870, 880, 890)
 _NO_TARGET = (40, 71, 100, 281, 301, 500, 501, 510, 511, 520, 650, 660, 680, 682, 920, 921, 922, 923, 1070)
 """Tenths of G codes beside which axis words are no target: dwell, frames, macros."""
 _NEW_FRAME = (100, 500, 501, 510, 511, 520, 650, 680, 681, 682, 690, 691, 920, 921, 922, 923)
+_OFFSETS = (*range(540, 600), 5000, *range(5050, 6000, 10))
 _HOME = (280, 300)
 _MACHINE = 530
 
@@ -39,9 +46,9 @@ _SKIPPED = re.compile(
 )
 """Comments, texts, and tools that are called by a name."""
 _BLANKS = b" \t\r\x0b\x0c\x1a"
-_PERCENT = re.compile(rb"(?m)^(?:[Nn]\d+)?%[^\n]*")
+_PERCENT = re.compile(rb"(?m)^(?:[Nn]\d+)?%[^\n]*|\A\$[^\n]*%(?=\n)")
 _OPENING = re.compile(rb"(?m)^((?:N\d+)?)(?:/[1-9]?|:(?=\d))")
-_ODD_WORD = re.compile(rb"([A-Z])([-+]?(?:\d+\.?\d*|\.\d+)(?![\d.=#])|[-+]?#|=)")
+_ODD_WORD = re.compile(rb"([A-Z\xc0-\xd4])([-+]?(?:\d+\.?\d*|\.\d+)(?![\d.=#])|[-+]?#|=)")
 
 _DIGIT, _POINT, _SIGN, _OTHER, _LETTER, _NEWLINE = range(6)
 _CLASS = np.full(256, _OTHER, np.uint8)
@@ -49,12 +56,13 @@ _CLASS[ord("0") : ord("9") + 1] = _DIGIT
 _CLASS[ord(".")] = _POINT
 _CLASS[[ord("+"), ord("-")]] = _SIGN
 _CLASS[ord("A") : ord("Z") + 1] = _LETTER
+_CLASS[[ord(c) for c in ADDRESS.values()]] = _LETTER
 _CLASS[ord("\n")] = _NEWLINE
 _POWERS = 10.0 ** np.arange(_EXACT_DIGITS + 1)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class PlainMoves(ReadOnlyArrays):
+class PlainMoves:
     """Moves of a program's text in their order, up to its end (M2, M30, M99).
 
     Parameters
@@ -81,7 +89,7 @@ class PlainMoves(ReadOnlyArrays):
     offset : (n,) int64
         Work offset: tenths of its G code times 1000, plus P (G54.1) or H (G15) where they choose; 540000 at first.
     line : (n,) int64
-        Line of the text, from 0, increasing.
+        Block of the text, from 0, not decreasing: its line where every line runs once.
     """
 
     kind: Ints
@@ -96,6 +104,10 @@ class PlainMoves(ReadOnlyArrays):
     compensation: Ints
     offset: Ints
     line: Ints
+
+    def __post_init__(self) -> None:
+        for name in self.__slots__:
+            object.__setattr__(self, name, compact(getattr(self, name)))
 
     def __len__(self) -> int:
         return len(self.kind)
@@ -114,8 +126,16 @@ class Reading(ReadOnlyArrays):
 
     Parameters
     ----------
+    text : bytes
+        The text as it runs, a line a block.
     starts : (lines + 1,) int64
-        Offset of every line, and the length of the text.
+        Offset of every line in it, and its length.
+    plain : bytes
+        The same with the numbers that the program computes, in words of one letter.
+    plain_starts : (lines + 1,) int64
+        Offset of every line in it, and its length.
+    line : (lines,) int64
+        Line of the file of every block.
     motion : (lines,) int64
         Tenths of the motion code in force behind each line, -1 before any.
     in_plane : (lines,) bool
@@ -125,7 +145,11 @@ class Reading(ReadOnlyArrays):
     moves : PlainMoves
     """
 
+    text: bytes
     starts: Ints
+    plain: bytes
+    plain_starts: Ints
+    line: Ints
     motion: Ints
     in_plane: Bools
     feed_word: Floats
@@ -140,12 +164,14 @@ def line_starts(data: bytes) -> Ints:
     return np.concatenate([[0], starts, [] if closed else [len(data)]]).astype(np.int64)
 
 
-def read_moves(data: bytes) -> PlainMoves:
+def read_moves(data: bytes, beside: Sequence[tuple[str, bytes]] = ()) -> PlainMoves:
     r"""Read the moves of a program's text.
 
     Parameters
     ----------
     data : bytes
+    beside : sequence of (str, bytes)
+        Names and texts of files that hold its subprograms.
 
     Returns
     -------
@@ -156,13 +182,75 @@ def read_moves(data: bytes) -> PlainMoves:
     >>> read_moves(b"G0 X1 Y2 Z5\nG1 Z-1 F60\nG3 X3 I1").sweep.round(4).tolist()
     [0.0, 0.0, 3.1416]
     """
-    return read(data).moves
+    return read(data, beside).moves
 
 
-def read(data: bytes) -> Reading:
+def read(data: bytes, beside: Sequence[tuple[str, bytes]] = ()) -> Reading:
     """Read a program's text: its moves and what the proof wants of its lines."""
     starts = line_starts(data)
-    return _Follower(starts, *_words(data, starts)).reading()
+    progress.step()
+    found = unrolled(data, starts, beside)
+    if found is None:
+        lines = np.arange(len(starts) - 1)
+        return _Follower(data, starts, data, starts, lines, _words(data, starts)).reading()
+    raw, raw_starts = _joined(found.raw)
+    plain, plain_starts = _joined(found.plain)
+    words = _pieces(plain, plain_starts, len(found.line))
+
+    def upto(block: int, words: tuple[Bytes, Floats, Ints]) -> _Follower:
+        return _Follower(raw, raw_starts[: block + 1], plain, plain_starts, found.line, words)
+
+    words = _with_ends_of_angles(words, upto)
+    return upto(len(found.line), words).reading()
+
+
+def _with_ends_of_angles(
+    words: tuple[Bytes, Floats, Ints], upto: Callable[[int, tuple[Bytes, Floats, Ints]], _Follower]
+) -> tuple[Bytes, Floats, Ints]:
+    """Words in which lines that state an angle state their ends, too."""
+    letter, value, line = words
+    angle, x, y = (ord(ADDRESS[name]) for name in ("ANG", "X=AC", "Y=AC"))
+    angled = np.unique(line[letter == angle]).tolist()
+    for k, block in enumerate(angled):
+        earlier = upto(block, tuple(column[line < block] for column in (letter, value, line)))
+        if not block or earlier.group({900: 90, 910: 91}, 90)[-1] == 91:
+            continue
+        scale = 25.4 if earlier.group({200: 20, 210: 21, 700: 20, 710: 21, 7000: 20, 7100: 21}, 21)[-1] == 20 else 1.0
+        moved = earlier.shift(np.full(block, scale))[-1]
+        moves = earlier.reading().moves
+        if not len(moves):
+            continue
+        start = (complex(*moves.end[-1, :2]) - complex(*moved[:2])) / scale
+        said = [
+            {c: float(v) for c, v in zip(letter[line == b].tolist(), value[line == b].tolist(), strict=True)}
+            for b in (block, angled[k + 1] if k + 1 < len(angled) else block)
+        ]
+        way = np.exp(1j * np.radians(said[0][angle]))
+        stated = [said[0].get(ord(c), said[0].get(own)) for c, own in (("X", x), ("Y", y))]
+        if stated == [None, None]:
+            # Seen along the first line, the second one comes back to it.
+            onward = np.exp(1j * np.radians(said[1][angle])) / way
+            target = (complex(said[1].get(ord("X"), np.nan), said[1].get(ord("Y"), np.nan)) - start) / way
+            share = target.real - target.imag * onward.real / onward.imag if abs(onward.imag) > ARITHMETIC else np.nan
+        elif stated[0] is not None and stated[1] is None and abs(way.real) > ARITHMETIC:
+            share = (stated[0] - start.real) / way.real
+        elif stated[1] is not None and stated[0] is None and abs(way.imag) > ARITHMETIC:
+            share = (stated[1] - start.imag) / way.imag
+        else:
+            continue
+        end = start + way * share
+        more = [(c, v) for c, own, v in ((x, stated[0], end.real), (y, stated[1], end.imag)) if own is None]
+        place = int(np.searchsorted(line, block + 1))
+        letter = np.insert(letter, place, [c for c, _ in more]).astype(np.uint8)
+        value = np.insert(value, place, [v for _, v in more])
+        line = np.insert(line, place, [block] * len(more))
+    return letter, value, line
+
+
+def _joined(lines: Sequence[bytes]) -> tuple[bytes, Ints]:
+    """Lines one behind another, and where each begins."""
+    lengths = np.array([len(line) for line in lines], np.int64)
+    return b"".join(lines), np.concatenate([[0], np.cumsum(lengths)])
 
 
 # -- words ----------------------------------------------------------------------------------------------------
@@ -175,20 +263,27 @@ def _words(data: bytes, starts: Ints) -> tuple[Bytes, Floats, Ints]:
     marks = [i for i in dict.fromkeys(marks) if data[starts[i] : starts[i + 1]].lstrip().startswith(b"%")]
     if len(marks) > 1 and not data[: starts[marks[0]]].removeprefix(b"\xef\xbb\xbf").strip():
         lines = marks[1]
+    letter, value, line = _pieces(data, starts, lines)
+    ends = line[(letter == ord("M")) & np.isin(value, (2, 30, 99))]
+    keep = slice(0, int(np.searchsorted(line, ends[0], "right")) if len(ends) else len(line))
+    return letter[keep], value[keep], line[keep]
+
+
+def _pieces(data: bytes, starts: Ints, lines: int) -> tuple[Bytes, Floats, Ints]:
+    """Words of the first lines of a text."""
     pieces = []
     first = 0
     while first < lines:
+        progress.step()
         last = max(int(np.searchsorted(starts, starts[first] + _PIECE)), first + 1)
         last = min(last, lines)
         letter, value, line = _piece(data[starts[first] : starts[last]])
-        pieces.append((letter, value, line + first))
+        pieces.append((letter, value, line.astype(np.int32) + first))
         first = last
     if not pieces:
         return np.empty(0, np.uint8), np.empty(0), np.empty(0, np.int64)
     letter, value, line = (np.concatenate(column) for column in zip(*pieces, strict=True))
-    ends = line[(letter == ord("M")) & np.isin(value, (2, 30, 99))]
-    keep = slice(0, int(np.searchsorted(line, ends[0], "right")) if len(ends) else len(line))
-    return letter[keep], value[keep], line[keep]
+    return letter, value, line
 
 
 def _piece(text: bytes) -> tuple[Bytes, Floats, Ints]:
@@ -199,7 +294,7 @@ def _piece(text: bytes) -> tuple[Bytes, Floats, Ints]:
     if any(mark in text for mark in (b"(", b";", b'"', b"=")):
         text = _SKIPPED.sub(_numbered_tool, text)
     text = text.translate(None, _BLANKS)
-    if b"%" in text:
+    if b"%" in text or b"$" in text:
         text = _PERCENT.sub(b"", text)
     if b"/" in text or b":" in text:
         text = _OPENING.sub(lambda m: m[1] + (b"O" if m[0].endswith(b":") else b""), text)
@@ -265,49 +360,83 @@ def _numbered_tool(found: re.Match[bytes]) -> bytes:
 
 def _odd_words(text: bytes) -> list[tuple[int, float]]:
     """Words of a line that holds more than letters with numbers; NaN for a number that the control computes."""
-    if b"SUPA" in text:
-        text = text.replace(b"SUPA", b"G53")
-    text = re.sub(rb"(?:#|^R\d|^Q\d|(?<=\d)[RQ]\d)[^=]*=.*", b"", text) if b"=" in text else text
     while (shorter := re.sub(rb"\[[^\[\]]*\]|<[^<>]*>|#+\d+", b"#", text)) != text:
         text = shorter
     if re.search(rb"[A-Z_]{2}", text):
         return []
-    corner = re.search(rb",[A-Z]", text)
     words = []
-    for m in _ODD_WORD.finditer(text[: corner.start()] if corner else text):
+    for m in _ODD_WORD.finditer(text):
         try:
             words.append((m[1][0], float(m[2])))
         except ValueError:
             words.append((m[1][0], float("nan")))
-    # A corner rounding or chamfer changes where the move ends.
-    return [*words, *((ord(axis), float("nan")) for axis in "XYZ")] if corner else words
+    return words
 
 
 # -- moves ----------------------------------------------------------------------------------------------------
 
 
-def _held(stated: Bools, value: Floats, initial: float) -> Floats:
+def _held(stated: Bools, value: NDArray[Any], initial: float) -> NDArray[Any]:
     """Value last stated at or before each line."""
-    place = np.maximum.accumulate(np.where(stated, np.arange(len(stated)), -1))
-    return np.where(place < 0, initial, value[place])
+    places = np.flatnonzero(stated)
+    if not len(places):
+        return np.broadcast_to(value.dtype.type(initial), len(stated))
+    runs = np.diff(np.concatenate([[0], places, [len(stated)]]))
+    return np.repeat(np.concatenate([[initial], value[places]]), runs)
 
 
 class _Follower:
     """Columns of one text, carried through the modal groups."""
 
-    def __init__(self, starts: Ints, letter: Bytes, value: Floats, line: Ints) -> None:
-        self.starts = starts
+    def __init__(
+        self,
+        text: bytes,
+        starts: Ints,
+        plain: bytes,
+        plain_starts: Ints,
+        file_line: Ints,
+        words: tuple[Bytes, Floats, Ints],
+    ) -> None:
+        self.text, self.starts, self.plain, self.plain_starts = text, starts, plain, plain_starts
+        self.file_line = file_line
         self.lines = len(starts) - 1
+        letter, value, line = words
         self.words = {c: (line[letter == ord(c)], value[letter == ord(c)]) for c in "GMXYZIJKRFTHPQ"}
+        if (letter > ord("Z")).any():
+            found = {name: letter == ord(c) for name, c in ADDRESS.items()}
+            self.words |= {name: (line[here], value[here]) for name, here in found.items() if here.any()}
         where, code = self.words["G"]
         known = np.isfinite(code)
         self.code, self.code_line = np.rint(code[known] * 10).astype(np.int64), where[known]
 
     def column(self, letter: str) -> tuple[Bools, Floats]:
+        progress.step()
         line, value = self.words[letter]
+        if not len(line):
+            return np.broadcast_to(np.False_, self.lines), np.broadcast_to(np.nan, self.lines)
         stated, column = np.zeros(self.lines, np.bool_), np.full(self.lines, np.nan)
         stated[line], column[line] = True, value
         return stated, column
+
+    def naming(self, letters: str) -> Bools:
+        """Lines with a word of these letters."""
+        out = np.zeros(self.lines, np.bool_)
+        for letter in letters:
+            out[self.words[letter][0]] = True
+        return out
+
+    def at(self, letter: str, lines: Ints) -> tuple[Bools, Floats]:
+        """Whether some lines state a letter, and its number there, the last where there are two."""
+        line, value = self.words[letter]
+        place = np.searchsorted(line, lines, "right") - 1
+        if not len(line):
+            return np.zeros(len(lines), np.bool_), np.full(len(lines), np.nan)
+        stated: Bools = (place >= 0) & (line[place] == lines)
+        return stated, np.where(stated, value[place], np.nan)
+
+    def of(self, name: str) -> tuple[Bools, Floats] | None:
+        """Column of a named address; None where the text has none."""
+        return self.column(name) if name in self.words else None
 
     def having(self, *codes: int) -> Bools:
         out = np.zeros(self.lines, np.bool_)
@@ -315,74 +444,116 @@ class _Follower:
         return out
 
     def group(self, members: dict[int, int], initial: int, without: Bools | None = None) -> Ints:
-        stated, value = np.zeros(self.lines, np.bool_), np.zeros(self.lines)
+        progress.step()
+        stated, value = np.zeros(self.lines, np.bool_), np.zeros(self.lines, np.int64)
         for code, meaning in members.items():
             here = self.having(code) if without is None else self.having(code) & ~without
             stated |= here
             value[here] = meaning
-        return _held(stated, value, initial).astype(np.int64)
+        return _held(stated, value, initial)
 
     def reading(self) -> Reading:
         axes = [self.column(c) for c in "XYZ"]
-        i, j, k, r = (self.column(c) for c in "IJKR")
-        named = axes[0][0] | axes[1][0] | axes[2][0]
-        arcs_named = i[0] | j[0] | k[0] | r[0]
+        in_plane = axes[0][0] | axes[1][0]
+        named = in_plane | axes[2][0]
+        arcs_named = self.naming("IJKR")
+        for name in ADDRESS:
+            if name in self.words and name[0] in "XYZ":
+                named = named | self.column(name)[0]
+            elif name in self.words and name[0] in "IJKA" and name != "ANG":
+                arcs_named = arcs_named | self.column(name)[0]
         # G80 beside another motion code is a customary opening; the other one holds. A G5 with nothing to move to
         # tunes the control.
         motion = self.group({800: 800, **{c: c for c in _NO_PATH if c != 800}, **{c: c for c in _PATHS if c != 50}}, -1)
         cubic = self.having(50) & (named | arcs_named)
         if cubic.any():
             stated = cubic | self.having(*_NO_PATH, *_PATHS) & ~self.having(50)
-            motion = _held(stated, np.where(cubic, 50, motion).astype(float), -1).astype(np.int64)
+            motion = _held(stated, np.where(cubic, 50, motion), -1)
+        if (named_arc := self.of("ARC")) is not None:
+            stated = named_arc[0] | self.having(*_NO_PATH, *_PATHS)
+            motion = _held(stated, np.where(named_arc[0], _BY_POINT + np.nan_to_num(named_arc[1]), motion), -1)
+            motion = motion.astype(np.int64)
         plane = self.group({170: 17, 180: 18, 190: 19}, 17)
-        absolute = self.group({900: 90, 910: 91}, 90) == 90
+        modal_absolute = self.group({900: 90, 910: 91}, 90) == 90
         absolute_arcs = self.group({901: 90, 911: 91}, 91) == 90
         # Okuma's G20 P and the like do not concern the unit; G70, G71 with I, J are hole patterns.
         unit = self.group({200: 20, 210: 21}, 21)
-        if self.having(700, 710).any():
-            patterns = (i[0] | j[0] | k[0]) & self.having(700, 710)
-            unit = self.group({200: 20, 210: 21, 700: 20, 710: 21}, 21, patterns)
+        if self.having(700, 710, 7000, 7100).any():
+            patterns = self.naming("IJK") & self.having(700, 710)
+            unit = self.group({200: 20, 210: 21, 700: 20, 710: 21, 7000: 20, 7100: 21}, 21, patterns)
         scale = np.where(unit == 20, 25.4, 1.0)
 
         home, target = self.having(*_HOME), ~self.having(*_NO_TARGET)
+        if (framed := self.of("FRAME")) is not None:
+            target &= ~framed[0]
         cycle = np.isin(motion, _CYCLES)
         offset, lost = self._frames()
         gone = self._called() | (home & ~named)
         machine = self.having(_MACHINE)
-        moving = np.flatnonzero((target & (named | (np.isin(motion, (20, 30)) & arcs_named))) | home)
+        moving = np.flatnonzero(
+            (target & (named | (np.isin(motion, (20, 30, _BY_POINT, _TANGENT)) & arcs_named))) | home
+        )
         start, end = np.full((len(moving), 3), np.nan), np.empty((len(moving), 3))
-        for a, (stated, value) in enumerate(axes):
-            unknown = gone | ((home | machine) & stated)
+        shift = self.shift(scale)
+        endless = self._endless()
+        # The columns and words of the axes, which most of a long text is, are not kept beside what follows from them.
+        self.words |= dict.fromkeys("XYZ", (np.empty(0, np.int64), np.empty(0)))
+        for a in range(3):
+            stated, value = axes.pop(0)
+            absolute = modal_absolute
+            for way_of in ("IC", "AC"):
+                if (own := self.of(f"{'XYZ'[a]}={way_of}")) is not None:
+                    stated, value = stated | own[0], np.where(own[0], own[1], value)
+                    absolute = np.where(own[0], way_of == "AC", absolute)
+            unknown = gone | (endless & (a < 2))
+            unknown |= (home | machine) & stated
             # The Z of a canned cycle is the bottom of its hole, not where it ends.
             stated = stated & (target & ~cycle if a == 2 else target)
             fixed = lost[:, a] | unknown | (stated & (absolute | np.isnan(value)))
             step = np.where(stated & ~fixed, value * scale, 0.0)
-            base = np.where(stated & absolute & ~unknown, value * scale, np.nan)
+            base = np.where(stated & absolute & ~unknown, value * scale + shift[:, a], np.nan)
             at = _held(fixed, base, np.nan)
             if not absolute.all():
                 sums = np.cumsum(step)
-                at += sums - _held(fixed, sums, 0.0)
+                at = at + sums - _held(fixed, sums, 0.0)
             end[:, a] = at[moving]
             start[:, a] = np.where((moving == 0) | lost[moving, a], np.nan, at[moving - 1])
         kind = np.zeros(len(moving), np.int64)
+        kind[np.isin(motion[moving], (_BY_POINT, _TANGENT))] = Kind.ARC
         for code, meaning in _PATHS.items():
             kind[(motion[moving] == code) & ~home[moving]] = meaning
         centre, sweep = np.broadcast_to(np.nan, (len(kind), 2)), np.zeros(len(kind))
         arcs = np.flatnonzero(kind == Kind.ARC)
         if len(arcs):
             lines = moving[arcs]
-            words = [(s[lines], v[lines] * scale[lines]) for s, v in (i, j, k, r)]
-            turns_stated, p = self.column("P")
-            turns = np.where(turns_stated, p, 1.0)[lines]
+            words = [(s, v * scale[lines]) for s, v in (self.at(c, lines) for c in "IJKR")]
+            turns_stated, p = self.at("P", lines)
+            turns = np.where(turns_stated, p, 1.0)
+            if (more := self.of("TURN")) is not None:
+                turns = np.where(more[0][lines], more[1][lines] + 1.0, turns)
+            for axis, letter in enumerate("IJK"):
+                own = self.of(f"{letter}=AC")
+                if own is not None:
+                    # As the way from where a centre counts from: the start, or the origin under G90.1.
+                    from_start = np.where(absolute_arcs[lines], 0.0, start[arcs, axis])
+                    s, v = own[0][lines], own[1][lines] * scale[lines] + shift[lines, axis] - from_start
+                    words[axis] = (words[axis][0] | s, np.where(s, v, words[axis][1]))
+                moved = absolute_arcs[lines] & (True if own is None else ~own[0][lines])
+                words[axis] = (words[axis][0], words[axis][1] + np.where(moved, shift[lines, axis], 0.0))
             centre = np.full((len(kind), 2), np.nan)
             centre[arcs], sweep[arcs] = _arcs(
                 start[arcs], end[arcs], plane[lines], motion[lines] == 20, words, absolute_arcs[lines], turns
             )
+            self._named_arcs(kind, moving, start, end, plane, motion, scale, shift, centre, sweep)
         control = self._cubics(kind, moving, start, end, scale)
-        mode = self.group({930: 93, 940: 94, 950: 95}, 94)
+        feeding = self.group({930: 93, 940: 94, 950: 95}, 94)
         stated_f, f = self.column("F")
-        changed = np.diff(mode, prepend=94) != 0
-        feed = _held(stated_f | changed, np.where(stated_f & (mode == 94), f * scale / 60.0, np.nan), np.nan)
+        changed = np.diff(feeding, prepend=94) != 0
+        feed = _held(stated_f | changed, np.where(stated_f & (feeding == 94), f * scale / 60.0, np.nan), np.nan)
+        if wanted := self._wanted_corners(moving, kind, scale):
+            row, columns = self._corners(wanted, moving, kind, start, end, centre, sweep, plane)
+            kind, start, end, centre, sweep = columns
+            moving, control = moving[row], control[row]
         moves = PlainMoves(
             kind,
             start,
@@ -397,7 +568,154 @@ class _Follower:
             offset[moving],
             moving,
         )
-        return Reading(self.starts, motion, axes[0][0] | axes[1][0], _held(stated_f, f, np.nan), moves)
+        return Reading(
+            self.text,
+            self.starts,
+            self.plain,
+            self.plain_starts,
+            self.file_line,
+            motion,
+            in_plane,
+            _held(stated_f, f, np.nan),
+            moves,
+        )
+
+    def _wanted_corners(self, moving: Ints, kind: Ints, scale: Floats) -> dict[int, tuple[str, float]]:
+        """What is to be made of the corners behind moves, by their rows."""
+        wanted: dict[int, tuple[str, float]] = {}
+        for name in ("RNDM", "RND", "CHR", "CHF"):
+            column = self.of(name)
+            if column is None:
+                continue
+            stated, size = column[0], column[1] * scale
+            if name == "RNDM":
+                held = _held(stated, size, 0.0)[moving]
+                cuts = np.isin(kind, (Kind.LINE, Kind.ARC))
+                wanted |= {n: ("RND", held[n]) for n in np.flatnonzero((held[:-1] > 0) & cuts[:-1] & cuts[1:]).tolist()}
+            else:
+                wanted |= {n: (name, float(size[moving[n]])) for n in np.flatnonzero(stated[moving]).tolist()}
+        return wanted
+
+    def _corners(
+        self,
+        wanted: dict[int, tuple[str, float]],
+        moving: Ints,
+        kind: Ints,
+        start: Floats,
+        end: Floats,
+        centre: Floats,
+        sweep: Floats,
+        plane: Ints,
+    ) -> tuple[Ints, tuple[Ints, Floats, Floats, Floats, Floats]]:
+        """Rows of the moves with those that corners add, and kind, start, end, centre, sweep of all."""
+        rows = np.arange(len(kind))
+        centre, sweep = np.array(centre), np.array(sweep)
+        more = []
+        for n in sorted(wanted):
+            flat = n + 1 < len(kind) and bool(
+                (plane[moving[[n, n + 1]]] == 17).all()
+                and np.isin(kind[[n, n + 1]], (Kind.LINE, Kind.ARC)).all()
+                and not (np.abs(end[[n, n + 1], 2] - start[[n, n + 1], 2]) > ARITHMETIC).any()
+            )
+            if not flat:
+                continue
+            s, e, c = (complex_of(p[[n, n + 1]]) for p in (start, end, centre))
+            comes, goes = (way(s[k], e[k], c[k], float(sweep[n + k]), e[0]) for k in (0, 1))
+            new = broken(comes, goes, *wanted[n])
+            if new is None:
+                continue
+            first, last, middle, turn = new
+            for k, (a, b) in enumerate(((s[0], first), (last, e[1]))):
+                if kind[n + k] == Kind.ARC:
+                    arc = np.angle((b - c[k]) / (a - c[k]))
+                    sweep[n + k] = arc + (2 * np.pi * np.sign(sweep[n + k]) if arc * sweep[n + k] < 0 else 0.0)
+            end[n, :2], start[n + 1, :2] = (first.real, first.imag), (last.real, last.imag)
+            shape = Kind.LINE if turn == 0 else Kind.ARC
+            more.append((n, shape, [*end[n]], [last.real, last.imag, end[n, 2]], [middle.real, middle.imag], turn))
+        if not more:
+            return rows, (kind, start, end, centre, sweep)
+        order = np.argsort(np.concatenate([rows, [m[0] for m in more]]), kind="stable")
+        owner = np.concatenate([rows, np.array([m[0] for m in more], np.int64)])[order]
+        added = zip(*(m[1:] for m in more), strict=True)
+        columns = [
+            np.concatenate([old, np.array(new, old.dtype)])[order]
+            for old, new in zip((kind, start, end, centre, sweep), added, strict=True)
+        ]
+        return owner, (columns[0], columns[1], columns[2], columns[3], columns[4])
+
+    def shift(self, scale: Floats) -> Floats:
+        """What TRANS adds to positions, mm, (lines, 3)."""
+        frame = self.of("FRAME")
+        if frame is None:
+            return np.broadcast_to(0.0, (self.lines, 3))
+        out = np.zeros((self.lines, 3))
+        at = np.flatnonzero(frame[0])
+        now = np.zeros(3)
+        for first, last in zip(at.tolist(), [*at[1:].tolist(), self.lines], strict=True):
+            if frame[1][first] != 2:
+                now = now if frame[1][first] == 1 else np.zeros(3)
+                now = now + [v[first] * scale[first] if s[first] else 0.0 for s, v in map(self.column, "XYZ")]
+            out[first:last] = now
+        return out
+
+    def _endless(self) -> Bools:
+        """Arcs by opening angle and centre, whose end is not stated."""
+        opening = self.of("AR")
+        out = np.zeros(self.lines, np.bool_)
+        if opening is not None:
+            for name in ("I", "J", "K", "I=AC", "J=AC", "K=AC"):
+                if name in self.words:
+                    out |= opening[0] & self.column(name)[0]
+        return out
+
+    def _named_arcs(
+        self,
+        kind: Ints,
+        moving: Ints,
+        start: Floats,
+        end: Floats,
+        plane: Ints,
+        motion: Ints,
+        scale: Floats,
+        shift: Floats,
+        centre: Floats,
+        sweep: Floats,
+    ) -> None:
+        """Arcs by a point, by their opening angle, and tangent to the move before: with complex numbers, in order."""
+        opening = self.of("AR")
+        special = np.isin(motion[moving], (_BY_POINT, _TANGENT)) | (
+            False if opening is None else (opening[0] & np.isfinite(opening[1]))[moving]
+        )
+        for n in np.flatnonzero(special & (kind == Kind.ARC)).tolist():
+            line = int(moving[n])
+            a, b = {17: (0, 1), 18: (2, 0), 19: (1, 2)}[int(plane[line])]
+            s, e = (complex(p[n, a], p[n, b]) for p in (start, end))
+            middle = complex(np.nan, np.nan)
+            turn = np.nan
+            if motion[line] == _BY_POINT:
+                given = [self.of("IJK"[k] + "1") for k in (a, b)]
+                m = complex(*(np.nan if g is None else g[1][line] * scale[line] for g in given))
+                m += complex(shift[line, a], shift[line, b])
+                # Mapped so that start and end lie at 0 and 1, the centre is where both bisectors meet.
+                u = (m - s) / (e - s)
+                if u.imag != 0:
+                    middle = s + (e - s) * complex(0.5, (abs(u) ** 2 - u.real) / (2 * u.imag))
+                    left = u.imag > 0
+                    turn = np.angle((e - middle) / (s - middle))
+                    turn = turn % (2 * np.pi) - (2 * np.pi if left else 0.0)
+            elif motion[line] == _TANGENT and n and kind[n - 1] in (Kind.LINE, Kind.ARC):
+                before = complex(start[n - 1, a], start[n - 1, b])
+                out = s - before
+                if kind[n - 1] == Kind.ARC:
+                    out = 1j * np.sign(sweep[n - 1]) * (s - complex(*centre[n - 1]))
+                # The chord leaves by half of the turn.
+                half = np.angle((e - s) / out)
+                turn = 2 * half
+                middle = s + (e - s) / 2 + 1j * (e - s) / 2 / np.tan(half) if half != 0 else middle
+            elif opening is not None and opening[0][line] and not self._endless()[line]:
+                turn = float(np.radians(opening[1][line])) * (-1 if motion[line] == 20 else 1)
+                middle = s + (e - s) / (1 - np.exp(1j * turn)) if turn else middle
+            centre[n], sweep[n] = (middle.real, middle.imag), turn
 
     def _called(self) -> Bools:
         """Lines behind which a subprogram has left the machine somewhere."""
@@ -410,9 +728,9 @@ class _Follower:
         """Work offset behind each line, and the axes whose position a new frame has made unknown, (lines, 3)."""
         h_stated, h = self.column("H")
         p_stated, p = self.column("P")
-        offsets = self.having(*range(540, 600)) & ~(h_stated & self.having(150))
+        offsets = self.having(*_OFFSETS) & ~(h_stated & self.having(150))
         number = np.zeros(self.lines)
-        for code in range(540, 600):
+        for code in _OFFSETS:
             if code in self.code:
                 number[self.having(code)] = code * 1000
         extended = self.having(541, 1540)
@@ -425,6 +743,8 @@ class _Follower:
         offset = _held(offsets | okuma, number, 540000.0)
         length = _held(lengths, np.where(self.having(490), -1.0, np.nan_to_num(h, nan=0.0)), -1.0)
         new = self.having(*_NEW_FRAME)
+        if (frame := self.of("FRAME")) is not None:
+            new |= frame[0] & (frame[1] == 2)
         moved = new | (np.diff(offset, prepend=540000.0) != 0)
         longer = moved | (np.diff(length, prepend=-1.0) != 0)
         return np.nan_to_num(offset).astype(np.int64), np.column_stack([moved, moved, longer])
@@ -447,10 +767,8 @@ class _Follower:
             return np.broadcast_to(np.nan, (len(kind), 4))
         control = np.full((len(kind), 4), np.nan)
         lines = moving[rows]
-        given = self.column("I")[0][lines]
-        leave, arrive = (
-            np.column_stack([self.column(c)[1][lines] * scale[lines] for c in pair]) for pair in ("IJ", "PQ")
-        )
+        given = self.at("I", lines)[0]
+        leave, arrive = (np.column_stack([self.at(c, lines)[1] * scale[lines] for c in pair]) for pair in ("IJ", "PQ"))
         going_on = ~given[1:] & (np.diff(rows) == 1)
         leave[1:][going_on] = -arrive[:-1][going_on]
         control[rows] = np.column_stack([start[rows, :2] + leave, end[rows, :2] + arrive])
@@ -487,7 +805,7 @@ def _arcs(
             middle[~(by_offset | by_radius)] = np.nan
             turn = np.angle((e - middle) / (s - middle))
         turn = np.where(clockwise[rows], -turn, turn) % (2 * np.pi)
-        turn[(np.abs(chord) <= _SAME_POINT) | (turn == 0)] = 2 * np.pi
+        turn[(np.abs(chord) <= ARITHMETIC) | (turn == 0)] = 2 * np.pi
         turn += 2 * np.pi * (turns[rows] - 1)
         sweep[rows] = np.where(clockwise[rows], -turn, turn)
         centre[rows] = np.column_stack([middle.real, middle.imag])

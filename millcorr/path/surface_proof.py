@@ -4,31 +4,26 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.commanded import CommandedSurface
+from millcorr import progress
+from millcorr.arrays import Bools, Floats, Ints
+from millcorr.comparison.commanded_surface import CommandedSurface
+from millcorr.comparison.deviation import REACH
 from millcorr.comparison.path_distance import PathDistance, SegmentTree
-from millcorr.deviation import REACH
+from millcorr.comparison.theoretical_contour import SAME_POINT
 from millcorr.errors import LimitError
-from millcorr.footpoint import FootPointSearch, Place
-from millcorr.profile import SAME_HEIGHT
-from millcorr.regeneration import BAND
-from millcorr.regeneration.path_following import length_in_plane
-from millcorr.theoretical_contour import SAME_POINT
-from millcorr.toolpath import Toolpath
-from millcorr.verification import Verification, sampled
+from millcorr.geometry.footpoint import FootPointSearch, Place
+from millcorr.messages import remedy
+from millcorr.nc.toolpath import Toolpath
+from millcorr.path.moves import BAND
+from millcorr.path.path_following import length_in_plane
+from millcorr.path.verification import Verification, sampled, too_far_off
+from millcorr.tolerances import EXACT
 
 from .wanted_surface import ROUNDS, WantedSurface
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Bools = NDArray[np.bool_]
-
-BELOW = 2 * SAME_HEIGHT
+BELOW = 2 * EXACT
 """So far below a height, in mm, nothing that only cuts at it has come."""
-
-REACH_ROUNDING = 1e-6
-"""A centre nearer than this to where a disc is clear, in mm, is there."""
 
 Held = tuple[float, tuple[float, float], int]
 """Amount in mm, place, and line from 1 of a move that cuts into a wall."""
@@ -100,11 +95,7 @@ def prove_surface(
     length = float(length_in_plane(written.toolpath.take(made_by[1])).sum())
     result = Verification(float(abs(error[worst])), (float(x), float(y)), float(max(0.0, -error.min())), length)
     if abs(error[worst]) > tolerance:
-        raise LimitError(
-            f"the corrected surface would be {abs(error[worst]) * 1000:.2f} um off at X{x:.3f} Y{y:.3f}, more than "
-            f"the tolerance of {tolerance * 1000:g} um"
-            + (" (the cutter gouges there)" if error[worst] < 0 else ": where that does no harm, a larger --tolerance")
-        )
+        raise too_far_off("surface", float(error[worst]), (float(x), float(y)), tolerance)
     held = NOT_HELD
     if radius > 0:
         none = np.zeros(len(own), dtype=bool)
@@ -137,6 +128,7 @@ def _change_in_error(
     # A first cut leaves more than a correction moves.
     reach = REACH + float(np.abs(after.moved).max())
     for z in _heights(written.toolpath, made_by[1], after):
+        progress.step()
         was = original.only(made_by[0]).offset(before.nominal, before.normal, z)
         now = written.only(made_by[1]).offset(after.nominal, after.normal, z, reach=reach)
         made = np.isfinite(was) & ~after.at_corner & (was - before.moved < REACHED)
@@ -245,6 +237,7 @@ def _refuse_gouging_others(
     # corner, makes no wall here: it is not for the contour to say where it may run. Each pass has such leads.
     deeper = places
     while len(deeper):
+        progress.step()
         others = original.only(~made_by[0] & ~through)
         was = _left(others, after, deeper)
         rows = np.flatnonzero(was < own[deeper] - tolerance)
@@ -270,9 +263,13 @@ def _refuse_gouging_others(
         held = float(-cut[worst]), (x, y), int(written.toolpath.source[row[0]]) + 1
         if refused:
             raise LimitError(
-                f"line {held[2]} of the corrected program, which is not corrected itself, would cut "
-                f"{held[0] * 1000:.1f} um into the corrected surface at X{x:.3f} Y{y:.3f}: it leaves too little "
-                "stock for it; --keep-allowance moves such passes along"
+                f"line {held[2]} of the corrected program, which is not corrected itself, would cut ",
+                f"{held[0] * 1000:.1f} um into the corrected surface at X{x:.3f} Y{y:.3f}: it leaves too ",
+                "little stock for it; ",
+                remedy("keep_allowance"),
+                " moves such passes along",
+                place=(x, y),
+                figure=held[0],
             )
     return held
 
@@ -294,7 +291,7 @@ def _out_of_reach(after: WantedSurface, radius: float) -> Floats:
     z = np.where(np.isfinite(after.bottom), after.bottom, np.nan)
     path = after.outside(np.column_stack([after.place + radius * after.normal, z]), radius)
     # From a corner itself no normal leads to where the cutter goes.
-    clear = (after.distance(np.column_stack([path, z])) > radius - REACH_ROUNDING) & ~after.on_a_corner(after.place)
+    clear = (after.distance(np.column_stack([path, z])) > radius - EXACT) & ~after.on_a_corner(after.place)
     a, b = after.chords.T
     joined = (np.hypot(*(path[b] - path[a]).T) < 2 * radius) & clear[a] & clear[b]
     out = np.empty(len(path))
@@ -311,9 +308,10 @@ def _left_along_normals(path: SegmentTree, after: WantedSurface, here: Bools, ra
     out = np.zeros(len(place))
     active = np.arange(len(out))
     for _ in range(ROUNDS):
+        progress.step()
         step = path.distance(place[active] + out[active, None] * normal[active]) - radius
         out[active] += np.maximum(step, 0.0)
-        active = active[(step > REACH_ROUNDING) & (out[active] < radius)]
+        active = active[(step > EXACT) & (out[active] < radius)]
         if not len(active):
             break
     return out

@@ -11,23 +11,22 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
 
+from millcorr import progress
+from millcorr.arrays import Bools, Floats, Ints, ReadOnlyArrays
 from millcorr.errors import LimitError
-from millcorr.read_only import ReadOnlyArrays
-from millcorr.toolpath import Bools, Floats, Ints, Kind
+from millcorr.nc.toolpath import Kind
+from millcorr.tolerances import ARITHMETIC, EXACT
 
 from .reading import PlainMoves, Reading, line_starts, read
+from .unrolled import ADDRESS
 
-_SAME = 1e-9
-"""Two heights in mm that come from the same numbers."""
-_SAME_PLACE = 1e-6
-"""Two places in mm that come from the same numbers, or from a million increments."""
 _UNKNOWN = 1e30
 """A height that the text has not stated, as a number that equals itself."""
 _ON_CIRCLE, _ON_CIRCLE_RELATIVE = 0.0127, 0.001
@@ -35,7 +34,7 @@ _ON_CIRCLE, _ON_CIRCLE_RELATIVE = 0.0127, 0.001
 
 _TOKEN = re.compile(
     r"(?P<comment>\([^()]*\)|;.*|\"[^\"]*\"?)|(?P<skip>/[1-9]?)|(?P<end>\*[ \t]*$)"
-    r"|(?P<letter>[A-Za-z])[ \t]*(?P<number>[-+]?(?:[ \t]*[0-9.])+)|(?P<other>[^ \t\r\n\x0b\x0c\x1a])"
+    r"|(?P<letter>[A-Za-z\xc0-\xd4])[ \t]*(?P<number>[-+]?(?:[ \t]*[0-9.])+)|(?P<other>[^ \t\r\n\x0b\x0c\x1a])"
 )
 _PATH_CODES = (0.0, 1.0, 2.0, 3.0, 5.0)
 _PATH_WORD = re.compile(rb"[Gg]0?[01235](?![0-9.])")
@@ -43,8 +42,13 @@ _PLACE_ONLY = re.compile(rb"(?:[ \t]*(?:[Gg]0?[01235](?![0-9.])|[XYxy][ \t]*[-+]
 _OWN_AXES = (4, 10, 28, 28.1, 30, 30.1, 50, 50.1, 51, 51.1, 52, 53, 65, 66, 68, 68.2, 92, 92.1, 92.2, 92.3, 7.1, 107)
 """Codes whose axis words are no place of a path: they stay as they are."""
 _COMMENT_LINE = re.compile(rb"[ \t]*(?:\([^()\r\n]*\)|;[^\r\n]*)[ \t]*")
-_OPENING = re.compile(rb"[ \t]*(?:%[^\r\n]*|(?:[oO]|:)[ \t]*\d+[ \t]*(?:\([^()\r\n]*\))?|;\$[^\r\n]*)?[ \t]*")
+_OPENING = re.compile(
+    rb"[ \t]*(?:%[^\r\n]*|\$[^\r\n]*%|(?:[oO]|:)[ \t]*\d+[ \t]*(?:\([^()\r\n]*\))?|;\$[^\r\n]*)?[ \t]*"
+)
 _SHOWN = 40
+_HEIGHTS = ("Z", ADDRESS["Z=IC"], ADDRESS["Z=AC"])
+_CENTRES = tuple(ADDRESS[name] for name in ("I=AC", "J=AC"))
+_PLACES = tuple(ADDRESS[name] for name in "X=IC Y=IC X=AC Y=AC RND CHR CHF ANG AR I1 J1 K1 ARC".split())
 _NOT_THERE = "{} of a move that was not to change is not what it was"
 
 
@@ -76,6 +80,30 @@ class TextProof(ReadOnlyArrays):
     largest_shift: float
 
 
+@dataclass(frozen=True, eq=False, slots=True)
+class Language:
+    """How the lines of a program are read.
+
+    Parameters
+    ----------
+    read : callable
+        Text, and the files beside it, to `Reading`.
+    content : callable
+        What line i of a text holds beside places in the plane.
+    restated : callable
+        Whether a written line is one of the original that only states besides what was in force there, from the two
+        lines without blanks.
+    opening, comment : re.Pattern
+        A line above which no comment is added, and a line of comment.
+    """
+
+    read: Callable[[bytes, Sequence[tuple[str, bytes]]], Reading]
+    content: Callable[[Text, int], Content]
+    restated: Callable[[bytes, bytes], bool]
+    opening: re.Pattern[bytes]
+    comment: re.Pattern[bytes]
+
+
 def prove_text(
     original: bytes,
     written: bytes,
@@ -84,6 +112,9 @@ def prove_text(
     header: Sequence[str] = (),
     reach: float = math.inf,
     tolerance: float = 0.001,
+    beside: Sequence[tuple[str, bytes]] = (),
+    language: Language | None = None,
+    unplaced: Bools | None = None,
 ) -> TextProof:
     r"""Prove that a written program keeps everything of its original but places in the plane of some lines.
 
@@ -92,9 +123,9 @@ def prove_text(
     original, written : bytes
         The program before and after.
     may_change : (lines,) bool, or sorted indices
-        Lines of the original whose X, Y, I, J, R (and I, J, P, Q of splines) and motion code may change, and which
-        may become several lines or, where they hold nothing else, none. A line whose move starts elsewhere than
-        before is one of them.
+        Lines of the original, however often they run, whose X, Y, I, J, R (and I, J, P, Q of splines) and motion code
+        may change, and which may become several lines or, where they hold nothing else, none. A line whose move starts
+        elsewhere than before is one of them.
     header : sequence of str
         Comments that were to be added at the top, in any case and wrapped anyhow.
     reach : float
@@ -102,6 +133,12 @@ def prove_text(
         so that no feed and no code comes earlier or later on the path than it did.
     tolerance : float
         By how much the heights at which a rising move was divided may be off its even rise, in mm.
+    beside : sequence of (str, bytes)
+        Names and texts of files that hold subprograms of the program; they stay as they are.
+    language : Language, optional
+        ISO code by default.
+    unplaced : (lines,) bool, optional
+        Lines of the original whose place the control computes: `reach` does not hold for them.
 
     Returns
     -------
@@ -118,18 +155,20 @@ def prove_text(
     Traceback (most recent call last):
     millcorr.errors.LimitError: the written program differs where it must not: line 1: Z-9 in place of Z-5
     """
+    language = ISO if language is None else language
     if original == written:
-        everything = np.arange(len(line_starts(original)) - 1)
-        return TextProof(read(written).moves, everything, np.ones(len(everything), np.bool_), 0, 0.0)
+        same = language.read(written, beside)
+        everything = np.arange(len(same.line))
+        return TextProof(same.moves, everything, np.ones(len(everything), np.bool_), 0, 0.0)
     mark = b"\xef\xbb\xbf"
     if original.startswith(mark) and written.startswith(mark):
         original, written = original[len(mark) :], written[len(mark) :]
-    top, added = _header_lines(original, written, header)
+    top, added = _header_lines(original, written, header, language)
     starts = line_starts(written)
     body = written[: starts[top]] + written[starts[top + added] :] if added else written
-    prover = _Prover(original, body, may_change, top, added, tolerance)
+    prover = _Prover((original, body), may_change, top, added, tolerance, beside, language)
     prover.prove()
-    shift, line = prover.largest_shift()
+    shift, line = prover.largest_shift(unplaced)
     if shift > reach:
         prover.refuse(line, f"it stands {shift:.4f} mm from where it did, more than {reach:.4f} mm")
     moves = prover.new.moves
@@ -140,7 +179,7 @@ def prove_text(
 
 
 @dataclass(frozen=True, slots=True)
-class _Content:
+class Content:
     """What a line holds beside places in the plane.
 
     Parameters
@@ -180,10 +219,10 @@ class _Content:
         return any(w[0] in "Mm" for w in self.rest)
 
 
-_BARE = _Content((), None, None, None, "", False)
+_BARE = Content((), None, None, None, "", False)
 
 
-def _content(text: bytes, motion: int) -> _Content:
+def _content(text: bytes, motion: int) -> Content:
     """Take a line apart; `motion` is the motion code in force behind it, in tenths."""
     if _PLACE_ONLY.fullmatch(text):
         return _BARE
@@ -194,7 +233,7 @@ def _content(text: bytes, motion: int) -> _Content:
     tokens = list(_TOKEN.finditer(text.decode("latin-1").rstrip("\r\n")))
     words = [(m["letter"].upper(), re.sub(r"[ \t]", "", m["number"])) if m["letter"] else None for m in tokens]
     codes = {_float(w[1]) for w in words if w and w[0] == "G"}
-    own = bool(codes.intersection(_OWN_AXES))
+    own = bool(codes.intersection(_OWN_AXES)) or any(w and w[0] == ADDRESS["FRAME"] for w in words)
     for found, word in zip(tokens, words, strict=True):
         if word is None:
             if found["skip"]:
@@ -208,17 +247,20 @@ def _content(text: bytes, motion: int) -> _Content:
             rest.append(plain)
         elif letter == "F" and feed is None:
             feed = number
-        elif letter == "Z" and height is None:
+        elif letter in _HEIGHTS and height is None:
             height = number
-        elif letter in "IJR" or (letter == "K" and _float(number) == 0 and motion in (20, 30)):
+        elif letter in "IJR" or letter in _CENTRES or (letter == "K" and _float(number) == 0 and motion in (20, 30)):
             bent = True
-        elif letter == "P" and motion in (20, 30):
-            turns = number
+        elif letter == ADDRESS["TURN"] or (letter == "P" and motion in (20, 30)):
+            turns = plain
         elif not (
-            letter in "XY" or (letter in "PQ" and motion == 50) or (letter == "G" and _float(number) in _PATH_CODES)
+            letter in "XY"
+            or letter in _PLACES
+            or (letter in "PQ" and motion == 50)
+            or (letter == "G" and _float(number) in _PATH_CODES)
         ):
             rest.append(plain)
-    return _Content(tuple(rest), feed, height, turns, skip, bent and motion in (0, 10))
+    return Content(tuple(rest), feed, height, turns, skip, bent and motion in (0, 10))
 
 
 def _number(number: str | None) -> float | None:
@@ -233,33 +275,46 @@ def _float(number: str) -> float:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class _Text:
-    """A text, its reading, and which of its moves belong to each line."""
+class Text:
+    """A text as it runs, its reading, and which of its moves belong to each line."""
 
     data: bytes
     reading: Reading
     first: Ints
+    language: Language
 
     @staticmethod
-    def of(data: bytes) -> _Text:
-        reading = read(data)
+    def of(data: bytes, language: Language, beside: Sequence[tuple[str, bytes]]) -> Text:
+        """Read a text."""
+        reading = language.read(data, beside)
         lines = len(reading.starts) - 1
-        return _Text(data, reading, np.searchsorted(reading.moves.line, np.arange(lines + 1)))
+        return Text(reading.text, reading, np.searchsorted(reading.moves.line, np.arange(lines + 1)), language)
 
     def __len__(self) -> int:
         return len(self.reading.starts) - 1
 
     def line(self, i: int) -> bytes:
+        """Line by its index."""
         return self.data[self.reading.starts[i] : self.reading.starts[i + 1]]
 
     def run(self, first: int, last: int) -> bytes:
+        """Lines from one to before another."""
         return self.data[self.reading.starts[first] : self.reading.starts[last]]
 
-    def content(self, i: int) -> _Content:
-        return _content(self.line(i), int(self.reading.motion[i]))
+    def content(self, i: int) -> Content:
+        """What a line holds beside places in the plane."""
+        return self.language.content(self, i)
+
+    def never_run(self, data: bytes) -> list[bytes]:
+        """Lines of the file that do not run."""
+        starts = line_starts(data)
+        runs = np.zeros(len(starts) - 1, np.bool_)
+        runs[self.reading.line[self.reading.line < len(runs)]] = True
+        return [data[starts[i] : starts[i + 1]] for i in np.flatnonzero(~runs).tolist()]
 
     @property
     def moves(self) -> PlainMoves:
+        """Its moves."""
         return self.reading.moves
 
     def start(self, i: int) -> Floats:
@@ -295,17 +350,23 @@ class _Prover:
 
     def __init__(
         self,
-        old: bytes,
-        new: bytes,
+        files: tuple[bytes, bytes],
         may_change: Bools | Ints | Sequence[int],
         top: int,
         added: int,
         tolerance: float,
+        beside: Sequence[tuple[str, bytes]],
+        language: Language,
     ) -> None:
-        self.old, self.new = _Text.of(old), _Text.of(new)
+        self.files = files
+        self.language = language
+        self.old, self.new = (Text.of(data, language, beside) for data in files)
+        progress.step()
         given = np.asarray(may_change)
-        self.free = np.zeros(len(self.old), np.bool_)
-        self.free[given if given.dtype == np.bool_ else given.astype(np.int64)] = True
+        lines = self.old.reading.line
+        may = np.zeros(max(int(lines.max(initial=-1)) + 1, len(line_starts(files[0])) - 1), np.bool_)
+        may[np.flatnonzero(given) if given.dtype == np.bool_ else given.astype(np.int64)] = True
+        self.free = may[lines]
         self.top, self.added = top, added
         self.tolerance = tolerance
         self.source = np.full(len(self.new), -1, np.int64)
@@ -318,6 +379,10 @@ class _Prover:
 
     def prove(self) -> None:
         """Raise LimitError at the first thing that differs; `source` and `fixed` tell where each line is from."""
+        progress.step()
+        old, new = (text.never_run(data) for text, data in zip((self.old, self.new), self.files, strict=True))
+        if old != new:
+            self.refuse(0, "lines that never run are not what they were")
         runs = _runs(self.free)
         stops = [*(first for first, _ in runs), len(self.old)][1:]
         at = runs[0][0] if runs else len(self.old)
@@ -334,6 +399,7 @@ class _Prover:
             self._differs(at, None)
         self._same_moves()
         for block in blocks:
+            progress.step()
             self._same_states(*block)
         self._possible_arcs()
         self._even_ramps()
@@ -377,10 +443,8 @@ class _Prover:
         return low
 
     def _restated(self, i: int, w: int) -> bool:
-        """Whether a written line is a line of the original with its motion code stated besides."""
-        old, new = (re.sub(rb"[ \t]", b"", text.line(k)) for text, k in ((self.old, i), (self.new, w)))
-        code = _PATH_WORD.search(re.split(rb"[(;\"]", new)[0])
-        return code is not None and new[: code.start()] + new[code.end() :] == old
+        """Whether a written line is a line of the original that only states besides what was in force."""
+        return self.language.restated(*(re.sub(rb"[ \t]", b"", t.line(k)) for t, k in ((self.old, i), (self.new, w))))
 
     def _first_move_fits(self, first: int, last: int, at: int) -> bool:
         """Whether the first move of the lines ends where it did, so that equal lines elsewhere are not taken for it."""
@@ -394,7 +458,7 @@ class _Prover:
         if not self.old.reading.in_plane[line]:
             return True
         off = self.old.moves.end[row, :2] - self.new.moves.end[there, :2]
-        return bool((~(np.abs(off) > _SAME_PLACE)).all())
+        return bool((~(np.abs(off) > EXACT)).all())
 
     def _same_moves(self) -> None:
         """Every line that was not to change makes the move it made."""
@@ -413,16 +477,16 @@ class _Prover:
             np.column_stack([m.centre[r], m.control[r], m.sweep[r]]) for m, r in ((a, rows[bends]), (b, there[bends]))
         )
         same_shape = np.ones(len(rows), np.bool_)
-        same_shape[bends] = _alike(shape, bent, _SAME_PLACE)
+        same_shape[bends] = _alike(shape, bent, EXACT)
         for what, same in (
             ("kind of motion", a.kind[rows] == b.kind[there]),
             ("feed", _alike(feed, now)),
-            ("height", _alike(a.end[rows, 2], b.end[there, 2], _SAME)),
+            ("height", _alike(a.end[rows, 2], b.end[there, 2], ARITHMETIC)),
             ("tool", a.tool[rows] == b.tool[there]),
             ("plane", a.plane[rows] == b.plane[there]),
             ("cutter compensation", a.compensation[rows] == b.compensation[there]),
             ("work offset", a.offset[rows] == b.offset[there]),
-            ("place", ~(np.abs(off) > _SAME_PLACE).any(axis=1)),
+            ("place", ~(np.abs(off) > EXACT).any(axis=1)),
             ("arc or spline", same_shape),
         ):
             wrong = np.flatnonzero(~same)
@@ -458,10 +522,10 @@ class _Prover:
                     self._differs(w, wanted[0])
                 self._differs_in_run(last, stop, range(at, w + 1))
             if c.turns not in turns and c.turns is not None:
-                self.refuse(w, f"an arc of P{c.turns} turns that the original has not")
+                self.refuse(w, f"an arc of {c.turns} turns which the original has not")
             if c.stray and not strays:
                 self.refuse(w, f"a centre or radius on a straight move: '{_shown(self.new.line(w))}'")
-            arrived = abs(reached - goal) <= _SAME
+            arrived = abs(reached - goal) <= ARITHMETIC
             self.rising[w] = not arrived and (not math.isnan(goal) or (c.height is not None and j < 0))
             goal = math.nan if arrived else goal
             self.skip_new[w] = len(c.skip)
@@ -473,7 +537,7 @@ class _Prover:
         return w
 
     def _inserted(
-        self, c: _Content, wanted: tuple[int, _Content] | None, height: float, reached: float, goal: float
+        self, c: Content, wanted: tuple[int, Content] | None, height: float, reached: float, goal: float
     ) -> bool:
         """Whether a line may stand between those of the original: on the way to a height that one of them states."""
         if c.rest or (c.feed is not None and (wanted is None or not _ahead(c, wanted[1]))):
@@ -481,9 +545,9 @@ class _Prover:
         to = goal
         if math.isnan(goal) and wanted is not None and wanted[1].height is not None:
             to = float(self.old.end(wanted[0])[2])
-        return c.height is None or _between(height, reached, to) or abs(reached - goal) <= _SAME
+        return c.height is None or _between(height, reached, to) or abs(reached - goal) <= ARITHMETIC
 
-    def _matching(self, waiting: list[tuple[int, _Content]], k: int, c: _Content, w: int, height: float) -> int:
+    def _matching(self, waiting: list[tuple[int, Content]], k: int, c: Content, w: int, height: float) -> int:
         """Which of the waiting lines a written one is, past such as may have gone with their move; -1 for none."""
         while k < len(waiting):
             i, o = waiting[k]
@@ -496,16 +560,16 @@ class _Prover:
             k += 1
         return -1
 
-    def _height_kept(self, i: int, o: _Content, w: int, c: _Content, height: float) -> bool:
+    def _height_kept(self, i: int, o: Content, w: int, c: Content, height: float) -> bool:
         before, target, reached = float(self.old.start(i)[2]), float(self.old.end(i)[2]), float(self.new.end(w)[2])
         if c.height is None:
             # A line whose move has vanished has lost its Z with it.
-            return o.height is None or abs(target - before) <= _SAME
+            return o.height is None or abs(target - before) <= ARITHMETIC
         if o.height is None:
             return False
         if math.isnan(target) or math.isnan(reached):
             return o.height == c.height
-        return abs(reached - target) <= _SAME or _between(height, reached, target)
+        return abs(reached - target) <= ARITHMETIC or _between(height, reached, target)
 
     def _same_states(self, first: int, last: int, at: int, until: int) -> None:
         """Kind of motion, feed, height and the like follow one another in a block as they did."""
@@ -513,26 +577,29 @@ class _Prover:
             self._states(self.old, self.skip_old, first, last),
             self._states(self.new, self.skip_new, at, until),
         )
-        if was.shape == now.shape and (was == now).all() and _alike(heights, reached, _SAME).all():
+        if was.shape == now.shape and (was == now).all() and _alike(heights, reached, ARITHMETIC).all():
             return
         i = j = 1
         while i < len(was) or j < len(now):
+            progress.step()
             if i < len(was) and (was[i] == was[i - 1]).all() and heights[i] == heights[i - 1]:
                 i += 1
                 continue
             same = i < len(was) and j < len(now) and bool((was[i] == now[j]).all())
-            if same and abs(reached[j] - heights[i]) <= _SAME:
+            if same and abs(reached[j] - heights[i]) <= ARITHMETIC:
                 i, j = i + 1, j + 1
             elif same and _between(float(reached[j - 1]), float(reached[j]), float(heights[i])):
                 j += 1
-            elif i + 1 < len(was) and not was[i - 1 : i + 2, 0].any() and abs(heights[i] - heights[i - 1]) <= _SAME:
+            elif (
+                i + 1 < len(was) and not was[i - 1 : i + 2, 0].any() and abs(heights[i] - heights[i - 1]) <= ARITHMETIC
+            ):
                 # The move has vanished among others that cut; what comes next is compared with the one before it.
                 was, heights = np.delete(was, i, axis=0), np.delete(heights, i)
             else:
                 w = int(lines[min(j, len(now) - 1)]) if len(lines) else at
                 self.refuse(w, "heights, feeds or kinds of motion do not follow one another as in the original")
 
-    def _states(self, text: _Text, skip: Ints, first: int, last: int) -> tuple[Floats, Floats, Ints]:
+    def _states(self, text: Text, skip: Ints, first: int, last: int) -> tuple[Floats, Floats, Ints]:
         """State and height of the move before some lines and of those in them, each run of equal ones once."""
         rows = np.arange(text.first[first] - 1, text.first[last])
         m = text.moves
@@ -591,11 +658,13 @@ class _Prover:
                 line, at = int(m.line[rows[worst]]), start + slope * gone[worst]
                 self.refuse(line, f"height {height[worst]:.4f} where the way rises evenly to {at:.4f}")
 
-    def largest_shift(self) -> tuple[float, int]:
+    def largest_shift(self, unplaced: Bools | None = None) -> tuple[float, int]:
         """Largest way in the plane between the places of a line that acts before and after, and the line."""
         largest, worst, previous = 0.0, 0, -1
         for w in np.flatnonzero(self.acts).tolist():
             i = int(self.source[w])
+            if unplaced is not None and unplaced[self.old.reading.line[i]]:
+                continue
             shift = _way(self.old.start(i), self.new.start(w))
             if self.late[w]:
                 # Its moves may come before it: the first of them starts where it started, and it ends where it ended.
@@ -609,7 +678,8 @@ class _Prover:
     # -- refusals ------------------------------------------------------------------------------------------
 
     def refuse(self, w: int, what: str) -> NoReturn:
-        number = w + 1 + (self.added if w >= self.top else 0)
+        line = int(self.new.reading.line[w]) if w < len(self.new) else len(self.new)
+        number = line + 1 + (self.added if line >= self.top else 0)
         raise LimitError(f"the written program differs where it must not: line {number}: {what}")
 
     def _differs_in_run(self, first: int, last: int, places: range) -> NoReturn:
@@ -638,7 +708,7 @@ class _Prover:
         self.refuse(w, f"'{there}' in place of '{wanted}'")
 
 
-def _ahead(c: _Content, wanted: _Content) -> bool:
+def _ahead(c: Content, wanted: Content) -> bool:
     """Whether a feed may be stated before its line: the M code of that line acts when all of its moves are done."""
     return _number(c.feed) == _number(wanted.feed) and wanted.late
 
@@ -665,19 +735,38 @@ def _signs(text: str) -> str:
     return re.sub(r"[^A-Z0-9.+-]", "", plain.encode("ascii", "replace").decode().upper())
 
 
-def _header_lines(original: bytes, written: bytes, header: Sequence[str]) -> tuple[int, int]:
+def _header_lines(original: bytes, written: bytes, header: Sequence[str], language: Language) -> tuple[int, int]:
     """Line at which comments were added at the top of a text, and their number."""
     old, new = (data[: line_starts(data)[:2000][-1]].splitlines() for data in (original, written))
     top = 0
-    while top < min(len(old), len(new)) and old[top] == new[top] and _OPENING.fullmatch(old[top]):
+    while top < min(len(old), len(new)) and old[top] == new[top] and language.opening.fullmatch(old[top]):
         top += 1
     wanted, found, count = _signs("".join(header)), "", 0
     while len(found) < len(wanted):
         line = new[top + count] if top + count < len(new) else b""
-        if not _COMMENT_LINE.fullmatch(line):
+        if not language.comment.fullmatch(line):
             break
         found += _signs(line.decode("latin-1"))
         count += 1
     if found != wanted:
         raise LimitError(f"the written program differs where it must not: line {top + 1}: its header is another one")
     return top, count
+
+
+def _iso_content(text: Text, i: int) -> Content:
+    starts = text.reading.plain_starts
+    return _content(text.reading.plain[starts[i] : starts[i + 1]], int(text.reading.motion[i]))
+
+
+def _motion_restated(old: bytes, new: bytes) -> bool:
+    code = _PATH_WORD.search(re.split(rb"[(;\"]", new)[0])
+    return code is not None and new[: code.start()] + new[code.end() :] == old
+
+
+ISO = Language(
+    read=read,
+    content=_iso_content,
+    restated=_motion_restated,
+    opening=_OPENING,
+    comment=_COMMENT_LINE,
+)

@@ -9,14 +9,12 @@ the cutter, a disc let in by its own place's deviation would cut into the wall b
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from millcorr import progress
+from millcorr.arrays import Bools, Floats, Ints
 from millcorr.comparison.path_distance import SegmentTree
-from millcorr.compensation import Correction
-from millcorr.profile import CORNER_ANGLE, Profile
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
+from millcorr.geometry.correction import Correction
+from millcorr.geometry.profile import CORNER_ANGLE, Profile
 
 CHORD = 2e-5
 """The surface is drawn by chords that are off it by no more than this, in mm. Two surfaces drawn at the same places
@@ -124,7 +122,7 @@ class WantedSurface:
         order = np.lexsort((t, span))
         return span[order], t[order]
 
-    def _set_corners(self, profile: Profile, span: Ints, t: Floats, nominal: Floats) -> NDArray[np.bool_]:
+    def _set_corners(self, profile: Profile, span: Ints, t: Floats, nominal: Floats) -> Bools:
         """Move the ends of the sides of every joint to where the moved sides meet; which samples stay."""
         keep = np.ones(len(span), dtype=bool)
         self.at_corner = np.zeros(len(span), dtype=bool)
@@ -195,7 +193,7 @@ class WantedSurface:
         return out
 
     @staticmethod
-    def _next(profile: Profile, span: Ints, t: Floats, keep: NDArray[np.bool_]) -> Ints:
+    def _next(profile: Profile, span: Ints, t: Floats, keep: Bools) -> Ints:
         """Sample that follows each along its contour; -1 at an open end."""
         after = np.full(len(span), -1)
         for k in range(len(profile.contours)):
@@ -255,6 +253,7 @@ class WantedSurface:
         active = np.arange(len(t))
         way = np.pad(direction, ((0, 0), (0, origin.shape[1] - 2)))
         for _ in range(ROUNDS):
+            progress.step()
             if not len(active):
                 break
             step = radius - self.distance(origin[active] + t[active, None] * way[active])
@@ -273,6 +272,7 @@ class WantedSurface:
         out, own = places.copy(), np.broadcast_to(radius, len(places))
         active = np.arange(len(out))
         for _ in range(MANY_ROUNDS):
+            progress.step()
             if not len(active):
                 break
             nearest = self._nearest(out[active])
@@ -283,19 +283,19 @@ class WantedSurface:
             out[active, :2] += (own[active] / np.maximum(size[short], 1e-9) - 1.0)[:, None] * away[short]
         return out[:, :2]
 
-    def nearest_a_corner(self, points: Floats) -> NDArray[np.bool_]:
+    def nearest_a_corner(self, points: Floats) -> Bools:
         """Whether of the surface a corner is what is nearest to points (n, 2) or (n, 3), mm; (n,)."""
         # Sides that turn with their corrections meet beside where they would as straight ones.
         return self.on_a_corner(self._nearest(points), FINEST)
 
-    def on_a_corner(self, places: Floats, within: float = 1e-6) -> NDArray[np.bool_]:
+    def on_a_corner(self, places: Floats, within: float = 1e-6) -> Bools:
         """Whether places (n, 2) of the surface are corners of it, within so many mm; (n,)."""
         from scipy.spatial import cKDTree
 
         if not len(self._corners):
             return np.zeros(len(places), dtype=bool)
         apart, _ = cKDTree(self._corners + self._corner_shift).query(places)
-        out: NDArray[np.bool_] = apart < within
+        out: Bools = apart < within
         return out
 
     def _nearest(self, points: Floats) -> Floats:

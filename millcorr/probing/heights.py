@@ -9,21 +9,23 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from millcorr.arrays import Bools, Floats
 from millcorr.errors import UsageError
-from millcorr.footpoint import FootPointSearch
-from millcorr.profile import Profile
-from millcorr.toolpath import Compensation, Kind, Plane, Toolpath
+from millcorr.geometry.footpoint import FootPointSearch
+from millcorr.geometry.profile import Profile
+from millcorr.messages import option, remedy
+from millcorr.nc.toolpath import Compensation, Kind, Plane, Toolpath
 
-Floats = NDArray[np.float64]
-Bools = NDArray[np.bool_]
+from .planning import TouchProbe
 
 BESIDE = 1.0
 """A move follows the contour where it runs within this, in mm, of the contour's parallel that the program gives."""
 
 _SAMPLES = np.array([0.25, 0.5, 0.75])
 _LITTLE = 1e-6
+_DIGIT = 1e-5
+"""Programs give heights with fewer digits, mm."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,6 +60,8 @@ class Room:
     ----------
     floor : float
         Lowest cut beside the contour; where several contours are cut to different depths, that of the shallowest.
+    level : float
+        Highest cut beside the contour, and where there are several, that of the lowest: so high the wall has stood.
     cut : float
         Highest place of any feed move that travels in XY.
     passing : float
@@ -67,6 +71,7 @@ class Room:
     """
 
     floor: float
+    level: float
     cut: float
     passing: float
     highest: float
@@ -76,28 +81,60 @@ class Room:
         """Lowest safe height that the program itself vouches for, mm."""
         return float(np.fmax(self.cut, self.passing))
 
-    def suggested(self) -> tuple[float, float] | None:
-        """Height to measure at and safe height, mm; None where the program shows none.
+    def shown(self, probe: TouchProbe) -> float:
+        """Highest place at which passes show a wall to a ball, mm; inf where there are none."""
+        lowest = self.floor + probe.ball_radius + probe.margin
+        return float(np.fmax(lowest, self.level)) if np.isfinite(self.floor) else float(np.inf)
 
-        Half of the depth below Z0 (or 1 mm above the floor where that is not below), and the highest rapid.
+    def height(self, probe: TouchProbe) -> float | None:
+        """Height to measure at, mm: the middle of what passes show of the wall; None where they show nothing.
+
+        A single pass shows the wall only just above its floor.
         """
-        z = self.floor / 2 if self.floor < 0 else self.floor + 1.0
-        safe = float(np.fmax(self.highest, self.least))
-        return (z, safe) if np.isfinite(self.highest) and safe > z else None
+        lowest = self.floor + probe.ball_radius + probe.margin
+        return float(np.fmax(lowest, (self.floor + self.level) / 2)) if np.isfinite(self.floor) else None
 
-    def refuse(self, z: float, safe_z: float) -> None:
-        """UsageError where a probe would go into the floor beside the contour, or pass too low over the part."""
-        if z < self.floor - _LITTLE:
+    def safe(self, probe: TouchProbe, top: float = np.nan) -> float | None:
+        """Height above which a probe passes over everything, mm; None where no rapid shows one.
+
+        The highest rapid, and above the `top` of a model, however the probe's length was set.
+        """
+        least = np.fmax(self.least, top + probe.ball_radius + probe.margin)
+        return float(np.fmax(self.highest, least)) if np.isfinite(self.highest) else None
+
+    def refuse(self, z: float, safe_z: float, probe: TouchProbe, top: float = np.nan) -> None:
+        """UsageError where a probe would go into the floor beside the contour, or pass too low over the part.
+
+        Parameters
+        ----------
+        z, safe_z : float
+        probe : TouchProbe
+        top : float
+            Highest place of the model, mm.
+        """
+        lowest = self.floor + probe.margin
+        if z < lowest - _DIGIT:
             raise UsageError(
-                f"--z {z:g} lies below Z{self.floor:g}, the deepest that the program cuts beside the contour: "
-                f"say --z {self.floor:g} or higher, the ball's own room above the floor included"
+                option("z", z),
+                f" lies below Z{lowest:g}, a margin of {probe.margin:g} mm above the deepest that the ",
+                "program cuts beside the contour: say ",
+                remedy("z", lowest + probe.ball_radius),
+                " or higher",
             )
-        if safe_z < self.least - _LITTLE:
-            what = "lowest rapid across the part" if self.least == self.passing else "highest cut"
-            raise UsageError(
-                f"--safe-z {safe_z:g} lies below Z{self.least:g}, the program's {what}: "
-                f"say --safe-z {self.least:g} or higher"
-            )
+        over = top + probe.ball_radius + probe.margin
+        for least, what in (
+            (self.passing, "the program's lowest rapid across the part"),
+            (self.cut, "the program's highest cut"),
+            (over, "the top of the model and the ball above it"),
+        ):
+            if safe_z < least - _DIGIT:
+                needed = np.nanmax([self.least, over, least])
+                raise UsageError(
+                    option("safe_z", safe_z),
+                    f" lies below Z{least:g}, {what}: say ",
+                    remedy("safe_z", float(needed)),
+                    " or higher",
+                )
 
 
 def room_of(cleared: Cleared, profile: Profile | None = None, contour: int | None = None) -> Room:
@@ -121,12 +158,15 @@ def room_of(cleared: Cleared, profile: Profile | None = None, contour: int | Non
     z = np.stack([path.start[:, 2], path.end[:, 2]])
     lowest, highest = np.fmin(*z), np.fmax(*z)
     cuts = np.flatnonzero(~rapid & across & np.isfinite(lowest))
-    floor = _lowest(lowest[cuts]) if profile is None else _floor(cleared, profile, path.take(cuts), contour)
-    return Room(floor, -_lowest(-highest[cuts]), _lowest(lowest[rapid & across]), -_lowest(-path.end[rapid, 2]))
+    if profile is None:
+        floor, level = _lowest(lowest[cuts]), -_lowest(-lowest[cuts])
+    else:
+        floor, level = _beside(cleared, profile, path.take(cuts), contour)
+    return Room(floor, level, -_lowest(-highest[cuts]), _lowest(lowest[rapid & across]), -_lowest(-path.end[rapid, 2]))
 
 
-def _floor(cleared: Cleared, profile: Profile, cuts: Toolpath, contour: int | None) -> float:
-    """Lowest cut beside the contours, that of the shallowest of them; NaN where there is none.
+def _beside(cleared: Cleared, profile: Profile, cuts: Toolpath, contour: int | None) -> tuple[float, float]:
+    """Lowest cut beside the contours, that of the shallowest, and highest, that of the lowest; NaN for none.
 
     A move counts where most of it runs beside the contour on the free side: one that only crosses does not.
     """
@@ -140,7 +180,7 @@ def _floor(cleared: Cleared, profile: Profile, cuts: Toolpath, contour: int | No
     x, y = points[:, :, 0], points[:, :, 1]
     near = ((x > left - reach) & (x < right + reach) & (y > bottom - reach) & (y < top + reach)).any(axis=1)
     if not near.any():
-        return np.nan
+        return np.nan, np.nan
     points, off = points[near], cleared.offset(cuts.take(known))[near]
     feet = FootPointSearch(profile, margin=reach).find(points.reshape(-1, 3))
     beside = np.abs(feet.distance.reshape(-1, len(_SAMPLES)) - off[:, None]) <= BESIDE
@@ -148,7 +188,8 @@ def _floor(cleared: Cleared, profile: Profile, cuts: Toolpath, contour: int | No
     which = profile.contour[feet.span].reshape(beside.shape)
     numbers = range(len(profile.contours))
     chosen = [n for n in numbers if n + 1 == contour] or numbers
-    return max((_lowest(points[:, :, 2][beside & (which == n)]) for n in chosen), key=_known_first)
+    heights = [points[:, :, 2][beside & (which == n)] for n in chosen]
+    return max(map(_lowest, heights), key=_known_first), -max((_lowest(-z) for z in heights), key=_known_first)
 
 
 def _across(path: Toolpath) -> Bools:

@@ -8,19 +8,18 @@ bound the distance everywhere between them.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.footpoint import FootPointSearch
+from millcorr.arrays import Floats, Ints
+from millcorr.geometry.profile import Profile
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
+from .space import Space
 
 _ROUND = np.radians(20.0)
 """Around a corner the ball's centre goes in chords of at most this angle."""
 
 
 def links_between(
-    search: FootPointSearch,
+    space: Space,
     contour: Ints,
     s: Floats,
     start: Floats,
@@ -28,14 +27,12 @@ def links_between(
     stand: float,
     least: float,
     most: float,
-    cutter_radius: float,
 ) -> tuple[Floats | None, ...]:
     """Way from each touch's start to the next one's: straight, along the contour, or over the safe height.
 
     Parameters
     ----------
-    search : FootPointSearch
-        On the nominal.
+    space : Space
     contour : (n,) int64
     s : (n,) float64
         Arc length of the contact points in mm.
@@ -44,9 +41,7 @@ def links_between(
     stand : float
         Distance of the ball's centre from the contour, in mm, on the way along it.
     least, most : float
-        Distances in mm that the centre must keep on all of the way.
-    cutter_radius : float
-        What a cutter of this radius in mm leaves in inner corners is kept clear of as well.
+        Distances in mm that the centre must keep on all of the way, from everything and from the nominal.
 
     Returns
     -------
@@ -54,26 +49,27 @@ def links_between(
         Both ends included; None where only the safe height is left.
     """
     straight = [start[k : k + 2] for k in range(len(start) - 1)]
-    good_ways = clear(search, straight, least, most, cutter_radius)
+    good_ways = clear(space, straight, least, most)
     links: list[Floats | None] = [way if good else None for way, good in zip(straight, good_ways, strict=True)]
     rest = [k for k, way in enumerate(links) if way is None and contour[k] == contour[k + 1]]
     around = [
-        _along(search, int(contour[k]), float(s[k]), float(s[k + 1]), start[k], start[k + 1], stand) for k in rest
+        _along(space.search.profile, int(contour[k]), float(s[k]), float(s[k + 1]), start[k], start[k + 1], stand)
+        for k in rest
     ]
-    for k, way, good in zip(rest, around, clear(search, around, least, most, cutter_radius), strict=True):
+    for k, way, good in zip(rest, around, clear(space, around, least, most), strict=True):
         links[k] = way if good else None
     return tuple(links)
 
 
-def clear(search: FootPointSearch, ways: list[Floats], least: float, most: float, cutter_radius: float) -> list[bool]:
-    """Whether the whole of each way keeps between two distances from the contour.
+def clear(space: Space, ways: list[Floats], least: float, most: float) -> list[bool]:
+    """Whether the whole of each way keeps far enough from everything, and near enough to the contour.
 
     Parameters
     ----------
-    search : FootPointSearch
+    space : Space
     ways : list of (k, 2) float64
         Corners of polylines, mm.
-    least, most, cutter_radius : float
+    least, most : float
         mm; as for `links_between`.
     """
     if not ways:
@@ -88,46 +84,14 @@ def clear(search: FootPointSearch, ways: list[Floats], least: float, most: float
             owner.append(np.full(count + 1, number))
             reach.append(np.full(count + 1, np.hypot(*(b - a)) / count / 2))
     place, half, number_of = np.concatenate(points), np.concatenate(reach), np.concatenate(owner)
-    distance = search.find(place).distance
-    bad = (distance - half < least) | (distance + half > most)
-    bad |= into_fillets(search, place, cutter_radius) - half < least
+    own, nearest = space.distances(place)
+    bad = (nearest - half < least) | (own + half > most)
     failed = np.bincount(number_of, weights=bad, minlength=len(ways)) > 0
     return [not f for f in failed.tolist()]
 
 
-def into_fillets(search: FootPointSearch, points: Floats, cutter_radius: float) -> Floats:
-    """Distance of points from what a cutter leaves beside the nominal, mm; a lower bound, inf where it is no matter.
-
-    A cutter leaves its fillet in inner corners. A disc about a point is free of it if some place of the cutter that
-    does not touch the nominal covers the disc; the place is looked for by pushing the cutter off the nearest wall.
-    (A disc larger than the cutter that is free of the nominal is made of such places.)
-    """
-    if cutter_radius <= 0:
-        return np.full(len(points), np.inf)
-    own = search.find(points).distance
-    rows = np.flatnonzero(own < cutter_radius)
-    out = np.full(len(points), np.inf)
-    # Rows whose place still touches the nominal; beside a plain wall one push is enough.
-    place, pending = points[rows].copy(), np.arange(len(rows))
-    for _ in range(12):
-        feet = search.find(place[pending])
-        lacking = cutter_radius - feet.distance
-        pending, lacking, normal = pending[lacking > 1e-9], lacking[lacking > 1e-9], feet.normal[lacking > 1e-9]
-        if not len(pending):
-            break
-        place[pending] += lacking[:, None] * normal
-    covered = cutter_radius - np.hypot(*(place - points[rows]).T)
-    if len(pending):
-        covered[pending[search.find(place[pending]).distance < cutter_radius - 1e-6]] = -np.inf
-    out[rows] = covered
-    return out
-
-
-def _along(
-    search: FootPointSearch, contour: int, s0: float, s1: float, start: Floats, end: Floats, stand: float
-) -> Floats:
+def _along(profile: Profile, contour: int, s0: float, s1: float, start: Floats, end: Floats, stand: float) -> Floats:
     """Row of chords beside the contour, `stand` off it, rounded at corners; the short way round a closed one."""
-    profile = search.profile
     total = float(profile.total[contour])
     way = s1 - s0
     if profile.contours[contour].closed:

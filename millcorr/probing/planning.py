@@ -15,17 +15,16 @@ from math import inf, isfinite
 import numpy as np
 from numpy.typing import NDArray
 
-from millcorr.deviation import REACHED
+from millcorr.arrays import Bools, Floats, Ints, ReadOnlyArrays
+from millcorr.comparison.deviation import REACHED
 from millcorr.errors import RefusedError, UsageError
-from millcorr.footpoint import FootPointSearch
-from millcorr.profile import Profile
-from millcorr.read_only import ReadOnlyArrays
+from millcorr.geometry.footpoint import FootPointSearch
+from millcorr.geometry.profile import Profile
+from millcorr.messages import message, option
 
-from .links import into_fillets, links_between
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Bools = NDArray[np.bool_]
+from .links import links_between
+from .space import Space
+from .workpiece import Obstacles
 
 TOUCHES = ("auto", "axis", "normal")
 
@@ -71,20 +70,20 @@ class TouchProbe:
     touch: str = "auto"
 
     def __post_init__(self) -> None:
-        for name, option, least in (
-            ("ball_radius", "--probe-radius", 0.01),
-            ("clearance", "--clearance", 0.1),
-            ("overtravel", "--overtravel", 0.01),
-            ("stock", "--stock", 0.0),
-            ("margin", "--margin", 0.0),
+        for key, value, least in (
+            ("probe_radius", self.ball_radius, 0.01),
+            ("clearance", self.clearance, 0.1),
+            ("overtravel", self.overtravel, 0.01),
+            ("stock", self.stock, 0.0),
         ):
-            value = getattr(self, name)
             if not (isfinite(value) and least <= value <= 1000.0):
-                raise UsageError(f"{option} {value:g} must lie between {least:g} and 1000 mm")
+                raise UsageError(option(key, value), f" must lie between {least:g} and 1000 mm")
+        if not (isfinite(self.margin) and 0.0 <= self.margin <= 1000.0):
+            raise UsageError(f"the margin {self.margin:g} at corners must lie between 0 and 1000 mm")
         if not self.free_width > 2 * self.ball_radius + self.stock:
-            raise UsageError(f"--free-width {self.free_width:g}: the ball and the stock do not fit in there")
+            raise UsageError(option("free_width", self.free_width), ": the ball and the stock do not fit in there")
         if self.touch not in TOUCHES:
-            raise UsageError(f"--touch is one of {', '.join(TOUCHES)}, not {self.touch!r}")
+            raise UsageError(option("touch"), f" is one of {', '.join(TOUCHES)}, not {self.touch!r}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,11 +112,11 @@ class Placement:
 
     def __post_init__(self) -> None:
         if (self.count is None) == (self.spacing is None):
-            raise UsageError("give either --points-count or --spacing")
+            raise UsageError("give either ", option("points_count"), " or ", option("spacing"))
         if self.count is not None and not 1 <= self.count <= MOST_POINTS:
-            raise UsageError(f"--points-count {self.count} must lie between 1 and {MOST_POINTS}")
+            raise UsageError(option("points_count", self.count), f" must lie between 1 and {MOST_POINTS}")
         if self.spacing is not None and not (isfinite(self.spacing) and self.spacing > 0):
-            raise UsageError(f"--spacing {self.spacing:g} is no distance in mm")
+            raise UsageError(option("spacing", self.spacing), " is no distance in mm")
 
 
 @dataclass(frozen=True, slots=True)
@@ -210,18 +209,60 @@ class ProbingPlan(ReadOnlyArrays):
             yield Touch(k, contact, normal, start, target, direction, centre, axis)
 
 
-def plan(profile: Profile, placement: Placement, probe: TouchProbe, cutter_radius: float = 0.0) -> ProbingPlan:
+@dataclass(frozen=True, eq=False, slots=True)
+class Wanted:
+    """Where touches are wanted, in the order of the profile.
+
+    Parameters
+    ----------
+    contour : (n,) int64
+    s : (n,) float64
+        Arc length in mm from the contour's start.
+    contact, normal : (n, 2) float64
+        Places in mm and directional cosines there.
+    left_out : tuple of LeftOut
+        Stretches too short for any point.
+    """
+
+    contour: Ints
+    s: Floats
+    contact: Floats
+    normal: Floats
+    left_out: tuple[LeftOut, ...]
+
+
+def wanted(profile: Profile, placement: Placement, probe: TouchProbe) -> Wanted:
+    """Where touches are wanted on a contour; raises as `places` does."""
+    contour, s, left_out = places(profile, placement, probe.ball_radius + probe.margin)
+    span, t = profile.locate(contour, s)
+    contact, _, _ = profile.evaluate(span, t)
+    return Wanted(contour, s, contact, profile.normals(span, t), tuple(left_out))
+
+
+def plan(
+    profile: Profile,
+    at: Placement | Wanted,
+    probe: TouchProbe,
+    cutter_radius: float = 0.0,
+    *,
+    standing: Bools | None = None,
+    obstacles: Obstacles | None = None,
+) -> ProbingPlan:
     """Touches on a contour.
 
     Parameters
     ----------
     profile : Profile
         Nominal, material on the left.
-    placement : Placement
+    at : Placement or Wanted
     probe : TouchProbe
     cutter_radius : float
         Radius in mm of the cutter that made the part: the fillets that it leaves in inner corners are neither
         touched nor come near to.
+    standing : (n,) bool, optional
+        Whether a touch at each wanted place meets a wall at all.
+    obstacles : Obstacles, optional
+        What else stands at the height of the ball, and above.
 
     Returns
     -------
@@ -235,35 +276,38 @@ def plan(profile: Profile, placement: Placement, probe: TouchProbe, cutter_radiu
     RefusedError
         If nothing is left; names the first place and why.
     """
-    contour, s, left_out = places(profile, placement, probe.ball_radius + probe.margin)
-    span, t = profile.locate(contour, s)
-    contact, _, _ = profile.evaluate(span, t)
-    normal = profile.normals(span, t)
+    where = at if isinstance(at, Wanted) else wanted(profile, at, probe)
+    contour, s, contact, normal = where.contour, where.s, where.contact, where.normal
     direction = touch_directions(normal, probe.touch)
     steep = -(normal * direction).sum(axis=1)
     centre = contact + probe.ball_radius * normal
     search = FootPointSearch(profile, margin=2 * probe.ball_radius + probe.clearance + probe.stock)
-    start, reason = _starts(search, centre, direction, steep, probe, cutter_radius)
-    in_the_way = _other_wall_first(search, start, centre, steep, probe, cutter_radius)
+    space = Space(search, cutter_radius, obstacles)
+    start, reason = _starts(space, centre, direction, steep, probe)
+    in_the_way = _other_wall_first(space, start, centre, steep, probe)
     reason = np.where(in_the_way & (reason == ""), _IN_THE_WAY, reason)
     reason = np.where(_too_tight(search, centre, probe), _TIGHT, reason)
     if cutter_radius > 0:
         cutter = search.find(contact + cutter_radius * normal)
         reason = np.where(cutter.distance < cutter_radius - REACHED, _FILLET, reason)
+    if standing is not None:
+        reason = np.where(standing, reason, _NOTHING)
+    left_out = list(where.left_out)
     for row in np.flatnonzero(reason != ""):
         left_out.append(LeftOut(float(contact[row, 0]), float(contact[row, 1]), str(reason[row])))
     good = reason == ""
     if not good.any():
-        where = f"near X{left_out[0].x:.3f} Y{left_out[0].y:.3f} {left_out[0].reason}" if left_out else "no stretch"
-        raise RefusedError(f"no point of the contour can be touched: {where}; check --probe-radius and --clearance")
+        first = f"near X{left_out[0].x:.3f} Y{left_out[0].y:.3f} {left_out[0].reason}" if left_out else "no stretch"
+        too_high = bool(left_out) and left_out[0].reason == _NOTHING
+        check = option("z") if too_high else message(option("probe_radius"), " and ", option("clearance"))
+        raise RefusedError(f"no point of the contour can be touched: {first}; check ", check)
     target = centre + (probe.overtravel / steep)[:, None] * direction
     start, contour, s = start[good], contour[good], s[good]
     links = links_between(
-        search, contour, s, start,
+        space, contour, s, start,
         stand=probe.ball_radius + probe.stock + probe.clearance,
         least=probe.ball_radius + probe.stock + probe.clearance / 2,
         most=probe.free_width - probe.ball_radius,
-        cutter_radius=cutter_radius,
     )  # fmt: skip
     return ProbingPlan(
         probe, contact[good], normal[good], direction[good], start, target[good], contour, s, links, tuple(left_out)
@@ -327,11 +371,13 @@ def places(profile: Profile, placement: Placement, keep: float) -> tuple[Ints, F
     stretches = profile.stretches()
     if placement.contour is not None:
         if not 1 <= placement.contour <= len(profile.contours):
-            raise UsageError(f"--contour {placement.contour}: the profile has {len(profile.contours)} contours")
+            raise UsageError(
+                option("contour", placement.contour), f": the profile has {len(profile.contours)} contours"
+            )
         stretches = [stretch for stretch in stretches if stretch.contour == placement.contour - 1]
     if placement.stretch is not None:
         if not 1 <= placement.stretch <= len(stretches):
-            raise UsageError(f"--stretch {placement.stretch}: there are {len(stretches)} smooth stretches")
+            raise UsageError(option("stretch", placement.stretch), f": there are {len(stretches)} smooth stretches")
         stretches = stretches[placement.stretch - 1 : placement.stretch]
     left_out: list[LeftOut] = []
     pieces: list[tuple[int, Floats, Floats]] = []
@@ -352,19 +398,19 @@ def places(profile: Profile, placement: Placement, keep: float) -> tuple[Ints, F
     if not pieces:
         raise RefusedError(
             f"no point of the contour can be touched: {left_out[0].reason} near X{left_out[0].x:.3f} "
-            f"Y{left_out[0].y:.3f}; use a smaller ball or --margin"
+            f"Y{left_out[0].y:.3f}; use a smaller ball"
         )
     length = sum(float(along[-1] - along[0]) for _, along, _ in pieces)
     turned = sum(float(turn[-1]) for _, _, turn in pieces)
     number = placement.count or int(min(np.ceil(length / (placement.spacing or length)), MOST_POINTS + 1))
     if number > MOST_POINTS:
-        raise UsageError(f"--spacing {placement.spacing:g} makes more than {MOST_POINTS} points")
-    wanted = (np.arange(number) + 0.5) / number
+        raise UsageError(option("spacing", placement.spacing), f" makes more than {MOST_POINTS} points")
+    shares = (np.arange(number) + 0.5) / number
     by_turn = 0.5 if placement.by_curvature and turned > 1e-6 else 0.0
     contour, s, before = [], [], 0.0
     for index, along, turn in pieces:
         measure = before + (1 - by_turn) * (along - along[0]) / length + by_turn * turn / max(turned, 1e-6)
-        here = wanted[(wanted >= before) & (wanted < measure[-1])]
+        here = shares[(shares >= before) & (shares < measure[-1])]
         s.append(np.interp(here, measure, along))
         contour.append(np.full(len(here), index, dtype=np.int64))
         before = float(measure[-1])
@@ -375,11 +421,12 @@ def places(profile: Profile, placement: Placement, keep: float) -> tuple[Ints, F
 _TIGHT = "the ball does not reach it: the contour is too hollow there, or another wall is too near"
 _FILLET = "the cutter does not reach it: its fillet stands there"
 _IN_THE_WAY = "another wall is in the way of the touch"
+_NOTHING = "no wall stands there that is as high, and cut as deep, as the ball needs it"
 _NO_ROOM = "there is no room for the ball to stand clear before the touch"
 
 
 def _starts(
-    search: FootPointSearch, centre: Floats, direction: Floats, steep: Floats, probe: TouchProbe, cutter_radius: float
+    space: Space, centre: Floats, direction: Floats, steep: Floats, probe: TouchProbe
 ) -> tuple[Floats, NDArray[np.str_]]:
     """Where touches start, and a reason where there is no such place."""
     back_off = probe.stock + probe.clearance
@@ -390,10 +437,8 @@ def _starts(
     for longer in _LENGTHENED:
         back = longer * back_off / steep[open_rows]
         tried = centre[open_rows] - back[:, None] * direction[open_rows]
-        distance = search.find(tried).distance
-        beyond = distance + probe.ball_radius
-        distance = np.minimum(distance, into_fillets(search, tried, cutter_radius))
-        good = (distance >= least) & (beyond <= probe.free_width + 1e-6)
+        own, nearest = space.distances(tried)
+        good = (nearest >= least) & (own + probe.ball_radius <= probe.free_width + 1e-6)
         start[open_rows[good]] = tried[good]
         reason[open_rows[good]] = ""
         open_rows = open_rows[~good]
@@ -409,9 +454,7 @@ def _too_tight(search: FootPointSearch, centre: Floats, probe: TouchProbe) -> Bo
     return out
 
 
-def _other_wall_first(
-    search: FootPointSearch, start: Floats, centre: Floats, steep: Floats, probe: TouchProbe, cutter_radius: float
-) -> Bools:
+def _other_wall_first(space: Space, start: Floats, centre: Floats, steep: Floats, probe: TouchProbe) -> Bools:
     """Whether the ball, on its way to the touch, comes nearer to the contour than to the place it should touch.
 
     Beside a flat wall, and a convex one, the gap is the way left times the cosine of the slope or more; half of that
@@ -420,8 +463,8 @@ def _other_wall_first(
     u = np.linspace(0.0, 1.0, 33)[:-1]
     way = np.hypot(*(centre - start).T)
     points = (start[:, None, :] * (1 - u)[:, None] + centre[:, None, :] * u[:, None]).reshape(-1, 2)
-    distance = np.minimum(search.find(points).distance, into_fillets(search, points, cutter_radius))
-    gap = distance.reshape(len(start), -1) - probe.ball_radius
+    _, nearest = space.distances(points)
+    gap = nearest.reshape(len(start), -1) - probe.ball_radius
     expected = 0.5 * steep[:, None] * way[:, None] * (1 - u)
     out: Bools = (gap < expected - REACHED).any(axis=1)
     return out

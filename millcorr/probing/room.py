@@ -10,12 +10,11 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from millcorr.toolpath import Compensation, Kind
+from millcorr.arrays import Bools, Floats
+from millcorr.nc.toolpath import Compensation, Kind
 
 from .heights import Cleared
 from .planning import ProbingPlan
-
-Floats = NDArray[np.float64]
 
 _ARC_STEPS = 33
 _LITTLE = 0.01
@@ -57,7 +56,7 @@ def outside_cleared(plan: ProbingPlan, cleared: Cleared, z: float) -> Floats:
     return out
 
 
-def _centre_paths(cleared: Cleared, usable: NDArray[np.bool_]) -> NDArray[np.object_]:
+def _centre_paths(cleared: Cleared, usable: Bools) -> NDArray[np.object_]:
     """Ways of the cutter's centre as line strings, of those feed moves that are usable."""
     path = cleared.toolpath
     usable = usable & (path.kind != Kind.RAPID)

@@ -14,8 +14,11 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Protocol
 
+from millcorr import progress
 from millcorr.errors import FormatError, UsageError
-from millcorr.measurement import Basis, Measurement, Probe
+from millcorr.messages import message, option
+from millcorr.options import options_of
+from millcorr.readers.measurement import Basis, Measurement, Probe
 
 from . import (
     calypso,
@@ -37,10 +40,10 @@ from . import (
     xyzijk,
 )
 from .mapping import TextMapping, load
-from .point_clouds import E57, PCD, PLY
+from .point_clouds import E57, PCD, PLY, X3P
 from .probe_file import load as load_probe
 from .reading import Reading
-from .source import FARTHEST, KINDS, Source
+from .source import FARTHEST, Source
 from .truncation import check_last_number
 from .work_frame import laid_in_work_frame
 
@@ -83,11 +86,11 @@ FORMATS: dict[str, Format] = {
     "ply": PLY,
     "pcd": PCD,
     "e57": E57,
+    "x3p": X3P,
     "text": text,
 }
 """Module of each format by the name that ``--format`` takes; the last one takes whatever is left."""
 
-_UNITS = ("mm", "inch")
 _SEVERAL_PARTS = ("msr", "qif", "pcdmis", "grbl", "linuxcnc", "dprnt", "renishaw", "qdas", "calypso")
 """Formats whose files can hold several measured parts."""
 _FRAMES = {
@@ -145,7 +148,7 @@ def read(
     -------
     Measurement
         Points in mm, in the order of the file. What is still to be done with the probe's radius needs a profile:
-        `millcorr.probe.contact_known`.
+        `millcorr.comparison.ball_radius.contact_known`.
 
     Raises
     ------
@@ -155,24 +158,31 @@ def read(
     FormatError
         If the file cannot be read or trusted; names the file, the line where there is one, and the remedy.
     """
-    if points is not None and points not in KINDS:
-        raise UsageError(f"--points is contact, centre or axis, not {points!r}")
-    if units is not None and units not in _UNITS:
-        raise UsageError(f"--units is mm or inch, not {units!r}")
+    declared = options_of(Reading)
+    declared["points"].refuse(points)
+    declared["units"].refuse(units)
     if format is not None and format not in FORMATS:
-        raise UsageError(f"--format is one of {', '.join(FORMATS)}, not {format!r}")
+        raise UsageError(option("format"), f" is one of {', '.join(FORMATS)}, not {format!r}")
     if probe_radius is not None and not (math.isfinite(probe_radius) and probe_radius > 0):
-        raise UsageError(f"--probe-radius {probe_radius:g} is no radius in mm")
+        raise UsageError(option("probe_radius", probe_radius), " is no radius in mm")
     if points == "contact" and probe_radius is not None:
-        raise UsageError("--probe-radius belongs to --points centre or axis: contact points lie on the part already")
+        raise UsageError(
+            option("probe_radius"),
+            " belongs to ",
+            option("points", "centre"),
+            " or axis: contact points lie on the part already",
+        )
     if work_offset is not None and not all(abs(value) <= FARTHEST for value in work_offset):
-        raise UsageError(f"--work-offset {' '.join(f'{value:g}' for value in work_offset)} is no place")
+        raise UsageError(option("work_offset", " ".join(f"{value:g}" for value in work_offset)), " is no place")
     if work_rotation is not None and not math.isfinite(work_rotation):
-        raise UsageError(f"--work-rotation {work_rotation} is no angle")
+        raise UsageError(option("work_rotation", work_rotation), " is no angle")
     if mapping is not None and format is not None:
-        raise UsageError(f"--mapping is for text that no format covers: leave --format {format} out")
+        raise UsageError(
+            option("mapping"), " is for text that no format covers: leave ", option("format", format), " out"
+        )
     layout = load(mapping) if isinstance(mapping, (str, Path)) else mapping
     calibrated = load_probe(probe) if isinstance(probe, (str, Path)) else probe
+    progress.stage("read")
     data = _content(path)
     digest = sha256(data).hexdigest()
     sheet = ""
@@ -181,7 +191,7 @@ def read(
     source = Source(data, str(path), digest, points, probe_radius, units, work_offset, part, calibrated)
     name = "mapped" if layout is not None else format or recognised(data)
     if part is not None and name not in _SEVERAL_PARTS:
-        raise UsageError(f"--part {part}: {path} holds one measured part")
+        raise UsageError(option("part", part), f": {path} holds one measured part")
     if layout is None:
         measurement = FORMATS[name].read(source)
         check_last_number(data, str(path))
@@ -191,14 +201,16 @@ def read(
         measurement = mapped.read(source, layout)
     if points == "axis" and layout is None:
         if measurement.ball_radius:
-            raise UsageError(f"--points axis contradicts {path}, whose points are centres of the probe ball")
+            raise UsageError(
+                option("points", "axis"), f" contradicts {path}, whose points are centres of the probe ball"
+            )
         measurement = replace(measurement, axis_radii=source.axis_radii())
     if calibrated is not None:
         measurement = _calibrated(measurement, calibrated)
-        source.bases["radius"] = Basis("said", "--probe")
+        source.bases["radius"] = Basis("said", message(option("probe")))
     if sheet:
         measurement = replace(measurement, notes=(sheet, *measurement.notes))
-    frame = Basis("said", "--work-offset, --work-rotation")
+    frame = Basis("said", message(option("work_offset"), ", ", option("work_rotation")))
     if work_offset is None and work_rotation is None:
         frame = _FRAMES.get(name, _AS_EXPORTED)
     measurement = replace(measurement, bases={**source.bases, "frame": frame})
@@ -217,7 +229,12 @@ def _calibrated(measurement: Measurement, probe: Probe) -> Measurement:
     if measurement.axis_radii is not None:
         return replace(measurement, probe=probe)
     if not measurement.ball_radius:
-        raise UsageError("--probe belongs to --points centre or axis: contact points lie on the part already")
+        raise UsageError(
+            option("probe"),
+            " belongs to ",
+            option("points", "centre"),
+            " or axis: contact points lie on the part already",
+        )
     return replace(measurement, probe=probe, ball_radius=probe.radius)
 
 

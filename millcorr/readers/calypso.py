@@ -14,7 +14,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from millcorr.measurement import Measurement
+from millcorr.messages import message, option
+from millcorr.readers.measurement import Measurement
 
 from .decoding import beginning
 from .fields import COMMA_NUMBER, NUMBER
@@ -109,8 +110,12 @@ class _Table:
         for needed in _NEEDED:
             if names.count(needed) != 1:
                 raise source.error(
-                    f"no single column {needed}: not Calypso's table of characteristics; give the file that ends in "
-                    "_chr.txt, or say by --mapping FILE.toml what the columns are and which rows are points",
+                    message(
+                        f"no single column {needed}: not Calypso's table of characteristics; give the file that ends ",
+                        "in _chr.txt, or say by ",
+                        option("mapping", of="FILE.toml"),
+                        " what the columns are and which rows are points",
+                    ),
                     number,
                 )
         self.place = {name: k for k, name in enumerate(names) if name}
@@ -118,8 +123,8 @@ class _Table:
 
     def _rows(self, lines: Iterator[tuple[int, str]]) -> None:
         for number, line in lines:
-            cells = [cell.strip() for cell in line.split("\t")]
-            if cells[0].upper() == "END" and not any(cells[1:]):
+            cells = line.split("\t")
+            if cells[0].strip().upper() == "END" and not any(cell.strip() for cell in cells[1:]):
                 continue
             if len(cells) <= max(self.place[name] for name in _NEEDED):
                 raise self.source.error(f"{len(cells)} columns: the row is incomplete; {shown(line)}", number)
@@ -128,7 +133,7 @@ class _Table:
     def _row(self, number: int, cells: list[str]) -> None:
         def cell(name: str) -> str:
             at = self.place.get(name, len(cells))
-            return cells[at] if at < len(cells) else ""
+            return cells[at].strip() if at < len(cells) else ""
 
         kind, name = cell("idsymbol"), cell("featureid")
         if not name:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Columns of plain decimal numbers, read many at a time; exact, or left to a slower way.
+"""Plain decimal numbers in columns or behind letters, read many at a time; exact, or left to a slower way.
 
 Most measured files hold nothing but digits, signs and points between separators. Eight characters of such numbers
 are one 64-bit word, whose digits three multiplications put together (Lemire, Number parsing at a gigabyte per
@@ -21,11 +21,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from millcorr.arrays import Bools, Bytes, Floats, Ints
+
 from .fields import NUMBER
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Bytes = NDArray[np.uint8]
 Words = NDArray[np.uint64]
 
 _BLOCK = 1 << 18
@@ -40,7 +39,7 @@ _EXACT = np.uint64(1 << 53)
 _FEW = 0.1
 """Share of numbers in a block that may be unusual: longer, or with an exponent."""
 
-_NEWLINE, _BLANK, _PLUS, _MINUS, _POINT, _ZERO = 10, 32, 43, 45, 46, 48
+_TAB, _NEWLINE, _BLANK, _PLUS, _MINUS, _POINT, _ZERO, _A = 9, 10, 32, 43, 45, 46, 48, 65
 
 _TENS = np.array([float(10**k) for k in range(_LONGEST + 2)])
 _WHOLE_TENS = 10 ** np.arange(_LONGEST + 1, dtype=np.uint64)
@@ -64,8 +63,8 @@ class _Fields:
     points: Ints
     """The end where there is none."""
     ends: Ints
-    signed: NDArray[np.bool_]
-    minus: NDArray[np.bool_]
+    signed: Bools
+    minus: Bools
     digits: bool
     """Whether there are nothing but digits before and behind the point."""
 
@@ -165,6 +164,63 @@ def decimal_tables(
         lines[here] += first + passed
         rows, passed = here.stop, passed + count
     return ([array[:rows] for array in out], lines[:rows]) if rows else None
+
+
+@dataclass(frozen=True, slots=True)
+class Lettered:
+    """Words of some lines, each a letter and a number.
+
+    Parameters
+    ----------
+    letters : (n,) uint8
+    values : (n,) float64
+    digits : (n,) int64
+        Characters of each number, without its sign.
+    first : (m + 1,) int64
+        Place of the first word of each line among all.
+    """
+
+    letters: Bytes
+    values: Floats
+    digits: Ints
+    first: Ints
+
+
+def decimal_words(lines: str) -> Lettered | None:
+    r"""Words of lines that hold nothing else, as ``G801 N1 X12.5Y-3``; blanks between them do not count.
+
+    Parameters
+    ----------
+    lines : str
+        In capitals, each line ending in ``\n``.
+
+    Returns
+    -------
+    Lettered
+        None where anything is no word, or has an exponent: the caller has to look at it line by line.
+    """
+    if not lines.isascii() or not lines:
+        return None
+    data = b"".join((b"\n" * _MARGIN, lines.encode("ascii"), b"" if lines.endswith("\n") else b"\n"))
+    text = np.frombuffer(data, dtype=np.uint8, offset=_MARGIN - 1)
+    words = np.ndarray((len(data) - 7,), dtype="<u8", buffer=data, strides=(1,))
+    # Control characters, and an E: it may be an exponent.
+    if ((text < _BLANK) & (text != _TAB) & (text != _NEWLINE)).any() or "E" in lines:
+        return None
+    letter = text - np.uint8(_A) < 26
+    solid = (text > _BLANK) & ~letter
+    change = np.flatnonzero(solid[1:] != solid[:-1]) + 1
+    starts, ends = change[::2], change[1::2]
+    places = np.flatnonzero(letter)
+    if len(places) != len(starts) or not len(places) or (places > starts).any() or (ends[:-1] > places[1:]).any():
+        return None
+    newlines = np.flatnonzero(text == _NEWLINE)
+    first = np.searchsorted(places, newlines)
+    if not np.array_equal(first, np.searchsorted(starts, newlines)):
+        return None
+    fields = _pointed(text, starts, ends)
+    values = _decimals(text, words, fields)
+    return None if values is None else Lettered(text[places], values, fields.ends - fields.begins, first)
 
 
 def _newlines(text: str | bytes, begin: int) -> int:
@@ -269,7 +325,11 @@ def _fields(text: Bytes, separator: str | None, width: int, columns: Sequence[in
     if bounds is None:
         return None
     starts, ends = (side.reshape(-1, width)[:, list(columns)].ravel() for side in bounds)
-    # Place of the first point of each field, its end where there is none; other points are left out.
+    return _pointed(text, starts, ends)
+
+
+def _pointed(text: Bytes, starts: Ints, ends: Ints) -> _Fields:
+    """Fields of any content between places, with the first point of each; other points are left out."""
     points = np.flatnonzero(text == _POINT)
     place = np.searchsorted(points, starts)
     found = np.append(points, np.iinfo(np.int64).max)[place]
@@ -364,7 +424,7 @@ def _of_equal_places(words: Words, fields: _Fields, whole: Ints, places: int) ->
     return parsed
 
 
-def _of_any_places(words: Words, fields: _Fields, whole: Ints, places: Ints) -> tuple[Words, NDArray[np.bool_]]:
+def _of_any_places(words: Words, fields: _Fields, whole: Ints, places: Ints) -> tuple[Words, Bools]:
     """Numbers without their points, and which of them are unusual or none."""
     odd = (whole < 0) | (whole > 8) | (places > _LONGEST) | (whole + places < 1)
     if odd.any():

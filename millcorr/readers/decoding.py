@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From the bytes of a measurement file to its text, or a refusal that says what the file is instead."""
+"""From the bytes of a measurement file to its text and its lines, or a refusal that says what the file is instead."""
 
 from __future__ import annotations
 
 import codecs
 import re
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -90,6 +91,25 @@ def decode(data: bytes, name: str, drop: bytes = b"") -> str:
         for character, plain in _ALIKE.items():
             text = text.replace(character, plain)
     return text
+
+
+def lines_of(text: str, begin: int = 0) -> Iterator[str]:
+    """Lines of a text from a place on, without cutting it up as a whole."""
+    while begin <= len(text):
+        end = text.find("\n", begin)
+        if end < 0:
+            end = len(text)
+        yield text[begin:end]
+        begin = end + 1
+
+
+def blocks_of(text: str, size: int) -> Iterator[str]:
+    """Whole lines of a text, about `size` characters at a time, each ending in a line end but for the last."""
+    begin = 0
+    while begin < len(text):
+        end = text.rfind("\n", begin, begin + size) + 1 or text.find("\n", begin) + 1 or len(text)
+        yield text[begin:end]
+        begin = end
 
 
 def _has_controls(data: bytes) -> bool:

@@ -14,19 +14,24 @@ from array import array
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.errors import UsageError
-from millcorr.measurement import Measurement
+from millcorr.arrays import Floats
+from millcorr.errors import unsaid
+from millcorr.messages import remedy
+from millcorr.readers.measurement import Measurement
 
 from .source import Source, shown
-
-Floats = NDArray[np.float64]
 
 _RECOGNISED = re.compile(
     rb"(?:^|\n|\r)[ \t]*(?:DMISM[ND]/|FA[ \t]*\([^()\r\n]{1,80}\)[ \t]*=[ \t]*FEAT[ \t]*/)", re.IGNORECASE
 )
 _LABELLED = re.compile(r"(FA?)\s*\(\s*([^()]{1,80}?)\s*\)\s*=\s*FEAT\s*/\s*(.*)", re.ASCII | re.DOTALL)
+_CELL = r"([+-]?(?:\d+\.?\d*|\.\d+))"
+_TURN = r"([+-]?(?:\d+\.?\d*|\.\d+)(?::\d+(?::\d+\.?\d*)?)?)"
+_CELLS = rf"(CART|POL),{_CELL},{_TURN},{_CELL}(?:,{_CELL},{_CELL},{_CELL})?[ \t]*"
+_PLAIN = re.compile(rf"(FA?)\(([^()$]{{1,80}})\)=FEAT/POINT,{_CELLS}", re.ASCII)
+_PLAIN_OF_CURVE = re.compile(rf"PTDATA/{_CELLS}", re.ASCII)
+"""Points as nearly all are written, in capitals and without blanks."""
 _STATEMENT = re.compile(r"([A-Z]+)\s*/\s*(.*)", re.ASCII | re.DOTALL)
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[ED][+-]?\d+)?", re.ASCII)
 _SEXAGESIMAL = re.compile(r"([+-]?)(\d+):(\d+)(?::(\d+\.?\d*))?", re.ASCII)
@@ -131,6 +136,16 @@ class _Output:
         self.ended = False
 
     def take(self, line: int, statement: str) -> None:
+        plain = _PLAIN.fullmatch(statement)
+        if plain:
+            self.curve = None
+            self._point(line, plain[1], plain[2].strip(), self._plain_values(line, *plain.groups()[2:]))
+            return
+        plain = _PLAIN_OF_CURVE.fullmatch(statement) if self.curve is not None else None
+        if plain and self.curve is not None:
+            rows, label = self.curve
+            rows.add(label, line, self._plain_values(line, *plain.groups()))
+            return
         found = _LABELLED.fullmatch(statement)
         if found:
             self._feature(line, found[1], found[2], _words(found[3]))
@@ -182,7 +197,10 @@ class _Output:
             if role == "FA":
                 self.others[kind[:20].lower()] = self.others.get(kind[:20].lower(), 0) + 1
             return
-        values = self._coordinates(line, f"{role}({label[:40]})", words[1:])
+        self._point(line, role, label, self._coordinates(line, f"{role}({label[:40]})", words[1:]))
+
+    def _point(self, line: int, role: str, label: str, values: tuple[float, ...]) -> None:
+        rows = self.nominal if role == "F" else self.actual
         if role == "FA" and label in rows.begin:
             if rows.count[label] != 1:
                 raise self.source.error(f"FA({label[:40]}) is a point and a curve", line)
@@ -208,12 +226,32 @@ class _Output:
             raise self.source.error(f"{what}: {len(fields)} numbers where 3 or 6 were expected", line)
         values = [self._angle(line, f) if polar and k == 1 else self._number(line, f) for k, f in enumerate(fields)]
         if polar:
-            radius, turn, height = values[:3]
-            place = [0.0, 0.0, 0.0]
-            for axis, value in zip(self.plane, (radius * math.cos(turn), radius * math.sin(turn), height), strict=True):
-                place[axis] = value
-            values[:3] = place
+            values[:3] = self._placed(*values[:3])
         return (*values[:3], *(values[3:6] or _NO_VECTOR))
+
+    def _plain_values(self, line: int, kind: str, *cells: str | None) -> tuple[float, ...]:
+        """Values x, y, z, i, j, k of cells that are numbers, the second maybe an angle; NaN for a vector not there."""
+        x, y, z, *vector = cells
+        assert x is not None and y is not None and z is not None
+        polar = kind == "POL"
+        if ":" in y or polar:
+            turn = self._angle(line, y) if polar else self._number(line, y)
+            place = self._placed(float(x), turn, float(z))
+        else:
+            place = (float(x), float(y), float(z))
+        values = (*place, *(_NO_VECTOR if vector[0] is None else [float(v) for v in vector if v is not None]))
+        if max(map(abs, place)) > _FARTHEST or max(map(abs, values[3:])) > _FARTHEST:
+            # Says which.
+            for cell in (x, *([] if polar else [y]), z, *vector):
+                self._number(line, cell or "0")
+        return values
+
+    def _placed(self, radius: float, turn: float, height: float) -> tuple[float, float, float]:
+        """Polar coordinates of the work plane as Cartesian ones."""
+        place = [0.0, 0.0, 0.0]
+        for axis, value in zip(self.plane, (radius * math.cos(turn), radius * math.sin(turn), height), strict=True):
+            place[axis] = value
+        return place[0], place[1], place[2]
 
     def _number(self, line: int, text: str) -> float:
         if not _NUMBER.fullmatch(text):
@@ -228,8 +266,7 @@ class _Output:
         parts = _SEXAGESIMAL.fullmatch(text) if self.angle == "ANGDMS" else None
         if parts is None:
             return self._number(line, text) * _ANGLES[self.angle]
-        degrees = self._number(line, parts[2]) + self._number(line, parts[3]) / 60
-        degrees += self._number(line, parts[4] or "0") / 3600
+        degrees = float(parts[2]) + float(parts[3]) / 60 + float(parts[4] or "0") / 3600
         return math.radians(-degrees if parts[1] == "-" else degrees)
 
     def measurement(self) -> Measurement:
@@ -256,7 +293,11 @@ class _Output:
         if unmeasured:
             notes.append(f"{unmeasured} nominal points were not measured")
         if self.unit is None and source.units is None:
-            raise UsageError(f"say --units mm or --units inch: {source.name} has no UNITS statement")
+            raise unsaid(
+                f"{source.name} has no UNITS statement",
+                remedy("units", "mm"),
+                remedy("units", "inch"),
+            )
         partner = np.full(len(measured), -1)
         names = []
         for label, begin in actual.begin.items():

@@ -11,16 +11,14 @@ import re
 from array import array
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.measurement import Measurement
+from millcorr.arrays import Floats, Ints
+from millcorr.readers.measurement import Measurement
 
-from .decoding import beginning
+from .decimal_columns import decimal_words
+from .decoding import beginning, blocks_of
 from .parts import SAME_PLACE, parts_by_place, parts_by_repetition, point_keys, rows_of_part
-from .source import MM_PER_INCH, Source, shown
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
+from .source import LONGEST_LINE, MM_PER_INCH, Source, shown
 
 _WORD = re.compile(r"([XYZIJKN])[ \t]*=?[ \t]*([+-]?)[ \t]*((?:\d+\.?\d*|\.\d+))[ \t,;]*", re.ASCII)
 _CONTROLS = b"\x00\x11\x12\x13\x14\x1a"
@@ -29,6 +27,8 @@ _RECOGNISED = re.compile(
     rb"(?:N[ \t]*\d+\.?[ \t]*)?X[ \t]*=?[ \t]*[+-]?[ \t]*[\d.]+[ \t,;]*Y[ \t]*=?[ \t]*[+-]?[ \t]*[\d.]+[^GMFST]*"
 )
 _LARGEST = 1e9
+_BLOCK = 1 << 16
+"""Characters that are read in one go: a heading costs no more than these."""
 
 
 def recognises(data: bytes) -> bool:
@@ -61,25 +61,21 @@ def read(source: Source) -> Measurement:
         If the caller does not say what the points are, or which of several parts.
     """
     ball = source.ball_radius()
-    values, places, numbers, blocks = array("d"), array("q"), array("d"), array("q")
-    block = 0
-    for line, raw in source.lines(drop=_CONTROLS):
-        text = raw.strip().upper()
-        if not text or _HEADING.fullmatch(text):
-            block += bool(text)
-            continue
-        words = _words(source, line, text)
-        for letter in "XY":
-            if letter not in words:
-                raise source.error(f"{letter} is missing: the line is incomplete", line)
-        values.extend([words.get(c, np.nan) for c in "XYZIJK"])
-        places.append(line)
-        blocks.append(block)
-        numbers.append(words.get("N", np.nan))
-    if not places:
+    printed = _Printed(source)
+    number = 1
+    for piece in blocks_of(source.text(drop=_CONTROLS), _BLOCK):
+        rows = piece.removesuffix("\n").split("\n")
+        if not printed.alike(number, piece):
+            for further, raw in enumerate(rows):
+                if len(raw) > LONGEST_LINE:
+                    raise source.error(f"a line of {len(raw)} characters: no print-out, or damaged", number + further)
+                printed.line(number + further, raw)
+        number += len(rows)
+    if not printed.places:
         raise source.error("no points in the file")
-    table, lines, named = np.array(values).reshape(-1, 6), np.array(places), np.array(numbers)
-    chosen = rows_of_part(source, lines, _parts(source, table, named, np.array(blocks), lines))
+    table, lines = np.frombuffer(printed.values).reshape(-1, 6), np.frombuffer(printed.places, dtype=np.int64)
+    named, blocks = np.frombuffer(printed.numbers), np.frombuffer(printed.blocks, dtype=np.int64)
+    chosen = rows_of_part(source, lines, _parts(source, table, named, blocks, lines))
     table, lines = table[chosen], lines[chosen]
     names = ["" if np.isnan(n) else f"N{n:g}" for n in named[chosen]]
     height, normals = table[:, 2], table[:, 3:]
@@ -96,6 +92,58 @@ def read(source: Source) -> Measurement:
         normals=None if missing.any() else normals, elements=names if any(names) else None, has_z=has_z,
         notes=notes if missing.any() and not missing.all() else (),
     )  # fmt: skip
+
+
+class _Printed:
+    """What was read of a print-out: places, normals, numbers, and the block that headings set apart."""
+
+    def __init__(self, source: Source) -> None:
+        self.source = source
+        self.values = array("d")
+        self.places = array("q")
+        self.numbers = array("d")
+        self.blocks = array("q")
+        self.block = 0
+
+    def alike(self, number: int, lines: str) -> bool:
+        """Take points, the first in line `number`, that all have the same letters; False where they are not so."""
+        words = decimal_words(lines.upper())
+        if words is None:
+            return False
+        width = int(words.first[1])
+        if not width or (np.diff(words.first) != width).any():
+            return False
+        letters, values = words.letters.reshape(-1, width), words.values.reshape(-1, width)
+        names = letters[0].tobytes().decode("ascii")
+        if (letters != letters[0]).any() or len(set(names)) < width or not {"X", "Y"} <= set(names) <= set("XYZIJKN"):
+            return False
+        if (np.abs(values) > _LARGEST).any():
+            return False
+        table = np.full((len(values), 6), np.nan)
+        for k, letter in enumerate("XYZIJK"):
+            if letter in names:
+                table[:, k] = values[:, names.index(letter)]
+        numbers = values[:, names.index("N")] if "N" in names else np.full(len(values), np.nan)
+        self.values.frombytes(table.tobytes())
+        self.places.frombytes((number + np.arange(len(values), dtype=np.int64)).tobytes())
+        self.numbers.frombytes(np.ascontiguousarray(numbers).tobytes())
+        self.blocks.frombytes(np.full(len(values), self.block, dtype=np.int64).tobytes())
+        return True
+
+    def line(self, number: int, raw: str) -> None:
+        """Take one line: a heading or a point."""
+        text = raw.strip().upper()
+        if not text or _HEADING.fullmatch(text):
+            self.block += bool(text)
+            return
+        words = _words(self.source, number, text)
+        for letter in "XY":
+            if letter not in words:
+                raise self.source.error(f"{letter} is missing: the line is incomplete", number)
+        self.values.extend([words.get(c, np.nan) for c in "XYZIJK"])
+        self.places.append(number)
+        self.blocks.append(self.block)
+        self.numbers.append(words.get("N", np.nan))
 
 
 def _words(source: Source, number: int, text: str) -> dict[str, float]:

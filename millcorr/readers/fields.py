@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 
 from .source import shown
 
@@ -17,16 +16,6 @@ _DATE = re.compile(
     r"|[A-Za-zä]{3,4}[ -]\d{1,4}"
 )
 COMMENT = re.compile(r"(?:^|(?<=[\s,;]))(?:#|//)[^\n]*", re.MULTILINE)
-
-
-def lines_of(text: str, begin: int = 0) -> Iterator[str]:
-    """Lines of a text from a place on, without cutting it up as a whole."""
-    while begin <= len(text):
-        end = text.find("\n", begin)
-        if end < 0:
-            end = len(text)
-        yield text[begin:end]
-        begin = end + 1
 
 
 def split(line: str, separator: str | None) -> list[str]:

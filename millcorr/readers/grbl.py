@@ -12,16 +12,15 @@ import re
 from array import array
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.errors import UsageError
-from millcorr.measurement import Measurement
+from millcorr.arrays import Floats
+from millcorr.errors import UsageError, unsaid
+from millcorr.messages import option, remedy
+from millcorr.readers.measurement import Measurement
 
 from .parts import parts_by_place, rows_of_part
 from .source import MM_PER_INCH, Source, shown
 from .touches import remark, slow_touches
-
-Floats = NDArray[np.float64]
 
 _DECIMAL = r"[+-]?(?:\d+\.?\d*|\.\d+)"
 _TUPLE = rf"{_DECIMAL}(?:,{_DECIMAL}){{2,5}}"
@@ -31,6 +30,8 @@ _STORED = re.compile(rf"\[(G5[4-9]|G92|TLO):({_DECIMAL}(?:,{_DECIMAL}){{0,5}})\]
 _MODES = re.compile(r"\[GC:[^\]]*?\b(G5[4-9])\b", re.ASCII)
 _INCHES = re.compile(r"(?:^|\s|>)\$13=([01])\b", re.ASCII)
 _SAME = 1e-3
+_NO_INCHES = 200.0
+"""Machine coordinates beyond this are no inches: 5 m are more than any machine that GRBL drives travels."""
 
 
 def recognises(data: bytes) -> bool:
@@ -81,23 +82,27 @@ class _Log:
 
     def line(self, number: int, line: str) -> None:
         # Logs that lost a line end hold several reports in a line.
-        for begun in re.finditer(r"\[PRB:", line):
-            touch = _PROBE.match(line, begun.start())
+        begun = line.find("[PRB:")
+        while begun >= 0:
+            touch = _PROBE.match(line, begun)
             if touch is None:
-                raise self.source.error(f"{shown(line[begun.start() :])} is damaged: log the touches again", number)
+                raise self.source.error(f"{shown(line[begun:])} is damaged: log the touches again", number)
             self._touch(number, touch)
-        for found in _WORK_OFFSET.finditer(line):
-            offset = _three(found[1])
-            if not self.offsets or offset != self.offsets[-1]:
-                self.offsets.append(offset)
-                self.offset_lines.append(number)
-        for found in _STORED.finditer(line):
-            self.stored[found[1]] = tuple(map(float, found[2].split(",")))
+            begun = line.find("[PRB:", begun + 1)
+        if "WCO:" in line:
+            for found in _WORK_OFFSET.finditer(line):
+                offset = _three(found[1])
+                if not self.offsets or offset != self.offsets[-1]:
+                    self.offsets.append(offset)
+                    self.offset_lines.append(number)
+        if "[G" in line or "[T" in line:
+            for found in _STORED.finditer(line):
+                self.stored[found[1]] = tuple(map(float, found[2].split(",")))
+            modes = _MODES.search(line)
+            if modes:
+                self.active = modes[1]
         self.after_lengths = "[TLO:" in line or (self.after_lengths and not line.strip())
-        modes = _MODES.search(line)
-        if modes:
-            self.active = modes[1]
-        inches = _INCHES.search(line)
+        inches = _INCHES.search(line) if "$13=" in line else None
         if inches:
             self.inches = inches[1] == "1"
 
@@ -132,13 +137,19 @@ class _Log:
 
     def _unit(self) -> str:
         """Unit by ``$13``, else by the decimals, of which GRBL prints three in mm and four in inch."""
-        if self.inches is None and self.decimals == {4} and self.source.units is None:
-            raise UsageError(
-                f"say --units inch or --units mm: {self.source.name} does not hold $13 and gives four decimals, as "
-                "GRBL prints inches, and some builds of it mm"
+        far = bool(self.values) and max(map(abs, self.values)) > _NO_INCHES
+        if self.inches is None and self.decimals == {4} and self.source.units is None and not far:
+            raise unsaid(
+                f"{self.source.name} does not hold $13 and gives four decimals, as GRBL prints inches, and "
+                "some builds of it mm",
+                remedy("units", "inch"),
+                remedy("units", "mm"),
             )
         told = None if self.inches is None else "inch" if self.inches else "mm"
-        return self.source.unit(told, "mm", "three decimals, as GRBL prints mm" if self.decimals == {3} else "")
+        shows = "three decimals, as GRBL prints mm" if self.decimals == {3} else ""
+        if far:
+            shows = "places farther out than such machines go in inches"
+        return self.source.unit(told, "mm", shows)
 
     def _origin(self, factor: float) -> tuple[Floats, str]:
         """Origin of the work frame for every touch, (n, 3) or (3,), in the log's unit, and where it comes from."""
@@ -157,13 +168,14 @@ class _Log:
                 raise source.error(f"the $# report in the log does not hold the active {self.active}")
             known, text = np.array(work[:3]) + np.array(g92) + np.array(lengths), f"{self.active} of the log"
         elif given is None:
-            raise UsageError(
-                f"say --work-offset X Y Z: {source.name} is in the machine frame and does not hold the work offset"
+            raise unsaid(
+                f"{source.name} is in the machine frame and does not hold the work offset",
+                option("work_offset", of="X Y Z"),
             )
         else:
             return np.array(given) / factor, "machine frame, work offset as given"
         if given is not None and (np.abs(known * factor - np.array(given)) > _SAME).any():
-            raise UsageError(f"--work-offset contradicts {source.name}, which holds {text}: leave it out")
+            raise UsageError(option("work_offset"), f" contradicts {source.name}, which holds {text}: leave it out")
         return known, f"machine frame, work offset by {text}"
 
 

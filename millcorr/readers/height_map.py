@@ -13,16 +13,15 @@ from array import array
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.measurement import Measurement
+from millcorr.arrays import Floats
+from millcorr.readers.measurement import Measurement
 
+from .decimal_columns import decimal_columns
 from .decoding import beginning
 from .fields import NUMBER
 from .source import Source, shown
 from .xml_events import parse
-
-Floats = NDArray[np.float64]
 
 NOTE = "a height map, touched along Z: it shows the height of a surface and nothing of a contour"
 
@@ -101,6 +100,9 @@ def _counts(source: Source, numbers: Sequence[float], line: int) -> tuple[int, i
 
 def _rows(source: Source) -> tuple[Floats, Sequence[int], int]:
     """Points (n, 3), their lines, and how many places bCNC's head announces."""
+    whole = decimal_columns(source.text(), None, 3, (0, 1, 2))
+    if whole is not None and not (np.abs(whole[0]) >= _LARGEST).any():
+        return _on_grid(source, whole[0], whole[1].tolist())
     values, lines = array("d"), array("q")
     for number, line in source.lines():
         fields = line.split()
@@ -110,7 +112,11 @@ def _rows(source: Source) -> tuple[Floats, Sequence[int], int]:
             raise source.error(f"{len(fields)} numbers where a height map has three in a line", number)
         values.extend([_number(source, field, number) for field in fields])
         lines.append(number)
-    table = np.array(values).reshape(-1, 3)
+    return _on_grid(source, np.array(values).reshape(-1, 3), lines)
+
+
+def _on_grid(source: Source, table: Floats, lines: Sequence[int]) -> tuple[Floats, Sequence[int], int]:
+    """Points, lines and places of a map whose numbers, (n, 3), have been read."""
     if len(table) < 3:
         raise source.error("a height map begins with three lines: x and y from, to and how many, and z")
     (left, right, _), (low, high, _) = table[:2].tolist()

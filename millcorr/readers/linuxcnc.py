@@ -12,7 +12,7 @@ import re
 
 import numpy as np
 
-from millcorr.measurement import Measurement
+from millcorr.readers.measurement import Measurement
 
 from .decoding import beginning
 from .parts import parts_by_place, rows_of_part

@@ -10,20 +10,17 @@ from dataclasses import dataclass, replace
 from difflib import get_close_matches
 
 import numpy as np
-from numpy.typing import NDArray
 
+from millcorr.arrays import Floats, Ints
 from millcorr.errors import FormatError
-from millcorr.measurement import Basis, Measurement
+from millcorr.readers.measurement import Basis, Measurement
 
-from .decimal_columns import decimal_columns
-from .decoding import decode
-from .fields import COMMA_NUMBER, NUMBER, lines_of, mixed_marks, split, why_no_number
-from .mapping import DECIMALS, SEPARATORS, TextMapping
+from .decimal_columns import decimal_tables
+from .decoding import decode, lines_of
+from .fields import COMMA_NUMBER, NUMBER, mixed_marks, split, why_no_number
+from .mapping import DECIMALS, PLANES, SEPARATORS, TextMapping, axes_of
 from .source import Source, shown, unit_vectors
 from .truncation import check_last_number
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 _HEADER_DEPTH = 1000
 _LINE_LIMIT = 20_000
@@ -79,7 +76,7 @@ def read(source: Source, mapping: TextMapping) -> Measurement:
     # A radius in the mapping is of use only if the points are no contact points.
     ball_radius = told.ball_radius(radius=mapping.probe_radius if kind == "centre" else None)
     axis_radii = told.axis_radii(mapping.probe_radius) if kind == "axis" else None
-    unit = told.unit(mapping.units)
+    unit = told.unit("mm" if mapping.factor is not None else mapping.units)
     by_mapping = Basis("said", told.name)
     source.bases.update({key: by_mapping for key, basis in source.bases.items() if basis.how == "stated"})
     if mapping.points is not None:
@@ -93,9 +90,12 @@ def read(source: Source, mapping: TextMapping) -> Measurement:
     column = dict(zip([c for c in table.columns if c not in _TEXTS], values.T, strict=True))
 
     def vectors(*keys: str) -> Floats | None:
-        if keys[0] not in column:
+        if not column.keys() & set(keys):
             return None
-        return np.column_stack([column.get(key, np.zeros(len(values))) for key in keys])
+        order = [keys["xyz".index(axis)] for axis in axes_of(mapping.plane)]
+        found = np.column_stack([column.get(key, np.zeros(len(values))) for key in order])
+        found[:, 2] *= PLANES[mapping.plane]
+        return found
 
     points = vectors("x", "y", "z")
     travel = vectors("travel_x", "travel_y", "travel_z")
@@ -103,15 +103,20 @@ def read(source: Source, mapping: TextMapping) -> Measurement:
     if travel is not None:
         travel = unit_vectors(travel, lines, source.name, "direction of travel")
     elif rows.travel:
-        travel = np.array(rows.travel)
+        travel = np.array(rows.travel)[:, ["xyz".index(axis) for axis in axes_of(mapping.plane)]]
+        travel[:, 2] *= PLANES[mapping.plane]
     measurement = source.measurement(
         "mapped", points, lines, ball_radius=ball_radius, unit=unit,
         normals=vectors("i", "j", "k"),
         nominal=vectors("nominal_x", "nominal_y", "nominal_z"),
         stated=column["deviation"].copy() if "deviation" in column else None,
         elements=names,
-        has_z="z" in column,
-        notes=[f"columns by {mapping.source or 'a mapping'}" + (f" ({mapping.name})" if mapping.name else "")],
+        has_z=axes_of(mapping.plane)[2] in column,
+        factor=mapping.factor,
+        notes=[
+            f"columns by {mapping.source or 'a mapping'}" + (f" ({mapping.name})" if mapping.name else ""),
+            *([f"converted from a unit of {mapping.factor:g} mm"] if mapping.factor is not None else []),
+        ],
     )  # fmt: skip
     return measurement if axis_radii is None else replace(measurement, axis_radii=axis_radii, travel=travel)
 
@@ -207,9 +212,9 @@ def _split(line: str, separator: str | None) -> list[str]:
     return [f.strip() for f in row if separator is not None or f.strip()]
 
 
-def _read_whole(text: str, table: _Table, mapping: TextMapping) -> tuple[Floats, Ints, None] | None:
-    """Rows in one go where there are only numbers to take; None where there is more to it."""
-    if mapping.only or mapping.end or mapping.decimal == "comma" or _TEXTS & table.columns.keys() or '"' in text:
+def _read_whole(text: str, table: _Table, mapping: TextMapping) -> tuple[Floats, Ints, list[str] | None] | None:
+    """Rows in one go where all wanted cells but names are numbers; None where there is more to it."""
+    if mapping.only or mapping.end or "travel" in table.columns or '"' in text:
         return None
     if any(mark in text for mark in mapping.comments):
         return None
@@ -222,10 +227,21 @@ def _read_whole(text: str, table: _Table, mapping: TextMapping) -> tuple[Floats,
     width = table.width
     if width is None:
         width = len(_split(next(lines_of(text, begin)), separator))
-    if max(table.columns.values()) >= width:
+    if max(table.columns.values()) >= width or (mapping.decimal == "comma" and separator == ","):
         return None
-    found = decimal_columns(text, separator, width, list(table.columns.values()), begin=begin, first=table.first + 1)
-    return None if found is None else (*found, None)
+    columns = [place for column, place in table.columns.items() if column not in _TEXTS]
+    found = decimal_tables(
+        text, separator, width, [columns], begin=begin, first=table.first + 1, mark=DECIMALS[mapping.decimal]
+    )
+    if found is None:
+        return None
+    (values,), lines = found
+    if "id" not in table.columns:
+        return values, lines, None
+    place = table.columns["id"]
+    rows = (line.split(separator, place + 1) for line in lines_of(text, begin) if line.strip())
+    # Rows are as wide as the header: the table has been read.
+    return values, lines, [row[place].strip() for row in rows]
 
 
 class _Rows:

@@ -14,7 +14,8 @@ from typing import Any
 from millcorr.errors import FormatError
 from millcorr.whole_file import write_whole
 
-from .source import KINDS, LARGEST_BALL, shown
+from .reading import KINDS
+from .source import LARGEST_BALL, shown
 from .toml_table import toml_table
 
 COLUMNS = ("x", "y", "z", "i", "j", "k", "nominal_x", "nominal_y", "nominal_z", "deviation", "id")
@@ -27,6 +28,9 @@ SEPARATORS = {"comma": ",", "semicolon": ";", "tab": "\t", "blank": None}
 """Separators by name; any other single character that is no part of a number can be given itself."""
 
 DECIMALS = {"point": ".", "comma": ","}
+
+PLANES = {"xy": 1.0, "yz": 1.0, "zx": 1.0, "xz": -1.0, "zy": -1.0, "yx": -1.0}
+"""Sign of the third axis behind the two of the contour, by the names of these two."""
 
 _LAST_LINE = 1_000_000
 _LAST_COLUMN = 10_000
@@ -57,6 +61,11 @@ class TextMapping:
         Python's name of the encoding, where it is not UTF-8, UTF-16 or Windows-1252.
     units : {"mm", "inch"}, optional
         Unit of coordinates and deviations.
+    factor : float, optional
+        Millimetres in the unit of coordinates and deviations, where that is another: 0.001 for micrometres.
+    plane : {"xy", "xz", "yx", "yz", "zx", "zy"}
+        Columns of the file that are the contour's X and Y; the third becomes its Z, of the sign that keeps the frame
+        right-handed. Contour instruments measure in "xz".
     points : {"contact", "centre", "axis"}, optional
         What the coordinates are.
     probe_radius : float, optional
@@ -78,6 +87,8 @@ class TextMapping:
     comments: tuple[str, ...] = ("#", "//")
     encoding: str | None = None
     units: str | None = None
+    factor: float | None = None
+    plane: str = "xy"
     points: str | None = None
     probe_radius: float | None = None
     only: dict[str, tuple[str, ...]] = field(default_factory=dict)
@@ -126,6 +137,11 @@ def _in_toml(value: object) -> str:
     return repr(value)
 
 
+def axes_of(plane: str) -> str:
+    """Names of the file's axes that are the contour's X, Y and Z."""
+    return plane + next(axis for axis in "xyz" if axis not in plane)
+
+
 def _quoted(text: str) -> str:
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
 
@@ -138,6 +154,8 @@ def _from_table(table: dict[str, Any], name: str) -> TextMapping:
         values["comments"] = tuple(values["comments"])
     if isinstance(values.get("probe_radius"), int) and not isinstance(values["probe_radius"], bool):
         values["probe_radius"] = float(min(values["probe_radius"], 10**9))
+    if isinstance(values.get("factor"), int) and not isinstance(values["factor"], bool):
+        values["factor"] = float(min(values["factor"], 10**9))
     if isinstance(values.get("only"), dict):
         values["only"] = {key: _texts(value) for key, value in values["only"].items()}
     return TextMapping(**values, source=name)
@@ -190,6 +208,11 @@ _CHECKS: dict[str, tuple[Callable[[object], bool], str]] = {
     ),
     "encoding": (lambda v: v is None or _is_encoding(v), "the name of an encoding of text"),
     "units": (lambda v: v is None or v in ("mm", "inch"), "mm or inch"),
+    "factor": (
+        lambda v: v is None or (isinstance(v, float) and 1e-9 <= v <= 1e3),
+        "the millimetres in the unit of the file, such as 0.001",
+    ),
+    "plane": (lambda v: v in PLANES, f"one of {', '.join(PLANES)}"),
     "points": (lambda v: v is None or v in KINDS, "contact or centre, or axis"),
     "probe_radius": (
         lambda v: v is None or (isinstance(v, float) and math.isfinite(v) and 0 < v <= LARGEST_BALL),
@@ -232,12 +255,16 @@ def _check_together(mapping: TextMapping) -> None:
         ("nominal_x", "nominal_y", "nominal_z"),
         TRAVEL_COLUMNS[1:],
     )
-    for first, second, third in groups:
+    for group in groups:
+        first, second, third = (group["xyz".index(axis)] for axis in axes_of(mapping.plane))
         there = {first, second, third} & columns.keys()
-        if (there or first == "x") and not {first, second} <= there:
+        if (there or group[0] == "x") and not {first, second} <= there:
             refuse(f"columns: {first if first not in there else second} is missing")
-    if "nominal_x" in columns and ("nominal_z" in columns) != ("z" in columns):
-        refuse("columns: z and nominal_z go together")
+    height = axes_of(mapping.plane)[2]
+    if any(c.startswith("nominal_") for c in columns) and (f"nominal_{height}" in columns) != (height in columns):
+        refuse(f"columns: {height} and nominal_{height} go together")
+    if mapping.factor is not None and mapping.units is not None:
+        refuse("units and factor say the same twice")
     if columns.keys() & TRAVEL_COLUMNS and mapping.points in ("contact", "centre"):
         refuse("columns: directions of travel are for points = 'axis'")
     if {"travel", "travel_x"} <= columns.keys():

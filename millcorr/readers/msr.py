@@ -15,16 +15,15 @@ import re
 from array import array
 
 import numpy as np
-from numpy.typing import NDArray
 
+from millcorr.arrays import Bools, Floats
 from millcorr.errors import FormatError
-from millcorr.measurement import Measurement
+from millcorr.readers.measurement import Measurement
 
-from .decoding import beginning
+from .decimal_columns import decimal_words
+from .decoding import beginning, blocks_of
 from .parts import parts_by_repetition, point_keys, rows_of_part
-from .source import MM_PER_INCH, Source, shown
-
-Floats = NDArray[np.float64]
+from .source import LONGEST_LINE, MM_PER_INCH, Source, shown
 
 _RECOGNISED = re.compile(rb"(?:^|[\r\n\x00])[ \t]*(?:START[ \t]*[\r\n]|G80[01][ \t]*N[ \t]*\d)", re.IGNORECASE)
 _WORD = re.compile(r"([A-Z])[ \t]*([+-]?(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?)[ \t]*", re.ASCII)
@@ -33,14 +32,14 @@ _REMARK = re.compile(r"[A-Z]{4,}(?![A-Z])|-{3,}$|ANG\s|\+{3,}[A-Z ]+\+{3,}", re.
 _FEATURE = re.compile(r"COMPONENT\s+NO\b")
 _CYCLES = re.compile(rb"(?:^|[\r\n])[ \t]*COMPONENT[ \t]+NO\b", re.IGNORECASE)
 _POINT = re.compile(rb"(?:^|[\r\n\x00])[ \t]*G[ \t]*80[01][ \t]*N", re.IGNORECASE)
-_HEAD = re.compile(
-    rb"\s*START[ \t]*[\r\n]+[ \t]*(?:RESULTSFILE|DOCUMENTID|MODELVERSION|TOOLPATH|END\b)", re.IGNORECASE
-)
+_HEAD = re.compile(rb"\s*START[ \t]*[\r\n]+[ \t]*(?:RESULTSFILE|DOCUMENTID|MODELVERSION|TOOLPATH|END\b)", re.IGNORECASE)
 _COMMENT = re.compile(r";.*|\([^()]*\)")
 _CONTROLS = b"\x00\x11\x12\x13\x14\x1a"
 """What serial lines put around a print-out: device controls, fill bytes, end of file."""
 
 _LARGEST = 1e9
+_BLOCK = 1 << 16
+"""Characters that are read in one go: a line that is none of a pair costs no more than these."""
 _SAME_NOMINAL = 1e-5
 """Nominals no farther apart than this, in the file's unit, are one: they were printed alike."""
 _MEANINGS = {
@@ -88,8 +87,17 @@ def read(source: Source) -> Measurement:
     """
     _refuse_foreign_bytes(source)
     reading = _Reading(source)
-    for number, raw in source.lines(drop=_CONTROLS):
-        reading.line(number, raw)
+    number = 1
+    for block in blocks_of(source.text(drop=_CONTROLS), _BLOCK):
+        lines = block.removesuffix("\n").split("\n")
+        # The block may begin or end between the two lines of a point.
+        begin = 0 if reading.waiting is None else 1
+        end = len(lines) - (len(lines) - begin) % 2
+        reading.each(number, lines[:begin])
+        if not reading.pairs(number + begin, lines[begin:end]):
+            reading.each(number + begin, lines[begin:end])
+        reading.each(number + end, lines[end:])
+        number += len(lines)
     return reading.measurement()
 
 
@@ -120,6 +128,46 @@ class _Reading:
         self.ended = False
         self.starts: list[int] = []
         """Points read before each START or END."""
+
+    def each(self, number: int, lines: list[str]) -> None:
+        """Take lines one by one, the first of them being line `number`."""
+        for further, raw in enumerate(lines):
+            if len(raw) > LONGEST_LINE:
+                raise self._error(f"a line of {len(raw)} characters: no MSR file, or damaged", number + further)
+            self.line(number + further, raw)
+
+    def pairs(self, number: int, lines: list[str]) -> bool:
+        """Take lines that are nothing but pairs of G800 and G801 with the same letters; False where they are not."""
+        words = decimal_words("\n".join(lines).upper()) if self.waiting is None and lines else None
+        if words is None:
+            return False
+        counts = np.diff(words.first)
+        nominal, measured = int(counts[0]), int(counts[1])
+        if (counts[::2] != nominal).any() or (counts[1::2] != measured).any():
+            return False
+        whole = nominal + measured
+        letters, values = words.letters.reshape(-1, whole), words.values.reshape(-1, whole)
+        if (letters != letters[0]).any() or (words.digits.reshape(-1, whole)[:, [0, nominal]] != 3).any():
+            return False
+        names = letters[0].tobytes().decode("ascii")
+        own, touched = names[1:nominal], names[nominal + 1 :]
+        if names[0] + names[nominal] != "GG" or (values[:, [0, nominal]] != (800, 801)).any():
+            return False
+        if any(len(set(row)) < len(row) for row in (own, touched)) or not set("NXYZIJK") <= set(own):
+            return False
+        if not set("NXYZR") <= set(touched) or (np.abs(values) > _LARGEST).any():
+            return False
+        places = [1 + own.index(c) for c in "XYZIJK"] + [nominal + 1 + touched.index(c) for c in "XYZR"]
+        numbers, again = values[:, 1 + own.index("N")], values[:, nominal + 1 + touched.index("N")]
+        rows = values[:, places]
+        if (numbers != again).any() or (numbers < 0).any() or (numbers % 1 != 0).any() or (rows[:, 9] < 0).any():
+            return False
+        if "O" in own:
+            self.offsets += int(np.count_nonzero(values[:, 1 + own.index("O")]))
+        self.values.frombytes(np.ascontiguousarray(rows).tobytes())
+        self.numbers.frombytes(numbers.astype(np.int64).tobytes())
+        self.lines.frombytes((number + 1 + 2 * np.arange(len(rows), dtype=np.int64)).tobytes())
+        return True
 
     def line(self, number: int, raw: str) -> None:
         text = _COMMENT.sub("", raw).strip().upper() if ";" in raw or "(" in raw else raw.strip().upper()
@@ -224,7 +272,7 @@ class _Reading:
         if self.waiting is not None:
             line, index, _ = self.waiting
             raise self._error(f"G801 of point {index} is missing: the file was cut off after this line", line)
-        values = np.array(self.values, dtype=np.float64).reshape(-1, 10)
+        values = np.frombuffer(self.values, dtype=np.float64).reshape(-1, 10)
         unit = source.unit(None)
         nominal, normals, points, radii = values[:, :3], values[:, 3:6], values[:, 6:9], values[:, 9]
         if unit == "inch":
@@ -250,7 +298,7 @@ class _Reading:
             elements=[f"N{n}" for n in np.array(self.numbers)[chosen]], notes=notes,
         )  # fmt: skip
 
-    def _chosen(self, nominal: Floats) -> NDArray[np.bool_]:
+    def _chosen(self, nominal: Floats) -> Bools:
         """Points of the part that the caller wants: a part ends where its points begin again in another block."""
         lines, numbers = np.array(self.lines, dtype=np.int64), np.array(self.numbers, dtype=np.int64)
         blocks = np.searchsorted(np.array(self.starts, dtype=np.int64), np.arange(len(lines)), side="right")

@@ -7,14 +7,12 @@ from collections.abc import Sequence
 from itertools import groupby
 
 import numpy as np
-from numpy.typing import NDArray
 
+from millcorr.arrays import Bools, Floats, Ints
 from millcorr.errors import UsageError
+from millcorr.messages import option
 
 from .source import Source
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 SAME_PLACE = 0.5
 """Two touches of one point on two parts lie no farther apart than this, in mm: errors of parts are smaller."""
@@ -45,14 +43,16 @@ def chosen_part(source: Source, titles: Sequence[str]) -> int:
             told.append(f"{begin}: {title}" if begin == end else f"{begin} to {end}: {title}")
             begin = end + 1
         some = "; ".join([*told[:_SHOWN], *(["..."] if len(told) > _SHOWN else [])])
-        raise UsageError(f"{source.name} holds {total} measured parts ({some}): say which with --part N")
+        raise UsageError(
+            f"{source.name} holds {total} measured parts ({some}): say which with ", option("part", of="N")
+        )
     if number is not None and not 1 <= number <= total:
         holds = "one measured part" if total == 1 else f"{total} measured parts, counted from 1"
-        raise UsageError(f"--part {number}: {source.name} holds {holds}")
+        raise UsageError(option("part", number), f": {source.name} holds {holds}")
     return (number or 1) - 1
 
 
-def rows_of_part(source: Source, lines: Ints, part_of: Ints) -> NDArray[np.bool_]:
+def rows_of_part(source: Source, lines: Ints, part_of: Ints) -> Bools:
     """Rows (n,) of the measured part that the caller wants.
 
     Parameters
@@ -68,7 +68,7 @@ def rows_of_part(source: Source, lines: Ints, part_of: Ints) -> NDArray[np.bool_
     """
     begins = np.flatnonzero(np.diff(part_of, prepend=-1))
     titles = [titled(piece) for piece in np.split(lines, begins[1:])]
-    wanted: NDArray[np.bool_] = part_of == chosen_part(source, titles)
+    wanted: Bools = part_of == chosen_part(source, titles)
     return wanted
 
 
@@ -90,13 +90,14 @@ def point_keys(numbers: Ints | Floats, places: Floats, reach: float) -> Ints:
     reach : float
         Places no farther apart than this, in their unit, are the same.
     """
+    found, group = np.unique(numbers, return_inverse=True)
+    if len(found) == len(numbers) or not np.isfinite(places).all():
+        return np.asarray(group, dtype=np.int64)
+    # Imported where there is need of it: it takes longer than reading.
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
     from scipy.spatial import KDTree
 
-    found, group = np.unique(numbers, return_inverse=True)
-    if len(found) == len(numbers) or not np.isfinite(places).all():
-        return np.asarray(group, dtype=np.int64)
     # A fourth direction keeps points of different numbers apart.
     tree = KDTree(np.column_stack([places / reach, 10.0 * group]))
     pairs = tree.query_pairs(1.0, output_type="ndarray")

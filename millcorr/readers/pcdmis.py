@@ -16,7 +16,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from millcorr.measurement import Measurement
+from millcorr.readers.measurement import Measurement
 
 from .parts import chosen_part, titled
 from .source import Source, shown

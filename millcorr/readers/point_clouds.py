@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Point clouds of scanners: PLY, PCD and E57, each through the library that is kept for it.
+"""Point clouds of scanners and topographies: PLY, PCD, E57 and X3P, each through the library that is kept for it.
 
 The libraries are optional and imported when a file of theirs is read. None of the formats says whether its points are
 contact points; a scanner's are, a probe's need not be.
@@ -20,18 +20,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from millcorr.arrays import Floats
 from millcorr.errors import FormatError, UsageError
-from millcorr.measurement import Measurement
+from millcorr.readers.measurement import Measurement
 
 from .source import FARTHEST, Source, shown
-
-Floats = NDArray[np.float64]
+from .workbook import refuse_dangerous
 
 MM_PER_METRE = 1000.0
 
 _PLY = re.compile(rb"ply[ \t]*[\r\n]")
 _PCD = re.compile(rb"(?:[ \t]*(?:#[^\n]*)?\n)*[ \t]*VERSION[ \t]+[.\d]+\s*\n", re.ASCII)
 _E57 = re.compile(rb"ASTM-E57")
+_X3P = re.compile(rb"PK\x03\x04.*main\.xml", re.DOTALL)
 _PLY_ELEMENT = re.compile(rb"^element[ \t]+\S+[ \t]+(\d+)", re.MULTILINE)
 _PCD_KEY = re.compile(rb"^[ \t]*(SIZE|COUNT|POINTS|WIDTH|HEIGHT|DATA)[ \t]+([^\r\n]*)\r?\n", re.MULTILINE)
 
@@ -76,8 +77,8 @@ class PointCloud:
     metres: bool = False
 
     def recognises(self, data: bytes) -> bool:
-        """Whether a file begins as this format does."""
-        return self.magic.match(data[:65536]) is not None
+        """Whether a file begins as this format does; a container lists at its end what is in it."""
+        return self.magic.match(data[:65536] + data[-65536:]) is not None
 
     def read(self, source: Source) -> Measurement:
         """Points of the file, in its order.
@@ -265,6 +266,20 @@ def _e57_step(pye57: Any, header: Any, points: Floats) -> float:
     return 0.0
 
 
+def _load_x3p(x3pio: Any, source: Source) -> _Points:
+    refuse_dangerous(source.data, source.name, "X3P file")
+    file = x3pio.read(io.BytesIO(source.data))
+    parts = [np.asarray(layer.points(), dtype=np.float64).reshape(-1, 3) for layer in file.layers]
+    points = np.concatenate(parts) if parts else np.zeros((0, 3))
+    notes = [f"{len(parts)} layers put together"] if len(parts) > 1 else []
+    if isinstance(file, x3pio.Profile):
+        # The contour lies in the plane of the profile; x, z, -y keeps the frame right-handed.
+        points = points[:, [0, 2, 1]] * [1.0, 1.0, -1.0]
+        notes.append("a profile: its X and Z are the contour's X and Y")
+    return _Points(points, None, 0.0, tuple(notes))
+
+
 PLY = PointCloud("ply", "plyfile", _PLY, _load_ply)
 PCD = PointCloud("pcd", "pypcd4", _PCD, _load_pcd)
 E57 = PointCloud("e57", "pye57", _E57, _load_e57, metres=True)
+X3P = PointCloud("x3p", "x3pio", _X3P, _load_x3p, metres=True)

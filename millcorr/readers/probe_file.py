@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from millcorr.errors import FormatError, InputError
-from millcorr.measurement import INTERPOLATIONS, Probe
+from millcorr.errors import FormatError
+from millcorr.readers.measurement import INTERPOLATIONS, Probe
 
 from .source import LARGEST_BALL, shown
 from .toml_table import toml_table
@@ -48,18 +48,15 @@ def load(path: str | Path) -> Probe:
     if interpolation not in INTERPOLATIONS:
         wanted = " or ".join(INTERPOLATIONS)
         raise FormatError(f"interpolation is {wanted}, not {shown(repr(interpolation))}", path)
-    try:
-        return Probe(
-            float(radius),
-            None if directions is None else np.radians(directions),
-            radii,
-            interpolation,
-            (0.0, 0.0) if offset is None else (float(offset[0]), float(offset[1])),
-            None if control is None else (float(control.flat[0]), float(control.flat[-1])),
-            str(path),
-        )
-    except InputError as error:
-        raise FormatError(str(error).removeprefix(f"{path}: "), path) from error
+    return Probe(
+        float(radius),
+        None if directions is None else np.radians(directions),
+        radii,
+        interpolation,
+        (0.0, 0.0) if offset is None else (float(offset[0]), float(offset[1])),
+        None if control is None else (float(control.flat[0]), float(control.flat[-1])),
+        str(path),
+    )
 
 
 def _numbers(

@@ -11,16 +11,13 @@ from __future__ import annotations
 import re
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.measurement import Measurement
+from millcorr.arrays import Floats, Ints
+from millcorr.readers.measurement import Measurement
 
 from .decoding import beginning
 from .fields import NUMBER
 from .source import Source, shown
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 _WIDTHS = (3, 4, 6, 7)
 _POSE = 8

@@ -12,16 +12,14 @@ import sys
 from array import array
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.measurement import Measurement
+from millcorr.arrays import Floats, Ints
+from millcorr.readers.measurement import Measurement
 
-from .fields import NUMBER, lines_of, why_no_number
+from .decoding import lines_of
+from .fields import NUMBER, why_no_number
 from .parts import chosen_part
 from .source import Source, shown
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 _RECOGNISED = re.compile(rb"(?:^|[\r\n])[ \t]*K0100(?:/\d+)?[ \t]+\d+[ \t]*[\r\n]")
 _FIELD = re.compile(r"K(\d{4})(?:/(\d{1,6}))?(?:/\d{1,6})?(?:[ \t]+(.*))?", re.ASCII)

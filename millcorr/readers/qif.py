@@ -10,17 +10,16 @@ and only where the file has no point, curve or surface features of its own.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.errors import UsageError
-from millcorr.measurement import Basis, Measurement
+from millcorr.arrays import Bools, Floats, Ints
+from millcorr.errors import UsageError, unsaid
+from millcorr.messages import message, option, remedy
+from millcorr.readers.measurement import Basis, Measurement
 
 from .parts import chosen_part
 from .qif_document import POINTS, Document, Feature, PointSet, Reference
 from .source import MM_PER_INCH, Source, shown
 from .xml_events import parse
-
-Floats = NDArray[np.float64]
 
 STATED_TOLERANCE = 1e-6
 """A stored profile value this near, in mm, shows what a location is."""
@@ -139,7 +138,11 @@ class _Joined:
         if primary:
             return factors, float(f"{primary[0].factor * 1000:.12g}")
         if self.source.units is None:
-            raise UsageError(f"say --units mm or --units inch: {self.source.name} names no unit of length")
+            raise unsaid(
+                f"{self.source.name} names no unit of length",
+                remedy("units", "mm"),
+                remedy("units", "inch"),
+            )
         return factors, MM_PER_INCH if self.source.units == "inch" else 1.0
 
     def _factor(self, unit: str, line: int) -> float:
@@ -172,7 +175,7 @@ class _Joined:
         if said is None:
             self.notes.append(f"converted from a unit of {self.factor:g} mm")
         if not any(u.primary for u in document.units):
-            source.bases["unit"] = Basis("said", "--units")
+            source.bases["unit"] = Basis("said", message(option("units")))
         ball = self._ball(radii)
         if not (radii == _UNKNOWN).any():
             basis = Basis("inferred", self.inferred) if self.inferred else Basis("stated")
@@ -188,7 +191,7 @@ class _Joined:
     def _own_sets(self, features: list[Feature]) -> list[PointSet]:
         """Sets of curve and surface features; all sets where there are neither these nor point features."""
         document = self.document
-        wanted: dict[str, NDArray[np.bool_]] = {}
+        wanted: dict[str, Bools] = {}
         for m in document.measured.values():
             for of in m.sets if m.kind in _CURVES else ():
                 if of.id in document.sets:
@@ -208,7 +211,7 @@ class _Joined:
             self.notes.append(f"points left out: {left}")
         return chosen
 
-    def _of_features(self, features: list[Feature]) -> tuple[tuple[Floats, ...], NDArray[np.int64], list[str]]:
+    def _of_features(self, features: list[Feature]) -> tuple[tuple[Floats, ...], Ints, list[str]]:
         document = self.document
         n = len(features)
         points, nominal, normals = np.full((n, 3), np.nan), np.full((n, 3), np.nan), np.full((n, 3), np.nan)
@@ -331,7 +334,7 @@ class _Joined:
         if worst > 1e-4:
             self.notes.append(f"stored profile values differ from (P - N) . n - r by up to {worst:.4f} mm")
 
-    def _of_set(self, s: PointSet) -> tuple[tuple[Floats, ...], NDArray[np.int64], list[str]]:
+    def _of_set(self, s: PointSet) -> tuple[tuple[Floats, ...], Ints, list[str]]:
         assert s.points is not None
         nothing = np.full((s.count, 3), np.nan)
         normals = nothing if s.normals is None else s.normals
@@ -349,11 +352,15 @@ class _Joined:
         if source.points == "axis" and not unknown.all():
             source.ball_radius(centres=not contact.all())
         if len(stated) and (contact.any() or unknown.any()) and source.points == "contact":
-            raise UsageError(f"--points contact contradicts {source.name}: {len(stated)} points are ball centres")
+            raise UsageError(
+                option("points", "contact"), f" contradicts {source.name}: {len(stated)} points are ball centres"
+            )
         if contact.all():
             return source.ball_radius(centres=False)
         if contact.any() and source.points == "centre" and not unknown.any():
-            raise UsageError(f"--points centre contradicts {source.name}: {int(contact.sum())} are contact points")
+            raise UsageError(
+                option("points", "centre"), f" contradicts {source.name}: {int(contact.sum())} are contact points"
+            )
         out = radii.copy()
         if unknown.any():
             out[unknown] = source.ball_radius()

@@ -8,15 +8,15 @@ import binascii
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from typing import NoReturn
 
 import numpy as np
-from numpy.typing import NDArray
+
+from millcorr.arrays import Bools, Floats, Ints
 
 from .fields import NUMBER
 from .source import Source, shown
-
-Floats = NDArray[np.float64]
 
 POINTS = frozenset({"Point", "EdgePoint"})
 """Kinds of features whose location is a point that was measured."""
@@ -93,10 +93,10 @@ class PointSet:
     radius: Floats | None = None
     unit: str = ""
     result: int = -1
-    lines: NDArray[np.int64] | None = None
+    lines: Ints | None = None
     """Line of each point where it has one of its own."""
 
-    def only(self, rows: slice | NDArray[np.bool_]) -> PointSet:
+    def only(self, rows: slice | Bools) -> PointSet:
         """Some points of the set."""
         assert self.points is not None
 
@@ -188,11 +188,11 @@ class Document:
             if path[-2] == "MeasurePoint":
                 self._touch_field(record, record.touches[-1], name, content, line)
             elif name in ("Location", "Normal"):
-                x, y, z = self._numbers(content, record.id, line, 3).tolist()
+                vector = self._three(content, record.id, line)
                 if name == "Location":
-                    record.location = (x, y, z)
+                    record.location = vector
                 else:
-                    record.normal = (x, y, z)
+                    record.normal = vector
             elif name == "FeatureName":
                 record.name = content.strip()
             elif name.endswith("PointSetId"):
@@ -218,7 +218,7 @@ class Document:
             return
         record, self.record = self.record, None
         if isinstance(record, Feature):
-            role = _FEATURE.fullmatch(path[-1])
+            role = _role(path[-1])
             assert role is not None
             group = {"Nominal": self.nominals, "Item": self.items}.get(role[2], self.measured)
             self._once(record.id, group, record.line)
@@ -238,7 +238,7 @@ class Document:
         self, path: Sequence[str], attributes: dict[str, str], line: int
     ) -> Feature | PointSet | ProfileValue | Unit | None:
         name = path[-1]
-        found = _FEATURE.fullmatch(name)
+        found = _role(name)
         if found and found[1] and (found[1] in POINTS or found[2] in ("Measurement", "Actual")):
             return Feature(found[1], self._id(name, attributes, line), line, result=self._result(path))
         if name == "MeasuredPointSet":
@@ -281,11 +281,11 @@ class Document:
         elif name == "ProbeRadius":
             touch.radius = float(self._numbers(content, record.id, line, 1)[0])
         else:
-            x, y, z = self._numbers(content, record.id, line, 3).tolist()
+            vector = self._three(content, record.id, line)
             if name == "Point":
-                touch.point = (x, y, z)
+                touch.point = vector
             else:
-                touch.normal = (x, y, z)
+                touch.normal = vector
 
     def _add_touches(self, record: Feature) -> None:
         """Put the touches that stand in a feature among the point sets, and refer to them."""
@@ -363,12 +363,9 @@ class Document:
     def _numbers(self, text: str, label: str, line: int, count: int) -> Floats:
         """Exactly `count` numbers; long lists by the block, for the memory's sake."""
         owner = f"element {label}: " if label else ""
-        words = text.split() if count <= 3 else []
-        if len(words) == count and all(map(_is_number, words)):
-            # Many documents hold nothing but single points.
-            few = list(map(float, words))
-            if max(map(abs, few)) <= _LARGEST:
-                return np.array(few)
+        few = self._few(text, count) if count <= 3 else None
+        if few is not None:
+            return np.array(few)
         blocks = []
         position = 0
         while position < len(text):
@@ -391,6 +388,20 @@ class Document:
         self._refuse_absurd(numbers, owner, line)
         return numbers
 
+    def _few(self, text: str, count: int) -> list[float] | None:
+        """So few numbers that most documents hold nothing else; None where they are not so many, or are none."""
+        if text.translate(_NUMBER_CHARACTERS):
+            return None
+        try:
+            numbers = list(map(float, text.split()))
+        except ValueError:
+            return None
+        return numbers if len(numbers) == count and max(map(abs, numbers)) <= _LARGEST else None
+
+    def _three(self, text: str, label: str, line: int) -> tuple[float, float, float]:
+        x, y, z = self._few(text, 3) or self._numbers(text, label, line, 3).tolist()
+        return x, y, z
+
     def _refuse_absurd(self, numbers: Floats, owner: str, line: int) -> None:
         wrong = numbers[~(np.abs(numbers) <= _LARGEST)]
         if len(wrong):
@@ -398,6 +409,12 @@ class Document:
 
     def _refuse(self, message: str, line: int) -> NoReturn:
         raise self.source.error(message, line)
+
+
+@lru_cache(maxsize=1024)
+def _role(name: str) -> re.Match[str] | None:
+    """Kind and role of a feature's element; None of another element."""
+    return _FEATURE.fullmatch(name)
 
 
 def _is_number(word: str) -> bool:

@@ -4,12 +4,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from millcorr.errors import UsageError
-from millcorr.measurement import Measurement
+from millcorr.options import declared, options_of
+from millcorr.readers.measurement import Measurement
+
+KINDS = ("contact", "centre", "axis")
+"""What coordinates are: points on the part, centres of the probe's ball, or centres shifted along an axis."""
+
+MEASURED = "the measurement"
+"""Heading under which the options stand."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,15 +42,42 @@ class Reading:
         TOML file with the probe's calibration.
     """
 
-    points: str | None = None
-    probe_radius: float | None = None
-    units: str | None = None
-    format: str | None = None
-    mapping: Path | None = None
-    part: int | None = None
-    work_offset: tuple[float, float, float] | None = None
-    work_rotation: float | None = None
-    probe: Path | None = None
+    points: str | None = declared(
+        None,
+        "points on the part, centres of the probe's ball, or centres shifted by its radius along an axis",
+        choices=KINDS,
+        group=MEASURED,
+    )
+    probe_radius: float | None = declared(
+        None, "ball radius, for centres and points shifted along an axis", unit="MM", above=0.0, group=MEASURED
+    )
+    units: str | None = declared(None, "unit of the measured file", choices=("mm", "inch"), group=MEASURED)
+    format: str | None = declared(
+        None, "format of the measured file (by content by default)", type=str, unit="NAME", group=MEASURED
+    )
+    mapping: Path | None = declared(
+        None,
+        "what the columns of a text file are, for layouts that no format covers",
+        type=Path,
+        unit="FILE.toml",
+        group=MEASURED,
+    )
+    part: int | None = declared(
+        None, "which of several measured parts in one file, from 1", type=int, unit="N", group=MEASURED
+    )
+    work_offset: tuple[float, float, float] | None = declared(
+        None, "origin of the work frame in the frame of the file, mm", unit="X Y Z", count=3, group=MEASURED
+    )
+    work_rotation: float | None = declared(
+        None, "turn of the work frame in the frame of the file, degrees, anticlockwise", unit="DEG", group=MEASURED
+    )
+    probe: Path | None = declared(
+        None,
+        "calibration of the probe: effective radius by direction, offset of the stylus",
+        type=Path,
+        unit="FILE.toml",
+        group=MEASURED,
+    )
 
     @classmethod
     def taken_from(cls, options: dict[str, Any]) -> Reading:
@@ -82,5 +116,5 @@ class Reading:
         return readers.read(path, **{name: value for name, value in given.items() if value is not None})
 
 
-FIELDS = tuple(field.name for field in fields(Reading))
+FIELDS = tuple(options_of(Reading))
 """Names of everything that can be said."""

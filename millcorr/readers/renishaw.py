@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from millcorr.measurement import Measurement
+from millcorr.readers.measurement import Measurement
 
 from .parts import chosen_part, titled
 from .source import Source, shown

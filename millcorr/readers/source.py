@@ -10,15 +10,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.errors import FormatError, UsageError
-from millcorr.measurement import LARGEST_LOBING, Basis, Measurement, Probe
+from millcorr.arrays import Floats, Ints
+from millcorr.errors import FormatError, UsageError, unsaid
+from millcorr.messages import message, option, remedy
+from millcorr.readers.measurement import LARGEST_LOBING, Basis, Measurement, Probe
 
-from .decoding import decode
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
+from .decoding import decode, lines_of
 
 MM_PER_INCH = 25.4
 
@@ -39,9 +37,6 @@ LARGEST_BALL = 100.0
 
 FARTHEST = 1e6
 """No coordinate lies farther out than this, in mm."""
-
-KINDS = ("contact", "centre", "axis")
-"""What coordinates can be: contact points, ball centres, or ball centres that a control shifted along an axis."""
 
 _TOLD = {"contact": "contact points", "centre": "centres of the probe ball", "axis": "shifted along an axis"}
 _FACTORS = {"mm": 1.0, "inch": MM_PER_INCH}
@@ -102,7 +97,7 @@ class Source:
 
     def lines(self, *, drop: bytes = b"") -> Iterator[tuple[int, str]]:
         """Lines of the file with their numbers from 1; FormatError for one of absurd length, or if it is no text."""
-        for number, line in enumerate(self.text(drop=drop).split("\n"), 1):
+        for number, line in enumerate(lines_of(self.text(drop=drop)), 1):
             if len(line) > LONGEST_LINE:
                 raise self.error(f"a line of {len(line)} characters: not a measurement file, or damaged", number)
             yield number, line
@@ -129,11 +124,11 @@ class Source:
             If the caller contradicts the file.
         """
         if self.units is not None and stated is not None and self.units != stated:
-            raise UsageError(f"--units {self.units} contradicts {self.name}, which says {stated}")
+            raise UsageError(option("units", self.units), f" contradicts {self.name}, which says {stated}")
         if stated is not None:
             self.bases["unit"] = Basis("stated")
         elif self.units is not None:
-            self.bases["unit"] = Basis("said", "--units")
+            self.bases["unit"] = Basis("said", message(option("units")))
         else:
             self.bases["unit"] = Basis("inferred", shows) if shows else Basis("assumed", "the file does not say")
         return self.units or stated or default
@@ -153,15 +148,19 @@ class Source:
         """
         if stated is not None and self.points not in (None, stated):
             raise UsageError(
-                f"--points {self.points} contradicts {self.name}, whose points are {_TOLD[stated]}: leave --points out"
+                option("points", self.points),
+                f" contradicts {self.name}, whose points are {_TOLD[stated]}: leave ",
+                option("points"),
+                " out",
             )
         kind = stated or self.points
         if kind is None:
-            raise UsageError(
-                "say --points contact or --points centre (or axis): the file does not say whether its coordinates are "
-                "contact points or centres of the probe ball"
+            raise unsaid(
+                "the file does not say whether its coordinates are contact points or centres of the probe ball",
+                remedy("points", "contact"),
+                message(remedy("points", "centre"), " (or axis)"),
             )
-        self.bases["points"] = Basis("said", "--points") if stated is None else Basis("stated")
+        self.bases["points"] = Basis("said", message(option("points"))) if stated is None else Basis("stated")
         return kind
 
     def ball_radius(self, *, centres: bool | None = None, radius: float | None = None) -> float:
@@ -187,7 +186,9 @@ class Source:
         told = self._radius(radius)
         if told is None:
             raise UsageError(
-                f"ball centres need --probe-radius MM, the radius of the probe ball: {self.name} does not say it"
+                "ball centres need ",
+                option("probe_radius", of="MM"),
+                f", the radius of the probe ball: {self.name} does not say it",
             )
         return told
 
@@ -209,13 +210,15 @@ class Source:
             told = self._radius(radius)
             if told is None:
                 raise UsageError(
-                    "points shifted along an axis need --probe-radius MM, the radius by which the control shifted them"
+                    "points shifted along an axis need ",
+                    option("probe_radius", of="MM"),
+                    ", the radius by which the control shifted them",
                 )
             return told, told
         said = self.probe_radius if radius is None else radius
         if said is not None and max(abs(said - r) for r in control) > RADIUS_TOLERANCE:
-            who = "--probe-radius" if radius is None else self.name
-            raise UsageError(f"{who} {said:g} contradicts control_radius in the probe's file: leave one of them out")
+            who = option("probe_radius", said) if radius is None else f"{self.name} {said:g}"
+            raise UsageError(who, " contradicts control_radius in the probe's file: leave one of them out")
         return control
 
     def _radius(self, stated: float | None) -> float | None:
@@ -223,13 +226,16 @@ class Source:
         said = self.probe_radius
         if stated is not None and said is not None and abs(said - stated) > RADIUS_TOLERANCE:
             raise UsageError(
-                f"--probe-radius {said:g} contradicts {self.name}, which says {stated:g} mm: leave --probe-radius out"
+                option("probe_radius", said),
+                f" contradicts {self.name}, which says {stated:g} mm: leave ",
+                option("probe_radius"),
+                " out",
             )
         radius = said if stated is None else stated
         if stated is not None:
             self.bases["radius"] = Basis("stated")
         else:
-            self.bases["radius"] = Basis("said", "--probe-radius" if said is not None else "--probe")
+            self.bases["radius"] = Basis("said", message(option("probe_radius" if said is not None else "probe")))
         if self.probe is None:
             return None if radius is None else float(radius)
         calibrated = self.probe.radius
@@ -239,7 +245,9 @@ class Source:
                 f"{calibrated:g} mm: they differ by more than a calibration can"
             )
         if radius is None and self.points == "axis" and self.probe.directions is not None:
-            raise UsageError("radii by direction do not say by which one the control shifted: add --probe-radius MM")
+            raise UsageError(
+                "radii by direction do not say by which one the control shifted: add ", option("probe_radius", of="MM")
+            )
         return calibrated if radius is None else float(radius)
 
     def measurement(

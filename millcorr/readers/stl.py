@@ -11,14 +11,12 @@ from __future__ import annotations
 import re
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.measurement import Measurement
+from millcorr.arrays import Floats, Ints
+from millcorr.readers.measurement import Measurement
 
 from .decoding import beginning, decode
 from .source import Source, shown
-
-Floats = NDArray[np.float64]
 
 _HEAD = 84
 _FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
@@ -66,17 +64,9 @@ def read(source: Source) -> Measurement:
         If the caller does not say what the points are.
     """
     ball_radius, unit = source.ball_radius(), source.unit(None)
-    if _ASCII.match(beginning(source.data, 4096)):
-        corners = _of_words(source)
-        step = 0.0
-    elif recognises(source.data):
-        corners = np.frombuffer(source.data, _FACET, offset=_HEAD)["corners"].astype(np.float64)
-        step = float(np.spacing(np.float32(np.abs(corners).max(initial=0.0))))
-    else:
-        raise source.error("no STL file, or one that was cut off: its size does not fit its count of facets")
-    whole = np.isfinite(corners).all(axis=(1, 2))
-    if not whole.all():
-        raise source.error("a corner is no place", int(np.flatnonzero(~whole)[0]) + 1)
+    corners = facets(source)
+    binary = not _ASCII.match(beginning(source.data, 4096))
+    step = float(np.spacing(np.float32(np.abs(corners).max(initial=0.0)))) if binary else 0.0
     points, normals, lines, lost = _joined(corners)
     notes = [f"the {len(points)} corners of a mesh of {len(corners)} facets are taken as points, with its normals"]
     if lost:
@@ -86,6 +76,26 @@ def read(source: Source) -> Measurement:
     return source.measurement(
         "stl", points, lines, ball_radius=ball_radius, unit=unit, normals=normals if len(points) else None, notes=notes
     )
+
+
+def facets(source: Source) -> Floats:
+    """Corners of the facets in the file's unit, (n, 3, 3), anticlockwise seen from outside.
+
+    Raises
+    ------
+    FormatError
+        If the file is damaged or cut off.
+    """
+    if _ASCII.match(beginning(source.data, 4096)):
+        corners = _of_words(source)
+    elif recognises(source.data):
+        corners = np.frombuffer(source.data, _FACET, offset=_HEAD)["corners"].astype(np.float64)
+    else:
+        raise source.error("no STL file, or one that was cut off: its size does not fit its count of facets")
+    whole = np.isfinite(corners).all(axis=(1, 2))
+    if not whole.all():
+        raise source.error("a corner is no place", int(np.flatnonzero(~whole)[0]) + 1)
+    return corners
 
 
 def _of_words(source: Source) -> Floats:
@@ -109,7 +119,7 @@ def _of_words(source: Source) -> Floats:
     return np.array(values, dtype=np.float64).reshape(-1, 3, 3)
 
 
-def _joined(corners: Floats) -> tuple[Floats, Floats, NDArray[np.int64], int]:
+def _joined(corners: Floats) -> tuple[Floats, Floats, Ints, int]:
     """Places, normals and first facets of the corners, each place once, and how many have no normal."""
     flat = np.ascontiguousarray(corners.reshape(-1, 3)) + 0.0
     keys = flat.view([("", flat.dtype)] * 3).ravel()

@@ -12,10 +12,11 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from millcorr.arrays import Floats, Ints
 from millcorr.errors import FormatError, UsageError
-from millcorr.measurement import Measurement, Probe
+from millcorr.messages import option
+from millcorr.readers.measurement import Measurement, Probe
 from millcorr.whole_file import write_whole
 
 from .decimal_columns import decimal_tables
@@ -23,9 +24,6 @@ from .decoding import decode
 from .fields import COMMA_NUMBER, COMMENT, NUMBER, mixed_marks, split, why_no_number
 from .source import MM_PER_INCH, Source, shown, unit_normals
 from .text_layout import Layout, find_layout
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 _HEAD = 1 << 18
 """Bytes at the beginning that show how the rows are made."""
@@ -60,7 +58,7 @@ def read(source: Source) -> Measurement:
     ball_radius, name = source.ball_radius(), source.name
     layout, tables, lines = _rows_of_bytes(source) or _rows_of_text(source)
     if source.units is not None and layout.unit is not None and source.units != layout.unit:
-        raise UsageError(f"--units {source.units} contradicts {name}, whose header says {layout.unit}")
+        raise UsageError(option("units", source.units), f" contradicts {name}, whose header says {layout.unit}")
     unit = source.unit(layout.unit)
     points, normals = tables[0], tables[1] if len(tables) > 1 else None
     if unit == "inch":
@@ -109,13 +107,19 @@ def write(path: str | Path, measurement: Measurement, *, comments: Sequence[str]
         offset or radii by direction.
     """
     if measurement.axis_radii is not None:
-        raise UsageError("points shifted along an axis are kept in the file they came from: leave --points axis out")
+        raise UsageError(
+            "points shifted along an axis are kept in the file they came from: leave ", option("points", "axis"), " out"
+        )
     probe = measurement.probe
     lost = _lost(probe)
     if probe is not None and lost:
         raise UsageError(
-            f"a text file cannot keep the {lost} of {probe.source or 'the probe'}, and the points are wrong "
-            "without: say --probe-radius in its place here, and --probe with the written file"
+            f"a text file cannot keep the {lost} of {probe.source or 'the probe'}, and the points are ",
+            "wrong without: say ",
+            option("probe_radius"),
+            " in its place here, and ",
+            option("probe"),
+            " with the written file",
         )
     columns, formats = ["x", "y"], ["%.9f", "%.9f"]
     table = measurement.points[:, :2]

@@ -3,14 +3,17 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import islice, pairwise
 
 from millcorr.errors import FormatError
+from millcorr.messages import message, option
 
-from .fields import COMMENT, is_number, lines_of, split, why_no_number
+from .decoding import lines_of
+from .fields import COMMENT, is_number, split, why_no_number
 from .source import shown
 
 _NAMES = {
@@ -34,7 +37,13 @@ _COUNT = re.compile(r"\d{1,9}", re.ASCII)
 _SAMPLE = 1000
 """So many rows show what a column is."""
 
-_EXPECTED = "expected a header x,y,z or x,y,z,i,j,k above the numbers (or say --mapping FILE.toml)"
+_EXPECTED = message(
+    "expected a header x,y,z or x,y,z,i,j,k above the numbers (or say ", option("mapping", of="FILE.toml"), ")"
+)
+_SEPARATOR_NAMES = {"\t": "tab", ";": "semicolon", ",": "comma", None: "blank"}
+_LOOKED_AT = 20
+"""Rows below a line that show what it is the header of."""
+_LONGEST_NAME = 24
 _HEADER_DEPTH = 1000
 LINE_LIMIT = 20_000
 _FEWEST = 3
@@ -118,7 +127,7 @@ def find_layout(text: str, name: str) -> Layout:
             return _layout_under_header(header[0], header[1], content, index, unit, name)
         if numeric is not None:
             if first_text is not None:
-                raise FormatError(f"{_EXPECTED}, found {shown(first_text[1])}", name, first_text[0] + 1)
+                raise FormatError(_found(text, *first_text), name, first_text[0] + 1)
             return _layout_without_header(text, numeric[0], numeric[1], index, unit, name)
         if first_text is None:
             layout = _layout_of_named_rows(text, content, index, unit)
@@ -132,7 +141,46 @@ def find_layout(text: str, name: str) -> Layout:
     index, content = first_text
     if _split_like_numbers(content):
         _refuse_field(content, name, index + 1)
-    raise FormatError(f"{_EXPECTED}, found {shown(content)}", name, index + 1)
+    raise FormatError(_found(text, index, content), name, index + 1)
+
+
+def _found(text: str, index: int, content: str) -> str:
+    """What to say of a line that is no header here, with a mapping to copy if numbers stand in columns below it."""
+    told = f"{_EXPECTED}, found {shown(content)}"
+    lines = [line for line in islice(lines_of(text), index + 1, index + 1 + _LOOKED_AT) if line.strip()]
+    for separator in _SEPARATORS:
+        names = split(content, separator)
+        rows = [split(line, separator) for line in lines]
+        row = next((r for r in rows if len(r) == len(names) and sum(is_number(f, separator) for f in r) >= 2), None)
+        if row is not None and (separator is None or separator in content):
+            return f"{told}; a mapping for it: {_mapping_lines(separator, row, names)}"
+    return told
+
+
+def _mapping_lines(separator: str | None, row: list[str], names: list[str] | None = None) -> str:
+    """Lines of a mapping that reads rows as this one, bars between them; columns by their names where these say it."""
+    numbers = [place for place, field in enumerate(row) if is_number(field, separator)]
+    comma = any("," in row[place] for place in numbers)
+    columns = dict(zip("xyz", (str(place + 1) for place in numbers), strict=False))
+    if names is not None:
+        folded = [name.casefold() for name in names]
+        named = {
+            axis: next(
+                (place for place in numbers if re.search(rf"(?<![a-z]){axis}|{axis}(?![a-z])", folded[place])), -1
+            )
+            for axis in "xyz"
+        }
+        there = [place for place in named.values() if place >= 0]
+        plain = all(folded.count(folded[p]) == 1 and len(names[p]) <= _LONGEST_NAME for p in there)
+        if min(named["x"], named["y"]) >= 0 and len(set(there)) == len(there) and plain:
+            columns = {
+                axis: json.dumps(names[place], ensure_ascii=False) for axis, place in named.items() if place >= 0
+            }
+    lines = [
+        f'separator = "{_SEPARATOR_NAMES[separator]}"', *(['decimal = "comma"'] if comma else []),
+        "columns = { " + ", ".join(f"{axis} = {place}" for axis, place in columns.items()) + " }",
+    ]  # fmt: skip
+    return " | ".join(lines)
 
 
 def _rows_below(text: str, first: int, separator: str | None) -> list[list[str]]:
@@ -290,7 +338,8 @@ def _layout_without_header(
         what = f"counts up from {fields[0]}: the points' numbers"
         return _layout_behind_first(separator, width, first, unit, None, what)
     if width not in (2, 3, 6):
-        raise FormatError(f"{width} columns without a header: {_EXPECTED}", name, first + 1)
+        told = f"{width} columns without a header: {_EXPECTED}; a mapping for it: {_mapping_lines(separator, fields)}"
+        raise FormatError(told, name, first + 1)
     if separator == "," and width != 3 and "." not in COMMENT.sub("", text):
         raise FormatError(
             "commas without a header can be decimal commas or separators: export with decimal points, or put "

@@ -4,17 +4,16 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
+
+from millcorr.arrays import Bools, Floats
 
 from .parts import SAME_PLACE
-
-Floats = NDArray[np.float64]
 
 _FEWEST = 3
 """Fewer pairs are no habit."""
 
 
-def slow_touches(points: Floats) -> NDArray[np.bool_]:
+def slow_touches(points: Floats) -> Bools:
     """Which touches measure, (n,): of two at one place the second, which controls and their manuals make slow.
 
     Parameters
@@ -38,7 +37,7 @@ def slow_touches(points: Floats) -> NDArray[np.bool_]:
     return ~again
 
 
-def remark(kept: NDArray[np.bool_]) -> list[str]:
+def remark(kept: Bools) -> list[str]:
     """Note about the touches that `slow_touches` left out, if any."""
     count = int((~kept).sum())
     return [f"{count} places touched twice: the second touch of each counts, the slow one"] if count else []

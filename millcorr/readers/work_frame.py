@@ -6,8 +6,8 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from millcorr.measurement import Measurement
-from millcorr.transform import Transform
+from millcorr.readers.measurement import Measurement
+from millcorr.readers.transform import Transform
 
 
 def laid_in_work_frame(

@@ -56,7 +56,6 @@ def parse(source: Source, handler: Handler, root: str) -> None:
     parser.ExternalEntityRefHandler = stream.refuse
     parser.StartElementHandler = stream.begin
     parser.EndElementHandler = stream.end
-    parser.CharacterDataHandler = stream.characters
     try:
         # In one piece: the parser goes over a long token once only.
         parser.Parse(source.data, True)
@@ -78,6 +77,8 @@ class _Stream:
         self.root = root
         self.parser = parser
         self.path: list[str] = []
+        self.names: dict[str, str] = {}
+        """Names without their namespaces, by the names as the parser gives them."""
         self.wanted: list[str] | None = None
         self.wanted_depth = 0
         self.wanted_line = 0
@@ -90,7 +91,9 @@ class _Stream:
 
     def begin(self, name: str, attributes: dict[str, str]) -> None:
         line = self.parser.CurrentLineNumber
-        local = name.rpartition(" ")[2]
+        local = self.names.get(name)
+        if local is None:
+            local = self.names[name] = name.rpartition(" ")[2]
         if not self.path and local != self.root:
             raise self.source.error(f"the XML is {shown(local)}, not {self.root}", line)
         if len(self.path) >= DEEPEST:
@@ -98,10 +101,13 @@ class _Stream:
         self.path.append(local)
         if self.handler.begin(self.path, attributes, line):
             self.wanted, self.wanted_depth, self.wanted_line = [], len(self.path), line
+            # Text that nobody wants is not even passed on.
+            self.parser.CharacterDataHandler = self.characters
 
     def end(self, name: str) -> None:
         if self.wanted is not None and len(self.path) == self.wanted_depth:
             content, self.wanted = "".join(self.wanted), None
+            self.parser.CharacterDataHandler = None
             self.handler.text(self.path, content, self.wanted_line)
         self.handler.end(self.path)
         self.path.pop()

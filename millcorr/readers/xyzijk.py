@@ -13,15 +13,13 @@ from array import array
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.errors import UsageError
-from millcorr.measurement import Measurement
+from millcorr.arrays import Floats, Ints
+from millcorr.errors import unsaid
+from millcorr.messages import message, remedy
+from millcorr.readers.measurement import Measurement
 
 from .source import Source, shown
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 _HEADER = re.compile(rb"^(?:\xef\xbb\xbf)?XYZIJK(?![A-Za-z])")
 _SEPARATOR = re.compile(r"[ \t]*[,;][ \t]*|[ \t]+")
@@ -65,7 +63,13 @@ def read(source: Source) -> Measurement:
     values, numbers, names, circles = rows
     notes = [f"{circles} circles left out: rows of 4 or 7 numbers are no points"] if circles else []
     if "METRIC" not in head and source.units is None:
-        notes.append("no METRIC in the first line: taken for inch, as PC-DMIS does; --units mm says otherwise")
+        notes.append(
+            message(
+                "no METRIC in the first line: taken for inch, as PC-DMIS does; ",
+                remedy("units", "mm"),
+                " says otherwise",
+            )
+        )
     if not len(values):
         raise source.error(f"no points in the file{', only circles' if circles else ''}", 1)
     normals = values[:, 3:]
@@ -88,9 +92,11 @@ def _unit(source: Source, head: str) -> str:
     if rest != "METRIC":
         raise source.error(f"{shown(rest)} behind XYZIJK: only METRIC may stand there, in columns 11 to 16", 1)
     if source.units is None:
-        raise UsageError(
-            f"say --units mm or --units inch: METRIC stands in column {head.index('METRIC') + 1} of {source.name}, "
-            "not 11, where PC-DMIS takes the file for inch"
+        raise unsaid(
+            f"METRIC stands in column {head.index('METRIC') + 1} of {source.name}, not 11, where "
+            "PC-DMIS takes the file for inch",
+            remedy("units", "mm"),
+            remedy("units", "inch"),
         )
     return source.unit(None)
 
@@ -104,6 +110,12 @@ def _whole(lines: list[str]) -> _Rows | None:
     filled = [k for k, line in enumerate(lines, 2) if line.strip()]
     if not filled:
         return None
+    names: list[str] | None = None
+    if lines[filled[0] - 2].lstrip()[:1].isalpha():
+        parts = [_SEPARATOR.split(line.strip(), maxsplit=1) for line in lines if line.strip()]
+        if not all(len(part) == 2 and part[0][:1].isalpha() for part in parts):
+            return None
+        names, lines = [part[0] for part in parts], [part[1] for part in parts]
     try:
         values = np.loadtxt([line.replace(",", " ") for line in lines], comments=None, ndmin=2)
     except (ValueError, OverflowError):
@@ -112,7 +124,7 @@ def _whole(lines: list[str]) -> _Rows | None:
         return None
     if values.shape[1] == 3:
         values = np.hstack([values, np.full_like(values, np.nan)])
-    return values, np.array(filled, dtype=np.int64), None, 0
+    return values, np.array(filled, dtype=np.int64), names, 0
 
 
 def _row_by_row(source: Source, lines: list[str]) -> _Rows:
@@ -127,9 +139,9 @@ def _row_by_row(source: Source, lines: list[str]) -> _Rows:
         name = "" if _NUMBER.fullmatch(fields[0]) else fields.pop(0)
         if name and not name[0].isalpha():
             raise source.error(f"{shown(name)} is no number", number)
-        for field in fields:
-            if not _NUMBER.fullmatch(field):
-                raise source.error(f"{shown(field)} is no number", number)
+        if not all(map(_NUMBER.fullmatch, fields)):
+            wrong = next(field for field in fields if not _NUMBER.fullmatch(field))
+            raise source.error(f"{shown(wrong)} is no number", number)
         if len(fields) in _CIRCLE:
             circles += 1
             continue

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The report of a correction, of a series and of a simulation, as files that need nothing but themselves."""
 
-from .files import FILES, summary, write
+from .exports import Exports
+from .files import FILES, NO_EXPORTS, summary, write
 
-__all__ = ["FILES", "summary", "write"]
+__all__ = ["FILES", "NO_EXPORTS", "Exports", "summary", "write"]

@@ -12,15 +12,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from millcorr import contour_check, step
+from millcorr import progress
+from millcorr.arrays import Floats
 from millcorr.decimal_text import lines
+from millcorr.geometry import step
 from millcorr.pipeline import Result
+from millcorr.production import contour_check
 from millcorr.separation import Filter
 from millcorr.whole_file import write_together
 
+from .exports import Exports
 from .page import page
-
-Floats = NDArray[np.float64]
 
 COLUMNS = ("s", "x", "y", "z", "nx", "ny", "deviation", "filtered", "used")
 """Columns of deviations.csv that other programs rely on; later versions only append."""
@@ -38,7 +40,9 @@ FILES = (
     "profile.step",
     "nominal.json",
 )
-"""What a report consists of."""
+"""What a report consists of, besides exports."""
+
+NO_EXPORTS = Exports()
 
 
 def write(
@@ -48,6 +52,7 @@ def write(
     outputs: Mapping[str, str] | None = None,
     notes: Sequence[str] = (),
     date: datetime.date | None = None,
+    exports: Exports = NO_EXPORTS,
 ) -> list[Path]:
     """Write report.html, report.json, deviations.csv, contour.csv, points.csv, profile.json and profile.step.
 
@@ -65,6 +70,8 @@ def write(
         Statements for the top of the page, such as that no program was written.
     date : datetime.date, optional
         Date on the page; today by default. Same result, same date: same bytes.
+    exports : Exports
+        What quality departments want beside them.
 
     Returns
     -------
@@ -74,7 +81,7 @@ def write(
     Raises
     ------
     UsageError
-        If `directory` is a file.
+        If `directory` is a file, or an export is wanted of what was not measured.
     OSError
         If it cannot be written to.
     """
@@ -93,12 +100,14 @@ def write(
             "profile.json": [_json(result.compensated.as_dict() | moved)],
             "profile.step": [step.text(result.compensated, name, date=midnight)],
             "nominal.json": [_json(result.nominal.as_dict())],
+            **exports.texts(result, deviation_lines(result), day),
         },
     )
 
 
 def summary(result: Result, *, outputs: Mapping[str, str] | None = None, notes: Sequence[str] = ()) -> dict[str, Any]:
     """Contents of report.json: `Result.summary` with outputs and notes, None where a number does not exist."""
+    progress.step()
     plain: dict[str, Any] = _plain(result.summary() | {"outputs": dict(outputs or {}), "notes": list(notes)})
     return plain
 
@@ -133,6 +142,7 @@ def deviation_lines(result: Result) -> Iterator[bytes]:
     bytes
         The header first; blocks of whole lines after it.
     """
+    progress.step()
     elastic = result.elastic
     yield ",".join(COLUMNS + MORE_COLUMNS + (("ms",) if elastic is not None else ())).encode() + b"\n"
     measurement, d = result.request.measurement, result.deviation

@@ -7,9 +7,9 @@ import math
 from html import escape
 from pathlib import PurePath
 
-from millcorr.deviation import statistics
+from millcorr.comparison.deviation import statistics
 from millcorr.pipeline import Result
-from millcorr.prediction.foreseen import Foreseen
+from millcorr.process.prediction.foreseen import Foreseen
 
 from .html import html_facts, html_table, mm, plural, um
 from .plots import MICRO

@@ -9,17 +9,14 @@ from html import escape
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.series import history
-from millcorr.series.journal import Chain, Entry
+from millcorr.production import history
+from millcorr.production.journal import Chain, Entry
 from millcorr.whole_file import write_together
 
 from .html import figure, html_facts, html_page, html_table
 from .plots import MICRO, UM, WIDTH, Plot, frame, value_axis
 from .svg import MARKERS, Axis, Canvas, bars, markers, polyline
-
-Floats = NDArray[np.float64]
 
 FILES = ("history.html", "history.csv")
 """What a report consists of."""

@@ -10,11 +10,11 @@ from html import escape
 from pathlib import PurePath
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr import provenance
-from millcorr.deviation import statistics
-from millcorr.largest import LargestCorrection, largest_correction
+from millcorr.arrays import Floats
+from millcorr.comparison.deviation import statistics
+from millcorr.correction import provenance
+from millcorr.correction.largest import LargestCorrection, largest_correction
 from millcorr.pipeline import Result
 
 from .foreseen import foreseen_section, nothing_measured, setup_name
@@ -38,8 +38,6 @@ from .posterior import posteriors
 from .transfer import transfer_section
 from .verdict import what_to_do
 from .view import on_contour, path_and_contour
-
-Floats = NDArray[np.float64]
 
 ARROW, SIGMA, ELLIPSIS = "\N{RIGHTWARDS ARROW}", "\N{GREEK SMALL LETTER SIGMA}", "\N{HORIZONTAL ELLIPSIS}"
 

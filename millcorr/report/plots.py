@@ -12,18 +12,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.compensation import GAP_SPACINGS, along
-from millcorr.deviation import Deviation
-from millcorr.profile import CORNER_ANGLE, Profile, Stretch
+from millcorr.arrays import Bools, Floats, Ints
+from millcorr.comparison.deviation import Deviation
+from millcorr.correction.compensation import GAP_SPACINGS
+from millcorr.geometry.correction import along
+from millcorr.geometry.profile import CORNER_ANGLE, Profile, Stretch
 
 from .posterior import Posterior, runs
 from .svg import MARKERS, Axis, Canvas, bars, columns, markers, number, polyline, round_step
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Bools = NDArray[np.bool_]
 
 UM = 1000.0
 MICRO = "\N{MICRO SIGN}m"

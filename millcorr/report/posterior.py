@@ -7,14 +7,11 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.distrust import gaps
+from millcorr.arrays import Bools, Floats
+from millcorr.correction.targets import local
 from millcorr.pipeline import Result
-from millcorr.targets import local
-
-Floats = NDArray[np.float64]
-Bools = NDArray[np.bool_]
+from millcorr.plausibility import gaps
 
 PLACES = 700
 """Places a contour: a drawing's width in pixels."""

@@ -5,34 +5,24 @@ from __future__ import annotations
 
 import datetime
 import json
-from collections.abc import Iterable, Sequence
-from contextlib import ExitStack
-from dataclasses import replace
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr import pipeline
-from millcorr.engagement import Engagement, engagement
-from millcorr.errors import RefusedError, UsageError
-from millcorr.kinematics import read_trace
-from millcorr.prediction import Simulation
-from millcorr.prediction.corner_feed import CornerFeeds
-from millcorr.prediction.logged_machine import LoggedMachine, logged_machine
-from millcorr.prediction.signals import Signals, csv_lines
-from millcorr.remedy_programs import TiltedProgram, shifted_program, slowed, tilted_program
-from millcorr.simulation import simulated
-from millcorr.whole_file import replaced_whole, write_together
+from millcorr.arrays import Bools, Floats
+from millcorr.messages import message, option
+from millcorr.process.engagement import Engagement
+from millcorr.process.prediction import Simulation
+from millcorr.process.prediction.signals import Signals, csv_lines
+from millcorr.production.simulation import Study
+from millcorr.whole_file import write_together
 
-from . import simulation_view
+from . import remedies, simulation_view
 from . import wall as report_wall
 from .plots import MICRO, UM, standalone
-from .remedies import Asked, Done
 from .simulation_page import page
-
-Floats = NDArray[np.float64]
 
 FILES = (
     "simulation.html",
@@ -47,32 +37,18 @@ FILES = (
 )
 """What a report may consist of."""
 
-NOTHING = Asked()
 
-
-def write(
-    request: pipeline.Request,
-    directory: Path,
-    *,
-    date: datetime.date | None = None,
-    heights: Sequence[float] = (),
-    asked: Asked = NOTHING,
-) -> str:
-    """Simulate a program and its correction, and write what happens.
+def write(study: Study, directory: Path, *, date: datetime.date | None = None) -> str:
+    """Write what happens in a study.
 
     Parameters
     ----------
-    request : Request
-        With a setup and method ``predicted``.
+    study : Study
     directory : Path
         Made if it is not there. Gets simulation.html, signals.csv, predicted.csv, simulation.json and the plots as
         SVG; with heights also wall.csv: see `FILES`. All are replaced together.
     date : datetime.date, optional
         Date on the page; today by default.
-    heights : sequence of float
-        mm above the tool's tip at which the wall is wanted; none leaves it out.
-    asked : Asked, optional
-        Remedies to write as programs, and a log of the machine.
 
     Returns
     -------
@@ -81,55 +57,34 @@ def write(
 
     Raises
     ------
-    MillcorrError
-        If program or setup cannot be used, or a remedy is refused; nothing is written then. A correction that is
-        refused is only not shown.
+    UsageError, OSError
+        If the directory cannot be written to.
     """
-    wanted = report_wall.heights_of(heights)
-    if asked.tilted is not None and len(wanted) < 2:
-        raise UsageError("--tilted needs --heights MM at two heights at least: the tool leans by the wall's slope")
-    if asked.shifted is not None and not len(wanted):
-        raise UsageError("--shifted needs --heights MM: the contour is moved by the wall's mean error over them")
-    request, machine = _as_logged(request, asked)
-    before, after, refused = simulated(request)
-    notes = [f"No corrected path is shown: {refused}"] if refused else []
-    signals = Signals.of(before, request.program)
+    before, after, signals, wall = study.before, study.after, study.signals, study.wall
+    notes = [message("No corrected path is shown: ", study.refused)] if study.refused else []
     plots = {
         "load": simulation_view.load_plot(signals),
         "axes": simulation_view.axis_plot(signals),
         "contour": simulation_view.contour_plot(before, after),
     }
-    rigid = engagement(before.feed.toolpath, before.setup, before.stock)
-    figures = summary(before, after, signals, rigid)
-    wall = report_wall.wall_of(request.program, before, wanted) if len(wanted) else None
+    figures = summary(before, after, signals, study.rigid)
     figures["wall"] = None if wall is None else report_wall.summary(wall)
-    done = Done(
-        asked,
-        _slowed(request, before, asked),
-        None if wall is None or asked.shifted is None else shifted_program(request, before, wall.before),
-        None if wall is None or asked.tilted is None else _tilted(request, before, wall),
-        machine,
-    )
-    figures |= done.summary()
+    figures |= remedies.summary(study)
     sections: list[str] = []
     if wall is not None:
         plots["wall"] = report_wall.curves(wall)
         sections.append(report_wall.section(wall, plots["wall"]))
-    sections += done.sections()
+    sections += remedies.sections(study)
+    day = date or datetime.date.today()
     texts: dict[str, Iterable[str]] = {
         "signals.csv": csv_lines(signals),
         "predicted.csv": _predicted_lines(before, after),
         "simulation.json": [json.dumps(figures, indent=1, ensure_ascii=False, allow_nan=False) + "\n"],
         **({} if wall is None else {"wall.csv": report_wall.csv_lines(wall)}),
         **{f"{name}.svg": [standalone(plot)] for name, plot in plots.items()},
-        "simulation.html": [
-            page(request, before, after, signals, plots, figures, notes, date or datetime.date.today(), sections)
-        ],
+        "simulation.html": [page(study.request, before, after, signals, plots, figures, notes, day, sections)],
     }
-    with ExitStack() as stack:
-        for place, data in done.outputs().items():
-            stack.enter_context(replaced_whole(place, data))
-        write_together(directory, texts)
+    write_together(directory, texts)
     return "\n".join(
         [
             f"steps       {len(signals)} on {figures['path_length_mm']:.1f} mm of path, {figures['time_s']:.1f} s",
@@ -144,35 +99,11 @@ def write(
             + ("" if after is None else f"; corrected at most {UM * after.largest:.1f} {MICRO}"),
             *_axes_in_words(before),
             *(() if wall is None else report_wall.in_words(wall)),
-            *done.in_words(),
+            *remedies.in_words(study),
             *(f"warning     {text}" for text in (*before.cautions, *notes)),
             f"report      {directory / 'simulation.html'}",
         ]
     )
-
-
-def _as_logged(request: pipeline.Request, asked: Asked) -> tuple[pipeline.Request, LoggedMachine | None]:
-    """The request with the machine that a log shows."""
-    if asked.trace is None or request.setup is None:
-        if asked.identify:
-            raise UsageError("--identify belongs to --trace TRACE.csv, the log that tells")
-        return request, None
-    machine = logged_machine(request.setup, request.program, read_trace(asked.trace), asked.identify)
-    return replace(request, setup=machine.setup), machine
-
-
-def _slowed(request: pipeline.Request, before: Simulation, asked: Asked) -> CornerFeeds | None:
-    if asked.slowed is None:
-        if asked.corner_error is not None:
-            raise UsageError("--corner-error belongs to --slowed OUT.nc, the program that keeps it")
-        return None
-    return slowed(request.program, before.setup, asked.corner_error, request.settings.tolerance)
-
-
-def _tilted(request: pipeline.Request, before: Simulation, wall: report_wall.Wall) -> TiltedProgram:
-    if wall.remedy is None:
-        raise RefusedError(f"tilt: {wall.note}")
-    return tilted_program(request, before, wall.before, wall.remedy)
 
 
 def _axes_in_words(before: Simulation) -> list[str]:
@@ -182,8 +113,12 @@ def _axes_in_words(before: Simulation) -> list[str]:
     k, d = before.kinematic, before.deviation
     x, y = d.foot[int(np.argmax(np.abs(k)))]
     return [
-        f"axes        leave {UM * k.min():+.1f} to {UM * k.max():+.1f} {MICRO} of it, most at X{x:.3f} Y{y:.3f}; a "
-        "moved path takes out what arcs lose, at corners slower feeds do (--slowed)"
+        message(
+            f"axes        leave {UM * k.min():+.1f} to {UM * k.max():+.1f} {MICRO} of it, most at ",
+            f"X{x:.3f} Y{y:.3f}; a moved path takes out what arcs lose, at corners slower feeds do (",
+            option("slowed"),
+            ")",
+        )
     ]
 
 
@@ -192,7 +127,7 @@ def summary(before: Simulation, after: Simulation | None, signals: Signals, rigi
     cutting = signals.area > 0
     loaded = rigid.area[rigid.area > 0]
 
-    def spread(values: Floats, where: NDArray[np.bool_] = cutting) -> dict[str, float]:
+    def spread(values: Floats, where: Bools = cutting) -> dict[str, float]:
         chosen = values[where] if where.any() else values
         return {"min": float(chosen.min()), "median": float(np.median(chosen)), "max": float(chosen.max())}
 

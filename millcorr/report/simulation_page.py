@@ -14,18 +14,16 @@ from pathlib import PurePath
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from millcorr.arrays import Floats
 from millcorr.pipeline import Request
-from millcorr.prediction import Simulation
-from millcorr.prediction.signals import Signals
+from millcorr.process.prediction import Simulation
+from millcorr.process.prediction.signals import Signals
 
 from .html import figure, html_facts, html_notes, html_page, html_tiles, um
 from .plots import MICRO, Plot
 from .simulation_script import LOOKS, SCRIPT
 from .simulation_view import magnification, outlines, stock_rings, surface_of, thinned
-
-Floats = NDArray[np.float64]
 
 
 def page(

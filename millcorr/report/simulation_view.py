@@ -7,19 +7,18 @@ from dataclasses import dataclass
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
-from millcorr.deviation import REACH
-from millcorr.engagement.stock_region import StockRegion
-from millcorr.footpoint import FootPointSearch
-from millcorr.prediction import Simulation
-from millcorr.prediction.signals import Signals
-from millcorr.profile import Profile
+from millcorr.arrays import Bools, Floats, Ints
+from millcorr.comparison.deviation import REACH
+from millcorr.geometry.footpoint import FootPointSearch
+from millcorr.geometry.profile import Profile
+from millcorr.process.engagement.stock_region import StockRegion
+from millcorr.process.prediction import Simulation
+from millcorr.process.prediction.signals import Signals
 
+from .magnification import bound_of
 from .plots import UM, WIDTH, Plot
 from .svg import Axis, Canvas, number, polyline, round_down
-
-Floats = NDArray[np.float64]
 
 STRIP = 118.0
 """Height of one signal's strip, in pixels."""
@@ -44,7 +43,7 @@ class Trace:
     values: Floats
 
 
-def thinned(count: int) -> NDArray[np.int64]:
+def thinned(count: int) -> Ints:
     """Rows to draw of so many."""
     step = max(1, -(-count // MOST))
     rows = np.arange(0, count, step)
@@ -149,14 +148,16 @@ def magnification(simulation: Simulation, after: Simulation | None) -> float:
     low_x, low_y, high_x, high_y = simulation.nominal.bounding_box()
     size = float(np.hypot(high_x - low_x, high_y - low_y))
     largest = max(simulation.largest, 0.0 if after is None else after.largest, 1e-6)
-    return max(1.0, round_down(SHARE * size / largest))
+    surfaces = [one.deviation for one in (simulation, after) if one is not None]
+    bound = bound_of(simulation.nominal, [(d.contour, d.value) for d in surfaces])
+    return max(1.0, round_down(min(SHARE * size / largest, bound)))
 
 
 def contour_plot(simulation: Simulation, after: Simulation | None) -> Plot:
     """Theoretical and machined contour, commanded, actual and corrected path (fig. 8)."""
     times = magnification(simulation, after)
     nominal, radius = simulation.nominal, simulation.elastic.engagement.radius
-    commanded = simulation.elastic.path.steps.centre
+    commanded = simulation.commanded
     reach = REACH + float(np.hypot(*(simulation.centre - commanded).T).max())
     lines: list[tuple[str, str, list[Floats]]] = [
         ("theoretical contour", "nominal", outlines(nominal)),
@@ -165,7 +166,7 @@ def contour_plot(simulation: Simulation, after: Simulation | None) -> Plot:
         ("actual path", "excess", _parts(simulation.centre, nominal, radius, times, reach)),
     ]
     if after is not None:
-        lines.append(("corrected path", "way", _parts(after.elastic.path.steps.centre, nominal, radius, times, reach)))
+        lines.append(("corrected path", "way", _parts(after.commanded, nominal, radius, times, reach)))
     shown = np.concatenate([part for _, _, parts in lines for part in parts])
     low, high = np.nanmin(shown, axis=0), np.nanmax(shown, axis=0)
     room = 0.04 * float((high - low).max()) + 1.0
@@ -197,7 +198,7 @@ def _parts(points: Floats, nominal: Profile, radius: float, times: float, reach:
     """Path beside the contour, in parts without a gap."""
     rows = thinned(len(points))
     moved = exaggerated(points[rows], nominal, radius, times, reach)
-    known: NDArray[np.bool_] = np.isfinite(moved[:, 0]) & np.isfinite(moved[:, 1])
+    known: Bools = np.isfinite(moved[:, 0]) & np.isfinite(moved[:, 1])
     step = np.hypot(*np.diff(points[rows], axis=0).T)
     usual = float(np.median(step)) if len(step) else 1.0
     cuts = np.flatnonzero((known[1:] != known[:-1]) | (step > max(4 * usual, 2.0))) + 1

@@ -6,19 +6,16 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.compensation import along
-from millcorr.deviation import statistics
+from millcorr.comparison.deviation import statistics
+from millcorr.correction.targets import Elastic
+from millcorr.geometry.correction import along
 from millcorr.pipeline import Result
-from millcorr.targets import Elastic
 
 from .foreseen import nothing_measured
 from .html import figure, html_facts, mm, um
 from .plots import COVERAGE, MICRO, MOST_MARKERS, UM, WIDTH, Plot, corners, course, frame, groups
 from .svg import Axis, Canvas, columns, polyline
-
-Floats = NDArray[np.float64]
 
 HEIGHT = 175.0
 _BESIDE = "\N{PLUS-MINUS SIGN}"

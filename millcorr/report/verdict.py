@@ -12,7 +12,7 @@ OPEN = 0.05
 """From this share of a contour without points on a word is said: what tags and clamps cover is less."""
 
 MANY_OUTLIERS = 0.1
-"""From this share on a word is said of outliers (`millcorr.distrust.separated`): below it every file has them."""
+"""From this share on a word is said of outliers (`millcorr.plausibility.separated`): below it every file has them."""
 
 _ACCEPTED = re.compile(r"(?:^|: )accepted ([a-z-]+): ")
 _PLACE = re.compile(r"X-?\d+\.\d+ Y-?\d+\.\d+")

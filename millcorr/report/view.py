@@ -7,45 +7,21 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.compensation import along
-from millcorr.contour_check import path_contours, touched_points
-from millcorr.deviation import Deviation
+from millcorr.arrays import Floats, Ints
+from millcorr.comparison.deviation import Deviation
+from millcorr.geometry.correction import along
+from millcorr.geometry.profile import Profile
 from millcorr.pipeline import Result
-from millcorr.profile import Profile
+from millcorr.production.contour_check import path_contours, touched_points
 
+from .magnification import magnification_for
 from .plots import MICRO, MOST_MARKERS, MOST_PANELS, UM, WIDTH, Plot, corners, course, groups, levels_of
-from .svg import MARKERS, Axis, Canvas, markers, number, polyline, round_down, round_step
+from .svg import MARKERS, Axis, Canvas, markers, number, polyline, round_step
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
-
-MAGNIFICATION = 500.0
 MOST_WHISKERS = 300
 MOST_POINTS = 2000
 """Contact points beyond which the largest of each place are drawn."""
-
-
-def magnification_for(profile: Profile, largest: float) -> float:
-    """Magnification 1, 2 or 5 times a power of ten at which the largest deviation is seen and fits.
-
-    500 where its whisker is between 3 and 12 % of the part's size, else the largest that keeps to 12 %.
-
-    Parameters
-    ----------
-    profile : Profile
-    largest : float
-        mm.
-    """
-    left, bottom, right, top = profile.bounding_box()
-    size = max(right - left, top - bottom)
-    if not largest > 0:
-        return MAGNIFICATION
-    most, least = 0.12 * size / largest, 0.03 * size / largest
-    if least <= MAGNIFICATION <= most:
-        return MAGNIFICATION
-    return round_down(most)
 
 
 def on_contour(

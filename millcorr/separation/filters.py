@@ -8,13 +8,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from millcorr import progress
+from millcorr.arrays import Floats, Ints
 from millcorr.errors import InputError, UsageError
 
 from .gaussian_regression import LocalLine, local_line, local_line_on_grid
-
-Floats = NDArray[np.float64]
 
 _LEGAL = "legal filters: none, mean:5, mean:1,2,3,2,1 (odd number of weights), gauss:MM, robust:MM, auto"
 
@@ -172,10 +172,10 @@ class Row:
         Whether the row wraps round.
     """
 
-    order: NDArray[np.int64]
+    order: Ints
     s: Floats
     d: Floats
-    place: NDArray[np.int64]
+    place: Ints
     place_s: Floats
     place_d: Floats
     count: Floats
@@ -237,7 +237,8 @@ def filtered(s: ArrayLike, d: ArrayLike, *, length: float, closed: bool, filter:
     places = np.asarray(s, dtype=np.float64)
     deviations = np.asarray(d, dtype=np.float64)
     _check(places, deviations, length)
-    mean = float(np.mean(deviations))
+    # Sorted, so that not even its last bit depends on the order: what is robust may turn on it.
+    mean = float(np.mean(np.sort(deviations)))
     row = _row(places, deviations - mean, float(length), closed)
     if filter.kind == "none":
         parts = Parts(
@@ -365,6 +366,7 @@ def _moving_average(row: Row, mask: tuple[float, ...]) -> Parts:
 
 def _correlate(values: Floats, mask: Floats, closed: bool) -> Floats:
     """Sum of mask[k] * values[i + k]; beyond an open end the values are 0."""
+    progress.step()
     half = mask.size // 2
     padded = np.pad(values, half, mode="wrap" if closed else "constant")
     if mask.size <= 64:
@@ -463,6 +465,7 @@ def _robust_gaussian(row: Row, cutoff: float) -> Parts:
     values = np.full_like(row.d, math.inf)
     step = np.zeros_like(row.d)
     for rounds in range(_ROBUST_ROUNDS):
+        progress.step()
         before, last = values, step
         # Where a whole window is distrusted the floor brings the plain regression back.
         values = _local_line(row, lengths * np.maximum(trust, _LEAST_TRUST), cutoff, figures=False).values
@@ -510,6 +513,7 @@ def _robust_gaussian(row: Row, cutoff: float) -> Parts:
 
 def _local_line(row: Row, weights: Floats, cutoff: float, *, figures: bool) -> LocalLine:
     """Gaussian regression, of many points on a grid: the trust in them is no more exact than that."""
+    progress.step()
     fit = None
     if row.s.size >= _MANY:
         fit = local_line_on_grid(

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from millcorr import progress
+from millcorr.arrays import Floats, Ints
 
 ALPHA = math.sqrt(math.log(2.0) / math.pi)
 """The constant that puts 50 % transmission at the cutoff (ISO 16610-21, clause 4.2)."""
@@ -161,7 +162,7 @@ def local_line_on_grid(
 
 
 def _grid_sums(
-    cell: NDArray[np.int64], y: Floats, charges: tuple[Floats, ...], cells: int, step: float, closed: bool
+    cell: Ints, y: Floats, charges: tuple[Floats, ...], cells: int, step: float, closed: bool
 ) -> list[tuple[Floats, Floats, Floats]]:
     """Sum charge * u^p exp(-u^2) for p = 0, 1, 2 at the centres of the cells; u from centre to point.
 
@@ -247,6 +248,7 @@ def _gauss_sums(t: Floats, charges: tuple[Floats, ...], period: float | None) ->
 
     Returns one array of shape (3, n) per charge.
     """
+    progress.step()
     n = t.size
     if period is None or period > 2.0 * _REACH:
         ahead = t if period is None else np.concatenate((t, t + period))
@@ -262,6 +264,7 @@ def _windowed_sums(t: Floats, charges: tuple[Floats, ...], period: float | None,
     """Take the sums pair by pair, all points at once for the 1st, 2nd, ... neighbour."""
     results = [np.stack((charge, np.zeros_like(t), -2.0 * charge)) for charge in charges]
     for lag in range(1, window + 1):
+        progress.step()
         if period is None:
             here, there = slice(0, t.size - lag), slice(lag, t.size)
             u = t[there] - t[here]
@@ -315,6 +318,7 @@ def _transformed_sums(t: Floats, charges: tuple[Floats, ...], period: float | No
     ends = np.append(first[1:], n)
     a = 0
     while a < occupied.size:
+        progress.step()
         b = min(a + _BOXES_AT_ONCE, int(np.searchsorted(first, first[a] + _POINTS_AT_ONCE)), occupied.size)
         b = max(b, a + 1)
         local = np.zeros((len(charges), b - a, _TERMS))
@@ -349,7 +353,7 @@ def _transfers(distances: NDArray[np.floating[Any]]) -> Floats:
     return np.ascontiguousarray(np.moveaxis(derivative[j + k] / factorial[k][..., None], -1, 0))
 
 
-def _taylor(terms: Floats, box: NDArray[np.int64], x: Floats) -> Floats:
+def _taylor(terms: Floats, box: Ints, x: Floats) -> Floats:
     """Horner's rule for the polynomials of the boxes and their first two derivatives."""
     value = terms[box, _TERMS - 1]
     slope = np.zeros_like(x)

@@ -12,15 +12,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.compensation import along
-from millcorr.deviation import Deviation
+from millcorr.arrays import Floats, Ints
+from millcorr.comparison.deviation import Deviation
 from millcorr.errors import InputError
-from millcorr.profile import Profile
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
+from millcorr.geometry.correction import along
+from millcorr.geometry.profile import Profile
 
 LEVEL_REACH = 0.5
 """Levels of two parts are the same where their heights differ by less than this, in mm."""

@@ -16,10 +16,9 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
+from millcorr import progress
+from millcorr.arrays import Bools, Floats, Ints
 
 ROOT = math.sqrt(5.0)
 
@@ -149,7 +148,7 @@ class Layout:
         Largest distance of two nodes, mm.
     """
 
-    def __init__(self, cells: Cells, lengths: Floats, closed: NDArray[np.bool_], step: float) -> None:
+    def __init__(self, cells: Cells, lengths: Floats, closed: Bools, step: float) -> None:
         self.cells, self.lengths, self.closed = cells, lengths, closed
         self.leans = bool(cells.across.any())
         number = np.maximum(np.ceil(lengths / step - 1e-9).astype(np.int64), np.where(closed, 4, 1))
@@ -233,33 +232,31 @@ class Layout:
         self.pair = tuple(self.noise[np.concatenate([p[i] for p in chain])] for i in (0, 1))
         self.head = self.noise[order[starts[~ring]]]
 
-    def _cell(self, stretch: Ints, s: Floats) -> tuple[Ints, Ints, Floats]:
-        """Nodes before and after places, and how far they lie between them, 0 to 1; (n,) each."""
+    def _cell(self, stretch: Ints, s: Floats) -> tuple[Ints, Floats]:
+        """Link that each place lies on, and how far it lies along it, 0 to 1; (n,) each."""
         s = np.where(self.closed[stretch], np.mod(s, self.lengths[stretch]), np.clip(s, 0.0, self.lengths[stretch]))
         x = s / self.step[stretch]
         i = np.minimum(x.astype(np.int64), self.number[stretch] - 1)
-        j = np.where(self.closed[stretch] & (i == self.number[stretch] - 1), 0, i + 1)
-        return self.first[stretch] + i, self.first[stretch] + j, x - i
+        return (np.cumsum(self.number) - self.number)[stretch] + i, x - i
+
+    def _states(self) -> Ints:
+        """Rows of the six states at both ends of every link; (links, 6)."""
+        three = np.arange(3)
+        return np.concatenate([self.link[0][:, None] + three, self.link[1][:, None] + three], axis=1)
 
     def read(self, stretch: Ints, s: Floats) -> tuple[Ints, Floats]:
         """Rows of the six states that a place is read from, (n, 6), and their weights, (n, 6)."""
-        i, j, u = self._cell(stretch, s)
-        three = np.arange(3)
-        rows = np.concatenate([self.node[i][:, None] + three, self.node[j][:, None] + three], axis=1)
+        link, u = self._cell(stretch, s)
         weight: Floats = (u[:, None] ** np.arange(6)) @ _QUINTIC.T
-        return rows, weight
+        return self._states()[link], weight
 
     def value(self, state: Floats, stretch: Ints, s: Floats) -> Floats:
         """The form at places, in the unit of the state; (n,)."""
-        i, j, u = self._cell(stretch, s)
-        three = np.arange(3)
-        cell, back = np.unique(i * (len(self.node) + 1) + j, return_inverse=True)
-        a, b = np.divmod(cell, len(self.node) + 1)
-        rows = np.concatenate([self.node[a][:, None] + three, self.node[b][:, None] + three], axis=1)
-        power = state[rows] @ _QUINTIC
-        out: Floats = power[back, 5]
+        link, u = self._cell(stretch, s)
+        power = state[self._states()] @ _QUINTIC
+        out: Floats = power[link, 5]
         for k in (4, 3, 2, 1, 0):
-            out = out * u + power[back, k]
+            out = out * u + power[link, k]
         return out
 
     def bind(self, value: Floats, weight: Floats) -> Bound:
@@ -388,6 +385,7 @@ class Bound:
 
     def _factored(self, sizes: Sizes) -> tuple[float, Floats, Floats, Floats, Floats] | None:
         """-2 log likelihood, factor, answers of the states, normal matrix of the constants and their mean."""
+        progress.step()
         from scipy.linalg.lapack import dpbtrf, dpbtrs, dposv
 
         v = sizes.white**2
@@ -486,6 +484,7 @@ class Bound:
         unit : (m, k) float64
             So much of each constant.
         """
+        progress.step()
         from scipy.linalg import cho_solve_banded
 
         # What a constant that is wrong by 1 mm does to the sum.
@@ -494,6 +493,7 @@ class Bound:
         variance: Floats = (spread * constant).sum(axis=1)
         along = np.append((spread[:-1] * constant[1:]).sum(axis=1), 0.0)
         for low in range(0, len(rows), _CHUNK):
+            progress.step()
             here = np.arange(low, min(low + _CHUNK, len(rows)))
             column = (here - low)[:, None]
             right = np.zeros((self.layout.size, len(here)), order="F")

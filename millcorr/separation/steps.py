@@ -10,17 +10,13 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr.profile import Profile
-from millcorr.wall_steps import StepPlaces
+from millcorr.arrays import Bools, Floats, Ints
+from millcorr.comparison.wall_steps import StepPlaces
+from millcorr.geometry.profile import Profile
 
 from .filters import Filter
 from .model import Observed, Separated, Stretches, separate
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Bools = NDArray[np.bool_]
 
 
 def steps_of(profile: Profile) -> Ints:

@@ -5,13 +5,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from millcorr import distrust
-from millcorr.compensation import Correction
-from millcorr.deviation import deviations
-from millcorr.prediction import Aim, Simulation, simulate
-from millcorr.prediction.combined_control import AxisTransfer, Machine
-from millcorr.prediction.foreseen import FirstCut, aim_of, combined_target, predicted_target
-from millcorr.targets import Part, Target, carried_along, correction_through, smoothed_over_parts, target_of
+from millcorr import plausibility, progress
+from millcorr.comparison.deviation import deviations
+from millcorr.correction.targets import Part, Target, carried_along, correction_through, smoothed_over_parts, target_of
+from millcorr.geometry.correction import Correction
+from millcorr.process.prediction import Aim, Simulation, simulate
+from millcorr.process.prediction.combined_control import AxisTransfer, Machine
+from millcorr.process.prediction.foreseen import FirstCut, aim_of, combined_target, predicted_target
 
 from .compared import Compared
 from .prepared import Prepared
@@ -99,6 +99,7 @@ def _predicted(prepared: Prepared) -> Aimed:
     """By the simulated surface of the program, without a measurement."""
     request, nominal = prepared.request, prepared.passes.nominal
     assert prepared.setup is not None
+    progress.stage("simulate")
     before = simulate(request.program, prepared.setup, nominal)
     request = replace(request, measurement=before.surface())
     deviation = deviations(before.surface(), nominal, cutter_radius=request.radius)
@@ -113,10 +114,11 @@ def _measured(prepared: Prepared, compared: Compared) -> Aimed:
     """By what repeats of measured deviations: mirrored, or through the machining system's transfer function."""
     request, nominal, settings = prepared.request, prepared.passes.nominal, prepared.request.settings
     notes: list[str] = []
+    progress.stage("separate")
     work = target_of(list(compared.parts), nominal, settings, bool(prepared.history.marks), notes)
     if work.separated is not None:
-        seen = distrust.examine_separated(work.deviation, work.separated, nominal, settings.unmeasured_share)
-        notes += distrust.refuse_dangerous(seen, settings.accept, request.measurements[0].source)
+        seen = plausibility.examine_separated(work.deviation, work.separated, nominal, settings.unmeasured_share)
+        notes += plausibility.refuse_dangerous(seen, settings.accept, request.measurements[0].source)
     if request.smoothed is not None:
         work = smoothed_over_parts(work, request.smoothed, nominal, settings)
     carried = None if prepared.rest is None else carried_along(prepared.rest, work, nominal)
@@ -130,6 +132,7 @@ def _combined(prepared: Prepared, compared: Compared, first: FirstCut | None) ->
     request, nominal, settings = prepared.request, prepared.passes.nominal, prepared.request.settings
     assert prepared.setup is not None
     notes: list[str] = []
+    progress.stage("simulate")
     work, target, before, axes, machine = combined_target(
         list(compared.parts), request.program, nominal, prepared.setup, settings, bool(prepared.history.marks), first,
         prepared.commanded_at, notes,

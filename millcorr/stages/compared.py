@@ -7,21 +7,22 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr import alignment, distrust, provenance
-from millcorr.deviation import deviations, require_heights
+from millcorr import plausibility, progress
+from millcorr.arrays import Ints
+from millcorr.comparison import alignment
+from millcorr.comparison.ball_radius import axis_residue, contact_known, numbered_as_read
+from millcorr.comparison.deviation import deviations, require_heights
+from millcorr.correction import provenance
+from millcorr.correction.targets import Part
 from millcorr.errors import InputError
-from millcorr.footpoint import FootPointSearch
-from millcorr.measurement import Measurement
-from millcorr.probe import axis_residue, contact_known, numbered_as_read
-from millcorr.profile import Profile
-from millcorr.targets import Part
+from millcorr.geometry.footpoint import FootPointSearch
+from millcorr.geometry.profile import Profile
+from millcorr.messages import option
+from millcorr.readers.measurement import Measurement
 
 from .prepared import Prepared
 from .request import Request
-
-Ints = NDArray[np.int64]
 
 LEAST_UNDER = 0.05
 """A first cut leaves its allowance and what the machine yields, never less by more than this, in mm."""
@@ -66,7 +67,7 @@ def compare(prepared: Prepared) -> Compared:
         If a part is in the program already, or a finding is dangerous and not accepted.
     """
     request, nominal = prepared.request, prepared.passes.nominal
-    heights = distrust.CutHeights.of(prepared.passes.divided.toolpath, prepared.passes.divided.following, nominal)
+    heights = plausibility.CutHeights.of(prepared.passes.divided.toolpath, prepared.passes.divided.following, nominal)
     notes: list[str] = []
     found = []
     for row in range(len(prepared.surfaces)):
@@ -75,28 +76,31 @@ def compare(prepared: Prepared) -> Compared:
         notes += [note for note in said if note not in notes]
     if request.settings.method != "combined" and found:
         with_points = [(m, one.part.deviation) for m, one in zip(request.measurements, found, strict=True)]
-        together = distrust.examine_parts(with_points, nominal)
-        notes += distrust.refuse_dangerous(together, request.settings.accept, request.measurements[0].source)
+        at_first = request.settings.method == "transfer"
+        together = plausibility.examine_parts(with_points, nominal, at_first=at_first)
+        notes += plausibility.refuse_dangerous(together, request.settings.accept, request.measurements[0].source)
     aligned = next((one.aligned for one in found if one.aligned), None)
     return Compared(tuple(one.part for one in found), aligned, tuple(one.noted for one in found), tuple(notes))
 
 
-def _compared(prepared: Prepared, row: int, heights: distrust.CutHeights) -> tuple[_Compared, tuple[str, ...]]:
+def _compared(prepared: Prepared, row: int, heights: plausibility.CutHeights) -> tuple[_Compared, tuple[str, ...]]:
     """One part against the nominal and the program, and what is said of it."""
     request, history, nominal = prepared.request, prepared.history, prepared.passes.nominal
     settings, read, surface = request.settings, request.measurements[row], prepared.surfaces[row]
     depth, allowance = prepared.depths[row], prepared.allowances[row]
-    naming = partial(distrust.named, read.source if len(prepared.surfaces) > 1 else "")
-    notes = list(naming(distrust.refuse_dangerous(distrust.examine_file(read), settings.accept, read.source)))
+    naming = partial(plausibility.named, read.source if len(prepared.surfaces) > 1 else "")
+    notes = list(naming(plausibility.refuse_dangerous(plausibility.examine_file(read), settings.accept, read.source)))
     _refuse_wrong_allowance(surface, nominal, allowance)
+    progress.stage("fit")
     moved, aligned, said = _believed(surface, nominal, request, depth, allowance)
     notes += said
+    progress.stage("compare")
     # A cutter that leaves an allowance reaches the nominal where one larger by it would.
     deviation = numbered_as_read(deviations(moved, nominal, cutter_radius=request.radius + allowance), moved)
     noted = provenance.values_of(deviation, nominal)
     # Parts of a series come back to the same size by wear; its journal knows which it has seen.
     if history.again is None and not request.in_series:
-        otherwise = provenance.recognised(history.marks, noted, distrust.resolution(read))
+        otherwise = provenance.recognised(history.marks, noted, plausibility.resolution(read))
         if otherwise is not None:
             provenance.refuse_mark(otherwise, request.program.name)
     # A first cut that millcorr wrote runs on the exact parallel; what this program is off by came after it.
@@ -109,22 +113,23 @@ def _compared(prepared: Prepared, row: int, heights: distrust.CutHeights) -> tup
     if request.nominal is None and not by_another:
         # The nominal is what the passes leave; the profile only says where and which way.
         deviation, offset = replace(deviation, value=machine), np.zeros(len(machine))
-    findings = distrust.examine_deviations(
+    progress.stage("examine")
+    findings = plausibility.examine_deviations(
         deviation,
         nominal,
         request.radius,
         ball_radius=moved.ball_radius - allowance,
         heights=heights if surface.has_z else None,
-        step=distrust.resolution(read),
+        step=plausibility.resolution(read),
         depth=depth,
     )
     if history.marks and not by_another:
-        findings += distrust.examine_program(deviation, offset, provenance.gain(request.program.comments()))
+        findings += plausibility.examine_program(deviation, offset, provenance.gain(request.program.comments()))
     if len(prepared.surfaces) > 1:
         # One part without a deviation is a warning; among several it would take its share of the others'.
         same = "identical-to-nominal"
         findings = tuple(replace(f, dangerous=f.dangerous or f.name == same) for f in findings)
-    notes += naming(distrust.refuse_dangerous(findings, settings.accept, surface.source))
+    notes += naming(plausibility.refuse_dangerous(findings, settings.accept, surface.source))
     return _Compared(Part(deviation, offset, machine, allowance), aligned, noted), tuple(notes)
 
 
@@ -132,13 +137,16 @@ def _refuse_wrong_allowance(surface: Measurement, nominal: Profile, allowance: f
     """InputError where the points lie on the nominal itself and not an allowance over it."""
     if not allowance:
         return
-    points = surface.points[:: max(1, len(surface) // distrust.SAMPLE), :2]
+    points = surface.points[:: max(1, len(surface) // plausibility.SAMPLE), :2]
     over = FootPointSearch(nominal, margin=surface.ball_radius + 1.0).find(points).distance - surface.ball_radius
     if np.median(over) < -LEAST_UNDER:
         raise InputError(
-            f"{surface.source}: the points lie {np.median(over) + allowance:+.3f} mm off the profile and not "
-            f"{allowance:g} mm over it: check --allowance; it belongs to a part with stock left on it, and --program "
-            "is then the program that finishes it"
+            f"{surface.source}: the points lie {np.median(over) + allowance:+.3f} mm off the profile ",
+            f"and not {allowance:g} mm over it: check ",
+            option("allowance"),
+            "; it belongs to a part with stock left on it, and ",
+            option("program"),
+            " is then the program that finishes it",
         )
 
 
@@ -151,10 +159,10 @@ def _believed(
     freedom = alignment.Freedom.parse(settings.align)
     known = contact_known(measurement, nominal)
     residue = axis_residue(measurement, known, nominal)
-    findings = distrust.examine_points(known, nominal, request.radius, depth, allowance)
+    findings = plausibility.examine_points(known, nominal, request.radius, depth, allowance)
     if residue is not None:
-        findings = (distrust.Finding(*residue), *findings)
-    notes = tuple(distrust.refuse_dangerous(findings, settings.accept, known.source))
+        findings = (plausibility.Finding(*residue), *findings)
+    notes = tuple(plausibility.refuse_dangerous(findings, settings.accept, known.source))
     if not any(freedom.free):
         return known, None, notes
     moved, aligned = alignment.align(known, nominal, freedom)

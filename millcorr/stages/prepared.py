@@ -7,43 +7,42 @@ import re
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from millcorr import distrust, gcode, provenance
-from millcorr.commanded import (
-    EXACT,
+from millcorr import nc, plausibility, progress
+from millcorr.arrays import Bools, Floats, Ints
+from millcorr.comparison.commanded_surface import CommandedSurface, choose_side, nominal_of
+from millcorr.comparison.cutters import cutter_radii, nearest_group, stated_diameters
+from millcorr.comparison.deviation import Deviation
+from millcorr.comparison.theoretical_contour import CutContour, cutting_runs
+from millcorr.correction import provenance
+from millcorr.correction.settings import Settings
+from millcorr.errors import DistrustError, FormatError, InputError, LimitError, UsageError
+from millcorr.geometry.correction import Correction
+from millcorr.geometry.profile import Profile
+from millcorr.messages import message, option, remedy
+from millcorr.nc.toolpath import Compensation, Kind, Toolpath
+from millcorr.path.passes import (
     Commanded,
-    CommandedSurface,
     beside_the_path,
-    choose_side,
     commanded_offset,
     cut_onto_the_contour,
-    nominal_of,
     on_the_path,
     roughing,
+    sharing,
 )
-from millcorr.comparison.cutters import cutter_radii, nearest_group, stated_diameters
-from millcorr.compensation import Correction
-from millcorr.deviation import Deviation
-from millcorr.errors import DistrustError, FormatError, InputError, LimitError, UsageError
-from millcorr.measurement import Measurement
-from millcorr.path.reading import read_moves
-from millcorr.prediction.foreseen import require_setup
-from millcorr.profile import Profile
-from millcorr.reconstruction import CompensatedContour
-from millcorr.regeneration.vanishing_arcs import without_vanishing_arcs
-from millcorr.settings import Settings
-from millcorr.setup_file import Setup
-from millcorr.theoretical_contour import CutContour, cutting_runs
-from millcorr.toolpath import Compensation, Kind, Toolpath
+from millcorr.path.reconstruction import CompensatedContour
+from millcorr.path.second_reader import moves_of
+from millcorr.path.vanishing_arcs import without_vanishing_arcs
+from millcorr.process.prediction.foreseen import require_setup
+from millcorr.process.setup_file import Setup
+from millcorr.readers.measurement import Measurement
+from millcorr.tolerances import EXACT
 
 from .request import Request
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Bools = NDArray[np.bool_]
-
-OTHER_FRAMES = re.compile(rb"[Gg](5[5-9]|54\.1|52|92|68|10)(?![0-9])")
+OTHER_FRAMES = re.compile(
+    rb"[Gg](5[5-9]|54\.1|52|92|68|10)(?![0-9])|(?i:CYCL[ \t]+DEF[ \t]+(7|247)\b|TRANS[ \t]+DATUM)"
+)
 """Codes that put what follows into another frame than G54."""
 
 
@@ -73,7 +72,7 @@ class Moves:
     following : (n,) bool
         Those that make the surface.
     along : (n,) bool
-        Those that leave stock on it, and go along.
+        Those that leave stock on it, or make a part of it with another cutter, and go along.
     origin : (n,) int64
         The program's own move that each is, or is a part of.
     """
@@ -189,6 +188,7 @@ def prepare(request: Request, *, check: bool = False) -> Prepared:
     RefusedError
         If the program carries a correction from the measurement.
     """
+    progress.stage("prepare")
     settings, program = request.settings, request.program
     if not 0 < request.radius < np.inf:
         raise UsageError(f"the tool diameter {2 * request.radius:g} mm must be a length above 0")
@@ -203,6 +203,7 @@ def prepare(request: Request, *, check: bool = False) -> Prepared:
     setup = require_setup(request.setup, settings, request.radius) if settings.with_setup else None
     _require_measured_or_not(request)
     surfaces = tuple(taken_down(m, a) for m, a in zip(request.measurements, allowances, strict=True))
+    progress.step()
     passes = _passes(request, bool(history.marks), surfaces[0] if surfaces else None, notes)
     if setup is not None and not settings.depths and setup.stock.allowance_mm is not None:
         # What an elastic machine may leave of this depth is no mistake.
@@ -223,8 +224,10 @@ def _history(request: Request, allowances: tuple[float, ...], check: bool, notes
         )
     if carried and any(allowances):
         raise InputError(
-            f"{program.name}:{carried[-1].line}: a part with stock left was cut by a first cut of the uncorrected "
-            "program: give that as --program, not one that was corrected since"
+            f"{program.name}:{carried[-1].line}: a part with stock left was cut by a first cut of the ",
+            "uncorrected program: give that as ",
+            option("program"),
+            ", not one that was corrected since",
         )
     unknown = () if again is not None else digests
     provenance.refuse_second_use(carried, unknown, program.name, request.nominal is not None)
@@ -235,9 +238,21 @@ def _require_measured_or_not(request: Request) -> None:
     """UsageError where a method needs a measurement that is missing, or takes none."""
     settings, measured = request.settings, request.measurement is not None
     if settings.method == "combined" and not measured:
-        raise UsageError("--method combined needs --measured FILE: one touch or two; without any --method predicted")
+        raise UsageError(
+            option("method", "combined"),
+            " needs ",
+            option("measured", of="FILE"),
+            ": one touch or two; without any ",
+            remedy("method", "predicted"),
+        )
     if settings.method == "predicted" and measured:
-        raise UsageError("--method predicted takes no --measured: with touches use --method combined")
+        raise UsageError(
+            option("method", "predicted"),
+            " takes no ",
+            option("measured"),
+            ": with touches use ",
+            remedy("method", "combined"),
+        )
     if settings.leave_stock and measured:
         raise UsageError("a first cut that leaves stock is made before anything is measured")
 
@@ -259,12 +274,17 @@ def _passes(request: Request, corrected: bool, measurement: Measurement | None, 
         )
     if not moves.following.any():
         raise InputError(f"{program.name}: no move runs along the contour that the points lie on")
+    # The same wall may be another cutter's, too, as beside the corners that it clears.
+    others = (usable & np.isfinite(cutters) & ~mine)[moves.origin] & ~moves.following
+    if others.any() and request.nominal is None:
+        surface = CommandedSurface(moves.toolpath, cutters[moves.origin])
+        moves = replace(moves, along=sharing(surface, others, nominal, program.resolution))
     if settings.keep_allowance:
         # What roughs comes before what finishes.
         earlier = np.arange(len(moves.toolpath)) < np.flatnonzero(moves.following)[-1]
         rows = usable[moves.origin] & earlier & ~moves.following
         along = _roughing(moves.toolpath, cutters[moves.origin], rows, nominal, request)
-        moves = replace(moves, along=along)
+        moves = replace(moves, along=moves.along | along)
     expected, error = (None, 0.0) if found is None else (found.expected, found.error)
     return Passes(nominal, drawn, path_radius, cutters, moves, whole, expected, error)
 
@@ -280,9 +300,7 @@ def _of_its_own(
         usable = usable[kept]
     if settings.method == "predicted":
         _require_side(settings, toolpath, usable)
-    nominal, cut = _own_contour(
-        program, toolpath, settings, measurement, request.radius, path_radius, usable, notes
-    )
+    nominal, cut = _own_contour(program, toolpath, settings, measurement, request.radius, path_radius, usable, notes)
     following = on_the_path(toolpath, usable, cut, program.resolution)
     return nominal, Moves(toolpath, following, np.zeros(len(toolpath), dtype=bool), np.flatnonzero(kept))
 
@@ -318,7 +336,7 @@ def _touched(passes: Passes) -> Bools:
 
 
 def nominal_from_program(
-    program: gcode.Program, radius: float, settings: Settings, measurement: Measurement | None
+    program: nc.Program, radius: float, settings: Settings, measurement: Measurement | None
 ) -> Profile:
     """The profile that an uncorrected program cuts.
 
@@ -340,7 +358,9 @@ def nominal_from_program(
     carried = provenance.marks(program.comments())
     if carried:
         raise InputError(
-            f"{program.name}:{carried[-1].line}: --nominal names a corrected program; give the first, uncorrected one"
+            f"{program.name}:{carried[-1].line}: ",
+            option("nominal"),
+            " names a corrected program; give the first, uncorrected one",
         )
     usable, path_radius = _usable(program, radius, settings)
     if measurement is not None:
@@ -350,12 +370,13 @@ def nominal_from_program(
 
 def _require_a_cut(settings: Settings, radius: float) -> None:
     """UsageError where a depth along the normal is more than the cutter is wide."""
-    for option, values in (("depth", settings.depths), ("next-depth", (settings.next_depth or 0.0,))):
+    for key, values in (("depth", settings.depths), ("next_depth", (settings.next_depth or 0.0,))):
         for value in values:
             if value > 2 * radius:
                 raise UsageError(
-                    f"--{option} {value:g}: a cutter of {2 * radius:g} mm takes no more than its width off; the depth "
-                    "is meant along the contour's normal, from the stock to the surface, in mm"
+                    option(key, value),
+                    f": a cutter of {2 * radius:g} mm takes no more than its width off; the depth is meant ",
+                    "along the contour's normal, from the stock to the surface, in mm",
                 )
 
 
@@ -380,9 +401,7 @@ def _roughing(
     return roughing(surface, rows, nominal, resolution, request.settings.limit, wanted)
 
 
-def _for_first_cut(
-    program: gcode.Program, request: Request, path_radius: float, usable: Bools
-) -> tuple[Toolpath, Bools]:
+def _for_first_cut(program: nc.Program, request: Request, path_radius: float, usable: Bools) -> tuple[Toolpath, Bools]:
     """Moves with corners for the fillets that a first cut has no room for, and which of the program's are kept."""
     settings, toolpath = request.settings, program.toolpath
     _require_side(settings, toolpath, usable)
@@ -393,11 +412,16 @@ def _for_first_cut(
 def _require_side(settings: Settings, toolpath: Toolpath, usable: Bools) -> None:
     """UsageError where neither the settings nor the program say on which side the cutter runs."""
     if settings.side == "auto" and not (toolpath.compensation[usable] != Compensation.OFF).any():
-        raise UsageError("--side left or --side right: the program has no G41 or G42 that tells the side of the cutter")
+        raise UsageError(
+            remedy("side", "left"),
+            " or ",
+            remedy("side", "right"),
+            ": the program has no G41 or G42 that tells the side of the cutter",
+        )
 
 
 def _own_contour(
-    program: gcode.Program,
+    program: nc.Program,
     toolpath: Toolpath,
     settings: Settings,
     measurement: Measurement | None,
@@ -410,8 +434,8 @@ def _own_contour(
 
     def doubt(everything: Profile) -> None:
         if measurement is not None and measurement.axis_radii is None and measurement.probe is None:
-            found = distrust.examine_points(measurement, everything, radius)
-            distrust.refuse_dangerous(found, settings.accept, measurement.source)
+            found = plausibility.examine_points(measurement, everything, radius)
+            plausibility.refuse_dangerous(found, settings.accept, measurement.source)
 
     try:
         right = choose_side(toolpath, usable, settings.side, measurement, radius, path_radius)
@@ -434,7 +458,7 @@ def _own_contour(
 
 
 def _cutters(
-    program: gcode.Program, request: Request, path_radius: float, measurement: Measurement | None, notes: list[str]
+    program: nc.Program, request: Request, path_radius: float, measurement: Measurement | None, notes: list[str]
 ) -> Floats:
     """Radius of the cutter of every move of the program, mm; NaN where it is not known, or cuts another part."""
     other = _other_parts(program, request, path_radius, measurement, notes)
@@ -448,14 +472,18 @@ def _cutters(
         names = [program.tool(tool) for tool in unknown if tool != -1]
         listed = [f"T{name}" if name.isdigit() else name for name in names]
         listed += ["the tool before the first T word"] if -1 in unknown else []
-        remedy = f"--tool {names[0]}=MM states it" if names else "a T word before its cuts gives it a number to state"
+        way_out = (
+            message(option("tools", of=f"{names[0]}=MM"), " states it")
+            if names
+            else "a T word before its cuts gives it a number to state"
+        )
         what = f"the diameter of {', '.join(listed)} is not known"
-        notes.append(f"{what}: what it cuts stays as it is and is not looked at; {remedy}")
+        notes.append(message(f"{what}: what it cuts stays as it is and is not looked at; ", way_out))
     return np.where(other, np.nan, radii)
 
 
 def _other_parts(
-    program: gcode.Program, request: Request, path_radius: float, measurement: Measurement | None, notes: list[str]
+    program: nc.Program, request: Request, path_radius: float, measurement: Measurement | None, notes: list[str]
 ) -> Bools:
     """Moves under another work offset than those that made the points, or in a frame that is turned or moved; (n,)."""
     toolpath = program.toolpath
@@ -463,7 +491,7 @@ def _other_parts(
     if not OTHER_FRAMES.search(program.data):
         return out
     out |= program.opaque_moves()
-    moves = read_moves(program.data)
+    moves = moves_of(program.data, program.beside)
     if not len(moves) or measurement is None:
         return out
     offset = moves.offset[np.clip(np.searchsorted(moves.line, toolpath.source, side="right") - 1, 0, None)]
@@ -483,12 +511,14 @@ def _other_parts(
 
 
 def _offset_name(offset: int) -> str:
-    """G54, G54.1 P2: a work offset as `PlainMoves.offset` numbers it."""
+    """G54, G54.1 P2: a work offset as `PlainMoves.offset` numbers it; below 1 the datum shifts of plain language."""
+    if offset <= 0:
+        return f"datum shift {-offset}" if offset else "no datum shift"
     code, number = divmod(offset, 1000)
     return f"G{code / 10:g}" + (f" P{number}" if number else "")
 
 
-def _usable(program: gcode.Program, radius: float, settings: Settings) -> tuple[Bools, float]:
+def _usable(program: nc.Program, radius: float, settings: Settings) -> tuple[Bools, float]:
     """Moves that may be corrected, and the distance from path to contour, mm."""
     usable = ~program.opaque_moves()
     feeds = program.toolpath.kind != Kind.RAPID
@@ -499,10 +529,10 @@ def _usable(program: gcode.Program, radius: float, settings: Settings) -> tuple[
     if program.opaque and not any(usable[run].any() for run in cutting_runs(program.toolpath)):
         why = program.opaque[0]
         raise FormatError(
-            f"nothing that runs along a contour is read: {why.reason}; write the moves in place of this line, as plain "
-            "G0 to G3 moves",
+            f"nothing that runs along a contour is read: {why.reason}; write the moves in place of this line, as "
+            f"{program.plain_moves}",
             program.name,
-            why.first + 1,
+            program.line_of(why.first) + 1,
         )
     compensated = program.toolpath.compensation != Compensation.OFF
     if not compensated.any():

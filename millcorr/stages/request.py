@@ -5,12 +5,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from millcorr import gcode
-from millcorr.compensation import Correction
-from millcorr.measurement import Measurement
-from millcorr.profile import Profile
-from millcorr.settings import Settings
-from millcorr.setup_file import Setup
+from millcorr import nc
+from millcorr.correction.settings import Settings
+from millcorr.geometry.correction import Correction
+from millcorr.geometry.profile import Profile
+from millcorr.process.setup_file import Setup
+from millcorr.readers.measurement import Measurement
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -42,7 +42,7 @@ class Request:
         Displacement of the nominal that is known beforehand, in place of one from a measurement.
     """
 
-    program: gcode.Program
+    program: nc.Program
     radius: float
     measurement: Measurement | None
     nominal: Profile | None = None

@@ -8,20 +8,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import PurePath
 
-import numpy as np
-from numpy.typing import NDArray
-
-from millcorr import __version__, provenance
-from millcorr.commanded import EXACT
-from millcorr.compensation import Correction
+from millcorr import __version__, progress
+from millcorr.arrays import Ints
+from millcorr.correction import provenance
+from millcorr.geometry.correction import Correction
 from millcorr.path.emission import Emission, emit
-from millcorr.prediction.foreseen import Foreseen, foresee
+from millcorr.process.prediction.foreseen import Foreseen, foresee
+from millcorr.tolerances import EXACT
 
 from .aimed import Aimed
 from .prepared import Prepared
 from .request import Request
-
-Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -60,6 +57,7 @@ def write(prepared: Prepared, aimed: Aimed, noted: Sequence[Ints]) -> Written:
     LimitError, FitError
         If the path would be unsafe, or the text does not prove.
     """
+    progress.stage("write")
     passes, settings, program = prepared.passes, aimed.request.settings, aimed.request.program
     title = header(aimed.request, noted)
     notes: list[str] = []

@@ -16,6 +16,18 @@
         <translation>Weitere Teile</translation>
     </message>
     <message>
+        <source>Earlier parts</source>
+        <translation>Frühere Teile</translation>
+    </message>
+    <message>
+        <source>Switched off</source>
+        <translation>Abgeschaltet</translation>
+    </message>
+    <message>
+        <source>Earlier rounds</source>
+        <translation>Frühere Runden</translation>
+    </message>
+    <message>
         <source>Nominal</source>
         <translation>Sollkontur</translation>
     </message>
@@ -172,6 +184,10 @@
         <translation>Geglättet</translation>
     </message>
     <message>
+        <source>Noted</source>
+        <translation>Zur Kenntnis genommen</translation>
+    </message>
+    <message>
         <source>Cut path</source>
         <translation>Gefräste Bahn</translation>
     </message>
@@ -186,6 +202,18 @@
     <message>
         <source>Measurements of further parts cut with the same path; deviations are averaged</source>
         <translation>Messungen weiterer Teile mit derselben Bahn; die Abweichungen werden gemittelt</translation>
+    </message>
+    <message>
+        <source>Parts measured in earlier rounds, oldest first; the later ones were cut with their path</source>
+        <translation>In früheren Runden gemessene Teile, das älteste zuerst; die späteren wurden mit deren Bahn gefräst</translation>
+    </message>
+    <message>
+        <source>Measured parts that count for nothing</source>
+        <translation>Gemessene Teile, die nicht zählen</translation>
+    </message>
+    <message>
+        <source>Number of parts and settings of each earlier round</source>
+        <translation>Anzahl der Teile und Einstellungen jeder früheren Runde</translation>
     </message>
     <message>
         <source>Nominal profile; without one the operation's own geometry, or else its path</source>
@@ -334,6 +362,10 @@
     <message>
         <source>Deviation smoothed over the parts of a series, which is taken out in place of the measured one</source>
         <translation>Über die Teile einer Serie geglättete Abweichung, die anstelle der gemessenen herausgenommen wird</translation>
+    </message>
+    <message>
+        <source>Warnings that were there when the user last looked at the correction</source>
+        <translation>Warnungen, die da waren, als der Benutzer die Korrektur zuletzt ansah</translation>
     </message>
     <message>
         <source>SHA-256 of the measurement, and of the operation's path when it came</source>
@@ -688,8 +720,24 @@
         <translation>Bild zeigen</translation>
     </message>
     <message>
-        <source>Tolerance band</source>
-        <translation>Toleranzband</translation>
+        <source>Automatic magnification</source>
+        <translation>Selbsttätige Vergrößerung</translation>
+    </message>
+    <message>
+        <source>Upper limit</source>
+        <translation>Oberes Abmaß</translation>
+    </message>
+    <message>
+        <source>Lower limit</source>
+        <translation>Unteres Abmaß</translation>
+    </message>
+    <message>
+        <source>Material left</source>
+        <translation>Stehendes Material</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Wand</translation>
     </message>
     <message>
         <source>Whiskers</source>
@@ -720,12 +768,28 @@
         <translation>Die Abweichungen in der 3D-Ansicht zeigen</translation>
     </message>
     <message>
-        <source>So many times longer than they are deviations and differences are drawn</source>
-        <translation>So viel länger als sie sind werden Abweichungen und Unterschiede gezeichnet</translation>
+        <source>Deviations and the part's size decide how much larger deviations are drawn</source>
+        <translation>Abweichungen und Größe des Teils entscheiden, wie viel größer Abweichungen gezeichnet werden</translation>
     </message>
     <message>
-        <source>Deviations up to this, either way, are in tolerance and green</source>
-        <translation>Abweichungen bis hierher, in beiden Richtungen, sind in der Toleranz und grün</translation>
+        <source>So many times longer than they are deviations and differences are drawn, as far as it turns no contour inside out</source>
+        <translation>So viel länger werden Abweichungen und Unterschiede gezeichnet, soweit es keine Kontur umstülpt</translation>
+    </message>
+    <message>
+        <source>Larger deviations are out of tolerance: too much material is left</source>
+        <translation>Größere Abweichungen liegen außerhalb der Toleranz: zu viel Material steht</translation>
+    </message>
+    <message>
+        <source>Smaller deviations are out of tolerance: too much is cut away</source>
+        <translation>Kleinere Abweichungen liegen außerhalb der Toleranz: zu viel ist weggeschnitten</translation>
+    </message>
+    <message>
+        <source>Colour of material left; measuring machines' programs show it red</source>
+        <translation>Farbe stehenden Materials; Programme von Messmaschinen zeigen es rot</translation>
+    </message>
+    <message>
+        <source>Show the deviation as the colour of the wall itself</source>
+        <translation>Die Abweichung als Farbe der Wand selbst zeigen</translation>
     </message>
     <message>
         <source>Show each deviation as a line</source>
@@ -816,12 +880,20 @@
         <translation>Werkzeug, Werkstoff, Maschine und Rohteil</translation>
     </message>
     <message>
+        <source>Errors and the part's size decide how much larger errors are drawn</source>
+        <translation>Fehler und Größe des Teils entscheiden, wie viel größer Fehler gezeichnet werden</translation>
+    </message>
+    <message>
         <source>So many times larger errors are drawn</source>
         <translation>So viel größer werden Fehler gezeichnet</translation>
     </message>
     <message>
         <source>Directory for the report with all signals</source>
         <translation>Verzeichnis für den Bericht mit allen Signalen</translation>
+    </message>
+    <message>
+        <source>Path tolerance</source>
+        <translation>Bahntoleranz</translation>
     </message>
 </context>
 <context>
@@ -891,12 +963,28 @@
         <translation>Bögen</translation>
     </message>
     <message>
+        <source>nurbs</source>
+        <translation>NURBS</translation>
+    </message>
+    <message>
         <source>contour</source>
         <translation>Kontur</translation>
     </message>
     <message>
         <source>wear</source>
         <translation>Verschleiß</translation>
+    </message>
+    <message>
+        <source>the tool controller's</source>
+        <translation>der des Werkzeugcontrollers</translation>
+    </message>
+    <message>
+        <source>only once</source>
+        <translation>nur einmal</translation>
+    </message>
+    <message>
+        <source>that of the measured part</source>
+        <translation>die des gemessenen Teils</translation>
     </message>
     <message>
         <source>contact</source>
@@ -919,24 +1007,40 @@
         <translation>Zoll</translation>
     </message>
     <message>
+        <source>as the file says</source>
+        <translation>wie die Datei sagt</translation>
+    </message>
+    <message>
+        <source>the only one</source>
+        <translation>das einzige</translation>
+    </message>
+    <message>
         <source>Reading points</source>
         <translation>Punkte werden gelesen</translation>
+    </message>
+    <message>
+        <source>Reading the program</source>
+        <translation>Programm wird gelesen</translation>
     </message>
     <message>
         <source>Best fit</source>
         <translation>Einpassung</translation>
     </message>
     <message>
-        <source>Looking for doubts</source>
-        <translation>Suche nach Zweifeln</translation>
-    </message>
-    <message>
         <source>Deviations</source>
         <translation>Abweichungen</translation>
     </message>
     <message>
+        <source>Looking for doubts</source>
+        <translation>Suche nach Zweifeln</translation>
+    </message>
+    <message>
         <source>Separating form from scatter</source>
         <translation>Form wird von Streuung getrennt</translation>
+    </message>
+    <message>
+        <source>Cutting in the model</source>
+        <translation>Schnitt im Modell</translation>
     </message>
     <message>
         <source>Laying and proving the path</source>
@@ -975,20 +1079,20 @@
         <translation>Gemessen</translation>
     </message>
     <message>
-        <source>Mean, µm</source>
-        <translation>Mittel, µm</translation>
+        <source>Mean, {}</source>
+        <translation>Mittel, {}</translation>
     </message>
     <message>
-        <source>Std. deviation, µm</source>
-        <translation>Standardabweichung, µm</translation>
+        <source>Std. deviation, {}</source>
+        <translation>Standardabweichung, {}</translation>
     </message>
     <message>
-        <source>Height, µm</source>
-        <translation>Spanne, µm</translation>
+        <source>Height, {}</source>
+        <translation>Spanne, {}</translation>
     </message>
     <message>
-        <source>Correction, µm</source>
-        <translation>Korrektur, µm</translation>
+        <source>Correction, {}</source>
+        <translation>Korrektur, {}</translation>
     </message>
     <message>
         <source>Decision</source>
@@ -1067,8 +1171,16 @@
         <translation>Korrigierte Bahn</translation>
     </message>
     <message>
+        <source>Measured parts</source>
+        <translation>Gemessene Teile</translation>
+    </message>
+    <message>
         <source>Measured part</source>
         <translation>Gemessenes Teil</translation>
+    </message>
+    <message>
+        <source>Oldest first. Each part was cut with the path that those before it gave; what is not ticked counts for nothing.</source>
+        <translation>Das älteste zuerst. Jedes Teil wurde mit der Bahn gefräst, die die Teile davor ergaben; was nicht angehakt ist, zählt nicht.</translation>
     </message>
     <message>
         <source>&amp;Import file…</source>
@@ -1097,6 +1209,14 @@
     <message>
         <source>none: only make the path exact</source>
         <translation>keine: nur die Bahn genau legen</translation>
+    </message>
+    <message>
+        <source>no further part</source>
+        <translation>kein weiteres Teil</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
     </message>
     <message>
         <source>It is right as it is</source>
@@ -1137,6 +1257,14 @@
     <message>
         <source>as the operation's</source>
         <translation>wie die der Operation</translation>
+    </message>
+    <message>
+        <source>blue, undercut red</source>
+        <translation>blau, Unterschnitt rot</translation>
+    </message>
+    <message>
+        <source>red, undercut blue</source>
+        <translation>rot, Unterschnitt blau</translation>
     </message>
     <message>
         <source>none; several separated by ;</source>
@@ -1263,12 +1391,12 @@
         <translation>Schreiben</translation>
     </message>
     <message>
-        <source>Help</source>
-        <translation>Hilfe</translation>
+        <source>Stopped; nothing was written</source>
+        <translation>Angehalten; nichts wurde geschrieben</translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
+        <source>Needs: {}</source>
+        <translation>Es fehlt: {}</translation>
     </message>
     <message>
         <source>More in the documentation</source>
@@ -1335,8 +1463,8 @@
         <translation>nach dem Inhalt</translation>
     </message>
     <message>
-        <source>Points: {}, heights: {}. {} mm. Format: {}, unit in the file: {}</source>
-        <translation>Punkte: {}, Höhen: {}. {} mm. Format: {}, Einheit in der Datei: {}</translation>
+        <source>Points: {}, heights: {}. {} {}. Format: {}, unit in the file: {}</source>
+        <translation>Punkte: {}, Höhen: {}. {} {}. Format: {}, Einheit in der Datei: {}</translation>
     </message>
     <message>
         <source>Not imported, see the report view</source>
@@ -1367,24 +1495,40 @@
         <translation>ausgelassene Punkte</translation>
     </message>
     <message>
-        <source>Deviations {}:1</source>
-        <translation>Abweichungen {}:1</translation>
+        <source>in tolerance</source>
+        <translation>in der Toleranz</translation>
     </message>
     <message>
         <source>material left</source>
         <translation>Material steht</translation>
     </message>
     <message>
-        <source>(the largest of every {})</source>
-        <translation>(die größten von je {})</translation>
-    </message>
-    <message>
         <source>undercut</source>
         <translation>Unterschnitt</translation>
     </message>
     <message>
-        <source>in tolerance</source>
-        <translation>in der Toleranz</translation>
+        <source>Deviations {}:1</source>
+        <translation>Abweichungen {}:1</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>selbsttätig</translation>
+    </message>
+    <message>
+        <source>no points near</source>
+        <translation>keine Punkte in der Nähe</translation>
+    </message>
+    <message>
+        <source>the largest possible</source>
+        <translation>die größtmögliche</translation>
+    </message>
+    <message>
+        <source>(the largest of every {})</source>
+        <translation>(die größten von je {})</translation>
+    </message>
+    <message>
+        <source>Drawn at {:.4g}:1: more would turn the contour inside out.</source>
+        <translation>Mit {:.4g}:1 gezeichnet: mehr würde die Kontur umstülpen.</translation>
     </message>
     <message>
         <source>Run in LinuxCNC's own interpreter. Moves between touches are unprotected.</source>
@@ -1419,6 +1563,18 @@
         <translation>Programm schreiben</translation>
     </message>
     <message>
+        <source>by their distance</source>
+        <translation>nach ihrem Abstand</translation>
+    </message>
+    <message>
+        <source>everywhere</source>
+        <translation>überall</translation>
+    </message>
+    <message>
+        <source>it is in use</source>
+        <translation>er ist im Einsatz</translation>
+    </message>
+    <message>
         <source>Measuring program</source>
         <translation>Messprogramm</translation>
     </message>
@@ -1437,6 +1593,62 @@
     <message>
         <source>Probe and points on {}</source>
         <translation>Taster und Punkte auf {}</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>Bezugssystem</translation>
+    </message>
+    <message>
+        <source>stated</source>
+        <translation>angegeben</translation>
+    </message>
+    <message>
+        <source>said</source>
+        <translation>von Ihnen gesagt</translation>
+    </message>
+    <message>
+        <source>inferred</source>
+        <translation>erschlossen</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>the file does not say</source>
+        <translation>die Datei sagt es nicht</translation>
+    </message>
+    <message>
+        <source>the work frame; the file does not say</source>
+        <translation>das Werkstücksystem; die Datei sagt es nicht</translation>
+    </message>
+    <message>
+        <source>three decimals, as GRBL prints mm</source>
+        <translation>drei Nachkommastellen, wie GRBL mm ausgibt</translation>
+    </message>
+    <message>
+        <source>places farther out than such machines go in inches</source>
+        <translation>Orte weiter draußen, als solche Maschinen in Zoll fahren</translation>
+    </message>
+    <message>
+        <source>no METRIC in the first line, which PC-DMIS takes for inch</source>
+        <translation>kein METRIC in der ersten Zeile, was PC-DMIS als Zoll nimmt</translation>
+    </message>
+    <message>
+        <source>the profile values stored in the file</source>
+        <translation>die in der Datei gespeicherten Profilwerte</translation>
+    </message>
+    <message>
+        <source>the file's other points</source>
+        <translation>die anderen Punkte der Datei</translation>
     </message>
     <message>
         <source>Stopped: change a setting to compute again</source>
@@ -1459,6 +1671,18 @@
         <translation>Erst die offene Aufgabe schließen</translation>
     </message>
     <message>
+        <source>Not possible yet: see {}</source>
+        <translation>Noch nicht möglich: siehe {}</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>blau</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>rot</translation>
+    </message>
+    <message>
         <source>expected next</source>
         <translation>beim nächsten erwartet</translation>
     </message>
@@ -1471,8 +1695,12 @@
         <translation>Mittel und Standardabweichung</translation>
     </message>
     <message>
-        <source>arc length s, mm</source>
-        <translation>Bogenlänge s, mm</translation>
+        <source>limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>program corrected</source>
+        <translation>Programm korrigiert</translation>
     </message>
     <message>
         <source>outlier</source>
@@ -1487,6 +1715,10 @@
         <translation>Teil</translation>
     </message>
     <message>
+        <source>arc length s, {}</source>
+        <translation>Bogenlänge s, {}</translation>
+    </message>
+    <message>
         <source>uncertainty, k = {:g}</source>
         <translation>Unsicherheit, k = {:g}</translation>
     </message>
@@ -1495,16 +1727,28 @@
         <translation>bestimmter Anteil</translation>
     </message>
     <message>
-        <source>no points near</source>
-        <translation>keine Punkte in der Nähe</translation>
+        <source>form, root mean square</source>
+        <translation>Form, quadratischer Mittelwert</translation>
+    </message>
+    <message>
+        <source>smoothed, largest</source>
+        <translation>geglättet, größte</translation>
     </message>
     <message>
         <source>deviation, {}</source>
         <translation>Abweichung, {}</translation>
     </message>
     <message>
-        <source>s {:.2f} mm: measured {:+.1f} µm, expected next {:+.1f} µm</source>
-        <translation>s {:.2f} mm: gemessen {:+.1f} µm, beim nächsten erwartet {:+.1f} µm</translation>
+        <source>Click at a place of the picture or the plot to see its line of the file.</source>
+        <translation>Auf eine Stelle des Bildes oder der Kurve klicken, um ihre Zeile der Datei zu sehen.</translation>
+    </message>
+    <message>
+        <source>The measured file is no plain text.</source>
+        <translation>Die Messdatei ist kein reiner Text.</translation>
+    </message>
+    <message>
+        <source>s {0:.{1}f} {2}: measured {3} {5}, expected next {4} {5}</source>
+        <translation>s {0:.{1}f} {2}: gemessen {3} {5}, beim nächsten erwartet {4} {5}</translation>
     </message>
     <message>
         <source>Millcorr plots</source>
@@ -1519,6 +1763,18 @@
         <translation>Worauf im Diagramm gezeigt wird, erscheint in der 3D-Ansicht und umgekehrt; die Ansicht folgt dem Zoom des Diagramms, das Diagramm dem der Ansicht</translation>
     </message>
     <message>
+        <source>Measured file</source>
+        <translation>Messdatei</translation>
+    </message>
+    <message>
+        <source>Select a compensated toolpath</source>
+        <translation>Eine korrigierte Bahn wählen</translation>
+    </message>
+    <message>
+        <source>A journal's parts are plotted from the window History of parts</source>
+        <translation>Die Teile eines Journals zeichnet das Fenster Verlauf der Teile</translation>
+    </message>
+    <message>
         <source>Along the contour</source>
         <translation>Längs der Kontur</translation>
     </message>
@@ -1527,8 +1783,12 @@
         <translation>Verteilung</translation>
     </message>
     <message>
-        <source>Select a compensated toolpath</source>
-        <translation>Eine korrigierte Bahn wählen</translation>
+        <source>The journal has no part yet</source>
+        <translation>Das Journal hat noch kein Teil</translation>
+    </message>
+    <message>
+        <source>{}, parts: {}</source>
+        <translation>{}, Teile: {}</translation>
     </message>
     <message>
         <source>{}: nothing was measured</source>
@@ -1543,10 +1803,6 @@
         <translation>Konturen (*.step *.stp *.iges *.igs *.brep *.dxf *.json *.nc *.ngc *.tap *.gcode *.cnc *.mpf);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>nurbs</source>
-        <translation>NURBS</translation>
-    </message>
-    <message>
         <source>Correct NC program file</source>
         <translation>NC-Programmdatei korrigieren</translation>
     </message>
@@ -1557,10 +1813,6 @@
     <message>
         <source>How the file is read</source>
         <translation>Wie die Datei gelesen wird</translation>
-    </message>
-    <message>
-        <source>Deviations, mm</source>
-        <translation>Abweichungen, mm</translation>
     </message>
     <message>
         <source>What is written</source>
@@ -1577,6 +1829,10 @@
     <message>
         <source>The program of the first cut is written</source>
         <translation>Das Programm des ersten Schnitts ist geschrieben</translation>
+    </message>
+    <message>
+        <source>Deviations, {}</source>
+        <translation>Abweichungen, {}</translation>
     </message>
     <message>
         <source>Set {} to {}</source>
@@ -1663,8 +1919,8 @@
         <translation>So viel schneller als die Maschine</translation>
     </message>
     <message>
-        <source>Largest predicted error {:.1f} µm</source>
-        <translation>Größter vorhergesagter Fehler {:.1f} µm</translation>
+        <source>Largest predicted error {} {}</source>
+        <translation>Größter vorhergesagter Fehler {} {}</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -1675,12 +1931,24 @@
         <translation>{:.2f} s, Zeile {}: </translation>
     </message>
     <message>
-        <source>, corrected {:.1f} µm</source>
-        <translation>, korrigiert {:.1f} µm</translation>
+        <source>, corrected {} {}</source>
+        <translation>, korrigiert {} {}</translation>
     </message>
     <message>
         <source>&lt;span style='color:#888'&gt;—&lt;/span&gt; commanded path, &lt;span style='color:#c00'&gt;—&lt;/span&gt; machined contour, &lt;span style='color:#2e9a1c'&gt;—&lt;/span&gt; corrected contour, errors {:g}:1</source>
         <translation>&lt;span style='color:#888'&gt;—&lt;/span&gt; befohlene Bahn, &lt;span style='color:#c00'&gt;—&lt;/span&gt; gefräste Kontur, &lt;span style='color:#2e9a1c'&gt;—&lt;/span&gt; korrigierte Kontur, Fehler {:g}:1</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Open {}</source>
+        <translation>{} öffnen</translation>
     </message>
     <message>
         <source>Constant offset</source>
@@ -1763,8 +2031,20 @@
         <translation>Stattdessen eine Programmdatei…</translation>
     </message>
     <message>
-        <source>The first cut takes {:g} mm and leaves {:g} mm. Its path is within {:.2f} µm of the exact parallel.</source>
-        <translation>Der erste Schnitt nimmt {:g} mm und lässt {:g} mm. Seine Bahn ist bis auf {:.2f} µm die genaue Parallele.</translation>
+        <source>The first cut takes {0} {2} and leaves {1} {2}. Its path is within {3} {4} of the exact parallel.</source>
+        <translation>Der erste Schnitt nimmt {0} {2} und lässt {1} {2}. Seine Bahn ist bis auf {3} {4} die genaue Parallele.</translation>
+    </message>
+    <message>
+        <source>µm</source>
+        <translation>µm</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source>thou</source>
+        <translation>thou</translation>
     </message>
     <message>
         <source>General</source>
@@ -1827,10 +2107,6 @@
         <translation>Was die Koordinaten einer Messdatei sind</translation>
     </message>
     <message>
-        <source>as the file says</source>
-        <translation>wie die Datei sagt</translation>
-    </message>
-    <message>
         <source>Ball radius</source>
         <translation>Kugelradius</translation>
     </message>
@@ -1875,6 +2151,14 @@
         <translation>Die Abweichungen einer neuen Korrektur zeigen</translation>
     </message>
     <message>
+        <source>Deviations and the part's size decide how much larger deviations are drawn</source>
+        <translation>Abweichungen und Größe des Teils entscheiden, wie viel größer Abweichungen gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>Automatic magnification</source>
+        <translation>Selbsttätige Vergrößerung</translation>
+    </message>
+    <message>
         <source>Magnification</source>
         <translation>Vergrößerung</translation>
     </message>
@@ -1883,12 +2167,28 @@
         <translation>So viel länger als sie sind werden Abweichungen gezeichnet</translation>
     </message>
     <message>
-        <source>Tolerance band</source>
-        <translation>Toleranzband</translation>
+        <source>Upper limit</source>
+        <translation>Oberes Abmaß</translation>
     </message>
     <message>
-        <source>Deviations up to this, either way, are in tolerance and green</source>
-        <translation>Abweichungen bis hierher, in beiden Richtungen, sind in der Toleranz und grün</translation>
+        <source>Larger deviations are out of tolerance: too much material is left</source>
+        <translation>Größere Abweichungen liegen außerhalb der Toleranz: zu viel Material steht</translation>
+    </message>
+    <message>
+        <source>Lower limit</source>
+        <translation>Unteres Abmaß</translation>
+    </message>
+    <message>
+        <source>Smaller deviations are out of tolerance: too much is cut away</source>
+        <translation>Kleinere Abweichungen liegen außerhalb der Toleranz: zu viel ist weggeschnitten</translation>
+    </message>
+    <message>
+        <source>Material left</source>
+        <translation>Stehendes Material</translation>
+    </message>
+    <message>
+        <source>Colour of material left; measuring machines' programs show it red</source>
+        <translation>Farbe stehenden Materials; Programme von Messmaschinen zeigen es rot</translation>
     </message>
     <message>
         <source>Colours of plots</source>

@@ -16,6 +16,18 @@
         <translation>Інші деталі</translation>
     </message>
     <message>
+        <source>Earlier parts</source>
+        <translation>Попередні деталі</translation>
+    </message>
+    <message>
+        <source>Switched off</source>
+        <translation>Вимкнено</translation>
+    </message>
+    <message>
+        <source>Earlier rounds</source>
+        <translation>Попередні цикли</translation>
+    </message>
+    <message>
         <source>Nominal</source>
         <translation>Номінал</translation>
     </message>
@@ -172,6 +184,10 @@
         <translation>Згладжене</translation>
     </message>
     <message>
+        <source>Noted</source>
+        <translation>Взято до відома</translation>
+    </message>
+    <message>
         <source>Cut path</source>
         <translation>Фрезерована траєкторія</translation>
     </message>
@@ -186,6 +202,18 @@
     <message>
         <source>Measurements of further parts cut with the same path; deviations are averaged</source>
         <translation>Вимірювання інших деталей з тією самою траєкторією; відхилення усереднюються</translation>
+    </message>
+    <message>
+        <source>Parts measured in earlier rounds, oldest first; the later ones were cut with their path</source>
+        <translation>Деталі, виміряні в попередніх циклах, від найстарішої; пізніші фрезеровано за їхньою траєкторією</translation>
+    </message>
+    <message>
+        <source>Measured parts that count for nothing</source>
+        <translation>Виміряні деталі, що не враховуються</translation>
+    </message>
+    <message>
+        <source>Number of parts and settings of each earlier round</source>
+        <translation>Кількість деталей і параметри кожного попереднього циклу</translation>
     </message>
     <message>
         <source>Nominal profile; without one the operation's own geometry, or else its path</source>
@@ -334,6 +362,10 @@
     <message>
         <source>Deviation smoothed over the parts of a series, which is taken out in place of the measured one</source>
         <translation>Відхилення, згладжене за деталями серії, яке усувається замість виміряного</translation>
+    </message>
+    <message>
+        <source>Warnings that were there when the user last looked at the correction</source>
+        <translation>Попередження, що були, коли користувач востаннє переглядав корекцію</translation>
     </message>
     <message>
         <source>SHA-256 of the measurement, and of the operation's path when it came</source>
@@ -688,8 +720,24 @@
         <translation>Показати зображення</translation>
     </message>
     <message>
-        <source>Tolerance band</source>
-        <translation>Смуга допуску</translation>
+        <source>Automatic magnification</source>
+        <translation>Автоматичне збільшення</translation>
+    </message>
+    <message>
+        <source>Upper limit</source>
+        <translation>Верхнє відхилення</translation>
+    </message>
+    <message>
+        <source>Lower limit</source>
+        <translation>Нижнє відхилення</translation>
+    </message>
+    <message>
+        <source>Material left</source>
+        <translation>Залишений матеріал</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Стінка</translation>
     </message>
     <message>
         <source>Whiskers</source>
@@ -720,12 +768,28 @@
         <translation>Показати відхилення у тривимірному вигляді</translation>
     </message>
     <message>
-        <source>So many times longer than they are deviations and differences are drawn</source>
-        <translation>У стільки разів довшими рисуються відхилення та різниці</translation>
+        <source>Deviations and the part's size decide how much larger deviations are drawn</source>
+        <translation>Відхилення й розмір деталі визначають, наскільки більшими рисуються відхилення</translation>
     </message>
     <message>
-        <source>Deviations up to this, either way, are in tolerance and green</source>
-        <translation>Відхилення до цієї величини в обидва боки в допуску і зелені</translation>
+        <source>So many times longer than they are deviations and differences are drawn, as far as it turns no contour inside out</source>
+        <translation>У стільки разів довшими рисуються відхилення й різниці, доки це не вивертає контуру</translation>
+    </message>
+    <message>
+        <source>Larger deviations are out of tolerance: too much material is left</source>
+        <translation>Більші відхилення поза допуском: залишено забагато матеріалу</translation>
+    </message>
+    <message>
+        <source>Smaller deviations are out of tolerance: too much is cut away</source>
+        <translation>Менші відхилення поза допуском: зрізано забагато</translation>
+    </message>
+    <message>
+        <source>Colour of material left; measuring machines' programs show it red</source>
+        <translation>Колір залишеного матеріалу; програми вимірювальних машин показують його червоним</translation>
+    </message>
+    <message>
+        <source>Show the deviation as the colour of the wall itself</source>
+        <translation>Показати відхилення кольором самої стінки</translation>
     </message>
     <message>
         <source>Show each deviation as a line</source>
@@ -816,12 +880,20 @@
         <translation>Інструмент, матеріал, верстат і заготовка</translation>
     </message>
     <message>
+        <source>Errors and the part's size decide how much larger errors are drawn</source>
+        <translation>Похибки й розмір деталі визначають, наскільки більшими рисуються похибки</translation>
+    </message>
+    <message>
         <source>So many times larger errors are drawn</source>
         <translation>У стільки разів більшими рисуються похибки</translation>
     </message>
     <message>
         <source>Directory for the report with all signals</source>
         <translation>Каталог для звіту з усіма сигналами</translation>
+    </message>
+    <message>
+        <source>Path tolerance</source>
+        <translation>Допуск траєкторії</translation>
     </message>
 </context>
 <context>
@@ -891,12 +963,28 @@
         <translation>дуги</translation>
     </message>
     <message>
+        <source>nurbs</source>
+        <translation>NURBS</translation>
+    </message>
+    <message>
         <source>contour</source>
         <translation>контур</translation>
     </message>
     <message>
         <source>wear</source>
         <translation>знос</translation>
+    </message>
+    <message>
+        <source>the tool controller's</source>
+        <translation>контролера інструмента</translation>
+    </message>
+    <message>
+        <source>only once</source>
+        <translation>лише раз</translation>
+    </message>
+    <message>
+        <source>that of the measured part</source>
+        <translation>як у виміряної деталі</translation>
     </message>
     <message>
         <source>contact</source>
@@ -919,24 +1007,40 @@
         <translation>дюйм</translation>
     </message>
     <message>
+        <source>as the file says</source>
+        <translation>як каже файл</translation>
+    </message>
+    <message>
+        <source>the only one</source>
+        <translation>єдина</translation>
+    </message>
+    <message>
         <source>Reading points</source>
         <translation>Читання точок</translation>
+    </message>
+    <message>
+        <source>Reading the program</source>
+        <translation>Читання програми</translation>
     </message>
     <message>
         <source>Best fit</source>
         <translation>Вирівнювання</translation>
     </message>
     <message>
-        <source>Looking for doubts</source>
-        <translation>Пошук сумнівів</translation>
-    </message>
-    <message>
         <source>Deviations</source>
         <translation>Відхилення</translation>
     </message>
     <message>
+        <source>Looking for doubts</source>
+        <translation>Пошук сумнівів</translation>
+    </message>
+    <message>
         <source>Separating form from scatter</source>
         <translation>Відділення форми від розсіювання</translation>
+    </message>
+    <message>
+        <source>Cutting in the model</source>
+        <translation>Різання в моделі</translation>
     </message>
     <message>
         <source>Laying and proving the path</source>
@@ -975,20 +1079,20 @@
         <translation>Виміряно</translation>
     </message>
     <message>
-        <source>Mean, µm</source>
-        <translation>Середнє, мкм</translation>
+        <source>Mean, {}</source>
+        <translation>Середнє, {}</translation>
     </message>
     <message>
-        <source>Std. deviation, µm</source>
-        <translation>Станд. відхилення, мкм</translation>
+        <source>Std. deviation, {}</source>
+        <translation>Станд. відхилення, {}</translation>
     </message>
     <message>
-        <source>Height, µm</source>
-        <translation>Розмах, мкм</translation>
+        <source>Height, {}</source>
+        <translation>Розмах, {}</translation>
     </message>
     <message>
-        <source>Correction, µm</source>
-        <translation>Корекція, мкм</translation>
+        <source>Correction, {}</source>
+        <translation>Корекція, {}</translation>
     </message>
     <message>
         <source>Decision</source>
@@ -1067,8 +1171,16 @@
         <translation>Скоригована траєкторія</translation>
     </message>
     <message>
+        <source>Measured parts</source>
+        <translation>Виміряні деталі</translation>
+    </message>
+    <message>
         <source>Measured part</source>
         <translation>Виміряна деталь</translation>
+    </message>
+    <message>
+        <source>Oldest first. Each part was cut with the path that those before it gave; what is not ticked counts for nothing.</source>
+        <translation>Від найстарішої. Кожну деталь фрезеровано за траєкторією, яку дали попередні; непозначене не враховується.</translation>
     </message>
     <message>
         <source>&amp;Import file…</source>
@@ -1097,6 +1209,14 @@
     <message>
         <source>none: only make the path exact</source>
         <translation>немає: лише уточнити траєкторію</translation>
+    </message>
+    <message>
+        <source>no further part</source>
+        <translation>жодної нової деталі</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Додати</translation>
     </message>
     <message>
         <source>It is right as it is</source>
@@ -1137,6 +1257,14 @@
     <message>
         <source>as the operation's</source>
         <translation>як в операції</translation>
+    </message>
+    <message>
+        <source>blue, undercut red</source>
+        <translation>синій, підріз червоний</translation>
+    </message>
+    <message>
+        <source>red, undercut blue</source>
+        <translation>червоний, підріз синій</translation>
     </message>
     <message>
         <source>none; several separated by ;</source>
@@ -1263,12 +1391,12 @@
         <translation>Запис</translation>
     </message>
     <message>
-        <source>Help</source>
-        <translation>Довідка</translation>
+        <source>Stopped; nothing was written</source>
+        <translation>Зупинено; нічого не записано</translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>Закрити</translation>
+        <source>Needs: {}</source>
+        <translation>Потрібно: {}</translation>
     </message>
     <message>
         <source>More in the documentation</source>
@@ -1335,8 +1463,8 @@
         <translation>за вмістом</translation>
     </message>
     <message>
-        <source>Points: {}, heights: {}. {} mm. Format: {}, unit in the file: {}</source>
-        <translation>Точки: {}, рівні: {}. {} мм. Формат: {}, одиниця у файлі: {}</translation>
+        <source>Points: {}, heights: {}. {} {}. Format: {}, unit in the file: {}</source>
+        <translation>Точки: {}, рівні: {}. {} {}. Формат: {}, одиниця у файлі: {}</translation>
     </message>
     <message>
         <source>Not imported, see the report view</source>
@@ -1367,24 +1495,40 @@
         <translation>вилучені точки</translation>
     </message>
     <message>
-        <source>Deviations {}:1</source>
-        <translation>Відхилення {}:1</translation>
+        <source>in tolerance</source>
+        <translation>у допуску</translation>
     </message>
     <message>
         <source>material left</source>
         <translation>залишок матеріалу</translation>
     </message>
     <message>
-        <source>(the largest of every {})</source>
-        <translation>(найбільші з кожних {})</translation>
-    </message>
-    <message>
         <source>undercut</source>
         <translation>підріз</translation>
     </message>
     <message>
-        <source>in tolerance</source>
-        <translation>у допуску</translation>
+        <source>Deviations {}:1</source>
+        <translation>Відхилення {}:1</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>автоматично</translation>
+    </message>
+    <message>
+        <source>no points near</source>
+        <translation>поблизу немає точок</translation>
+    </message>
+    <message>
+        <source>the largest possible</source>
+        <translation>найбільше можливе</translation>
+    </message>
+    <message>
+        <source>(the largest of every {})</source>
+        <translation>(найбільші з кожних {})</translation>
+    </message>
+    <message>
+        <source>Drawn at {:.4g}:1: more would turn the contour inside out.</source>
+        <translation>Рисується {:.4g}:1: більше вивернуло б контур.</translation>
     </message>
     <message>
         <source>Run in LinuxCNC's own interpreter. Moves between touches are unprotected.</source>
@@ -1419,6 +1563,18 @@
         <translation>Записати програму</translation>
     </message>
     <message>
+        <source>by their distance</source>
+        <translation>за їхньою відстанню</translation>
+    </message>
+    <message>
+        <source>everywhere</source>
+        <translation>усюди</translation>
+    </message>
+    <message>
+        <source>it is in use</source>
+        <translation>він уже у шпинделі</translation>
+    </message>
+    <message>
         <source>Measuring program</source>
         <translation>Вимірювальна програма</translation>
     </message>
@@ -1437,6 +1593,62 @@
     <message>
         <source>Probe and points on {}</source>
         <translation>Щуп і точки на {}</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>одиниця</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>радіус</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>система координат</translation>
+    </message>
+    <message>
+        <source>stated</source>
+        <translation>вказано у файлі</translation>
+    </message>
+    <message>
+        <source>said</source>
+        <translation>задано вами</translation>
+    </message>
+    <message>
+        <source>inferred</source>
+        <translation>виведено</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>припущено</translation>
+    </message>
+    <message>
+        <source>the file does not say</source>
+        <translation>у файлі цього не сказано</translation>
+    </message>
+    <message>
+        <source>the work frame; the file does not say</source>
+        <translation>система деталі; у файлі цього не сказано</translation>
+    </message>
+    <message>
+        <source>three decimals, as GRBL prints mm</source>
+        <translation>три знаки після коми, як GRBL виводить мм</translation>
+    </message>
+    <message>
+        <source>places farther out than such machines go in inches</source>
+        <translation>точки далі, ніж такі верстати їздять у дюймах</translation>
+    </message>
+    <message>
+        <source>no METRIC in the first line, which PC-DMIS takes for inch</source>
+        <translation>немає METRIC у першому рядку, що PC-DMIS вважає дюймами</translation>
+    </message>
+    <message>
+        <source>the profile values stored in the file</source>
+        <translation>значення профілю, збережені у файлі</translation>
+    </message>
+    <message>
+        <source>the file's other points</source>
+        <translation>інші точки файлу</translation>
     </message>
     <message>
         <source>Stopped: change a setting to compute again</source>
@@ -1459,6 +1671,18 @@
         <translation>Спершу закрийте відкрите завдання</translation>
     </message>
     <message>
+        <source>Not possible yet: see {}</source>
+        <translation>Поки неможливо: див. {}</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>синій</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>червоний</translation>
+    </message>
+    <message>
         <source>expected next</source>
         <translation>очікується далі</translation>
     </message>
@@ -1471,8 +1695,12 @@
         <translation>середнє і стандартне відхилення</translation>
     </message>
     <message>
-        <source>arc length s, mm</source>
-        <translation>довжина дуги s, мм</translation>
+        <source>limits</source>
+        <translation>межі</translation>
+    </message>
+    <message>
+        <source>program corrected</source>
+        <translation>програму скориговано</translation>
     </message>
     <message>
         <source>outlier</source>
@@ -1487,6 +1715,10 @@
         <translation>деталь</translation>
     </message>
     <message>
+        <source>arc length s, {}</source>
+        <translation>довжина дуги s, {}</translation>
+    </message>
+    <message>
         <source>uncertainty, k = {:g}</source>
         <translation>невизначеність, k = {:g}</translation>
     </message>
@@ -1495,16 +1727,28 @@
         <translation>детермінована частина</translation>
     </message>
     <message>
-        <source>no points near</source>
-        <translation>поблизу немає точок</translation>
+        <source>form, root mean square</source>
+        <translation>форма, середнє квадратичне</translation>
+    </message>
+    <message>
+        <source>smoothed, largest</source>
+        <translation>згладжене, найбільше</translation>
     </message>
     <message>
         <source>deviation, {}</source>
         <translation>відхилення, {}</translation>
     </message>
     <message>
-        <source>s {:.2f} mm: measured {:+.1f} µm, expected next {:+.1f} µm</source>
-        <translation>s {:.2f} мм: виміряно {:+.1f} мкм, очікується далі {:+.1f} мкм</translation>
+        <source>Click at a place of the picture or the plot to see its line of the file.</source>
+        <translation>Клацніть місце картини або графіка, щоб побачити його рядок файла.</translation>
+    </message>
+    <message>
+        <source>The measured file is no plain text.</source>
+        <translation>Файл вимірювання не є простим текстом.</translation>
+    </message>
+    <message>
+        <source>s {0:.{1}f} {2}: measured {3} {5}, expected next {4} {5}</source>
+        <translation>s {0:.{1}f} {2}: виміряно {3} {5}, очікується далі {4} {5}</translation>
     </message>
     <message>
         <source>Millcorr plots</source>
@@ -1519,6 +1763,18 @@
         <translation>На що вказано на графіку, видно у тривимірному вигляді, і навпаки; вигляд іде за масштабом графіка, графік за масштабом вигляду</translation>
     </message>
     <message>
+        <source>Measured file</source>
+        <translation>Файл вимірювання</translation>
+    </message>
+    <message>
+        <source>Select a compensated toolpath</source>
+        <translation>Виберіть скориговану траєкторію</translation>
+    </message>
+    <message>
+        <source>A journal's parts are plotted from the window History of parts</source>
+        <translation>Деталі журналу рисує вікно «Історія деталей»</translation>
+    </message>
+    <message>
         <source>Along the contour</source>
         <translation>Вздовж контуру</translation>
     </message>
@@ -1527,8 +1783,12 @@
         <translation>Розподіл</translation>
     </message>
     <message>
-        <source>Select a compensated toolpath</source>
-        <translation>Виберіть скориговану траєкторію</translation>
+        <source>The journal has no part yet</source>
+        <translation>У журналі ще немає деталей</translation>
+    </message>
+    <message>
+        <source>{}, parts: {}</source>
+        <translation>{}, деталей: {}</translation>
     </message>
     <message>
         <source>{}: nothing was measured</source>
@@ -1543,10 +1803,6 @@
         <translation>Контури (*.step *.stp *.iges *.igs *.brep *.dxf *.json *.nc *.ngc *.tap *.gcode *.cnc *.mpf);;Усі файли (*)</translation>
     </message>
     <message>
-        <source>nurbs</source>
-        <translation>NURBS</translation>
-    </message>
-    <message>
         <source>Correct NC program file</source>
         <translation>Коригувати файл програми ЧПК</translation>
     </message>
@@ -1557,10 +1813,6 @@
     <message>
         <source>How the file is read</source>
         <translation>Як читається файл</translation>
-    </message>
-    <message>
-        <source>Deviations, mm</source>
-        <translation>Відхилення, мм</translation>
     </message>
     <message>
         <source>What is written</source>
@@ -1577,6 +1829,10 @@
     <message>
         <source>The program of the first cut is written</source>
         <translation>Програму першого проходу записано</translation>
+    </message>
+    <message>
+        <source>Deviations, {}</source>
+        <translation>Відхилення, {}</translation>
     </message>
     <message>
         <source>Set {} to {}</source>
@@ -1663,8 +1919,8 @@
         <translation>У стільки разів швидше за верстат</translation>
     </message>
     <message>
-        <source>Largest predicted error {:.1f} µm</source>
-        <translation>Найбільша прогнозована похибка {:.1f} мкм</translation>
+        <source>Largest predicted error {} {}</source>
+        <translation>Найбільша прогнозована похибка {} {}</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -1675,12 +1931,24 @@
         <translation>{:.2f} с, рядок {}: </translation>
     </message>
     <message>
-        <source>, corrected {:.1f} µm</source>
-        <translation>, скориговано {:.1f} мкм</translation>
+        <source>, corrected {} {}</source>
+        <translation>, скориговано {} {}</translation>
     </message>
     <message>
         <source>&lt;span style='color:#888'&gt;—&lt;/span&gt; commanded path, &lt;span style='color:#c00'&gt;—&lt;/span&gt; machined contour, &lt;span style='color:#2e9a1c'&gt;—&lt;/span&gt; corrected contour, errors {:g}:1</source>
         <translation>&lt;span style='color:#888'&gt;—&lt;/span&gt; задана траєкторія, &lt;span style='color:#c00'&gt;—&lt;/span&gt; оброблений контур, &lt;span style='color:#2e9a1c'&gt;—&lt;/span&gt; скоригований контур, похибки {:g}:1</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Довідка</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Закрити</translation>
+    </message>
+    <message>
+        <source>Open {}</source>
+        <translation>Відкрити {}</translation>
     </message>
     <message>
         <source>Constant offset</source>
@@ -1763,8 +2031,20 @@
         <translation>Натомість файл програми…</translation>
     </message>
     <message>
-        <source>The first cut takes {:g} mm and leaves {:g} mm. Its path is within {:.2f} µm of the exact parallel.</source>
-        <translation>Перший прохід знімає {:g} мм і залишає {:g} мм. Його траєкторія в межах {:.2f} мкм від точної еквідистанти.</translation>
+        <source>The first cut takes {0} {2} and leaves {1} {2}. Its path is within {3} {4} of the exact parallel.</source>
+        <translation>Перший прохід знімає {0} {2} і залишає {1} {2}. Його траєкторія в межах {3} {4} від точної еквідистанти.</translation>
+    </message>
+    <message>
+        <source>µm</source>
+        <translation>мкм</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>дюйм</translation>
+    </message>
+    <message>
+        <source>thou</source>
+        <translation>мілідюйм</translation>
     </message>
     <message>
         <source>General</source>
@@ -1827,10 +2107,6 @@
         <translation>Чим є координати файлу вимірювань</translation>
     </message>
     <message>
-        <source>as the file says</source>
-        <translation>як каже файл</translation>
-    </message>
-    <message>
         <source>Ball radius</source>
         <translation>Радіус кульки</translation>
     </message>
@@ -1875,6 +2151,14 @@
         <translation>Показувати відхилення нової корекції</translation>
     </message>
     <message>
+        <source>Deviations and the part's size decide how much larger deviations are drawn</source>
+        <translation>Відхилення й розмір деталі визначають, наскільки більшими рисуються відхилення</translation>
+    </message>
+    <message>
+        <source>Automatic magnification</source>
+        <translation>Автоматичне збільшення</translation>
+    </message>
+    <message>
         <source>Magnification</source>
         <translation>Збільшення</translation>
     </message>
@@ -1883,12 +2167,28 @@
         <translation>У стільки разів довшими рисуються відхилення</translation>
     </message>
     <message>
-        <source>Tolerance band</source>
-        <translation>Смуга допуску</translation>
+        <source>Upper limit</source>
+        <translation>Верхнє відхилення</translation>
     </message>
     <message>
-        <source>Deviations up to this, either way, are in tolerance and green</source>
-        <translation>Відхилення до цієї величини в обидва боки в допуску і зелені</translation>
+        <source>Larger deviations are out of tolerance: too much material is left</source>
+        <translation>Більші відхилення поза допуском: залишено забагато матеріалу</translation>
+    </message>
+    <message>
+        <source>Lower limit</source>
+        <translation>Нижнє відхилення</translation>
+    </message>
+    <message>
+        <source>Smaller deviations are out of tolerance: too much is cut away</source>
+        <translation>Менші відхилення поза допуском: зрізано забагато</translation>
+    </message>
+    <message>
+        <source>Material left</source>
+        <translation>Залишений матеріал</translation>
+    </message>
+    <message>
+        <source>Colour of material left; measuring machines' programs show it red</source>
+        <translation>Колір залишеного матеріалу; програми вимірювальних машин показують його червоним</translation>
     </message>
     <message>
         <source>Colours of plots</source>

@@ -45,7 +45,12 @@ else:
         error = write_measurement(path, program, demonstration.TOOL_DIAMETER / 2)
         return path, error
 
-    def write_measurement(path, program, radius, count=200, random=0.0):
+    @pytest.fixture
+    def write():
+        """What writes the points of a part cut by a program: `write_measurement`."""
+        return write_measurement
+
+    def write_measurement(path, program, radius, count=200, random=0.0, shift=0.0):
         """Write the points at which a cutter touches the part along a program, moved by a smooth error."""
         toolpath = program.toolpath
         arcs = toolpath.take(toolpath.kind == 2)
@@ -59,7 +64,7 @@ else:
         length = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
         at = np.searchsorted(length, np.linspace(0.0, length[-1], count, endpoint=False))
         phase = 2 * np.pi * length[at] / length[-1]
-        error = 0.006 + 0.004 * np.cos(2 * phase)
+        error = 0.006 + shift + 0.004 * np.cos(2 * phase)
         error = error + np.random.default_rng(5).normal(0.0, random, count) if random else error
         touched = points[at] + inward[at] * (radius - error)[:, None]
         lines = ["x,y,z", *(f"{x:.7f},{y:.7f},6.0" for x, y in touched)]

@@ -10,8 +10,8 @@ import pytest
 
 from millcorr.app import base_geometry, compat, demonstration, motion
 from millcorr.errors import InputError
-from millcorr.footpoint import FootPointSearch
-from millcorr.toolpath import Compensation, Kind
+from millcorr.geometry.footpoint import FootPointSearch
+from millcorr.nc.toolpath import Compensation, Kind
 
 V = FreeCAD.Vector
 

@@ -11,13 +11,13 @@ import FreeCAD
 import numpy as np
 import pytest
 
-from millcorr import freecad_process, measuring_task
-from millcorr import gcode as nc
+from millcorr import freecad_process, nc
 from millcorr.app import batch, compat, convert, demonstration, documents, process, sources, views
+from millcorr.cli import measuring_task
 from millcorr.errors import FormatError, LimitError, RefusedError, UsageError
-from millcorr.footpoint import FootPointSearch
-from millcorr.profile import Profile
-from millcorr.toolpath import Kind
+from millcorr.geometry.footpoint import FootPointSearch
+from millcorr.geometry.profile import Profile
+from millcorr.nc.toolpath import Kind
 
 
 def files(directory: Path) -> set[str]:
@@ -222,7 +222,7 @@ def test_unknown_option_is_named(part_files, measured_file):
 
 def test_operation_contour_for_a_measuring_program(part_files):
     """The exact profile of the operation, not the one its approximated path would show."""
-    found = process.operation_contour(str(part_files[0]), None)
+    found = process.operation_contour(str(part_files[0]), None, False)
     profile = Profile.from_dict(found["profile"])
     assert found["tool_diameter"] == 10.0
     toolpath = nc.parse(found["path"].encode(), "path").toolpath
@@ -231,7 +231,7 @@ def test_operation_contour_for_a_measuring_program(part_files):
     off = np.abs(FootPointSearch(profile, margin=7.0).find(points).distance - 5.0)
     assert 0.01 < np.median(np.sort(off)[-50:]) < 0.04
     with pytest.raises(UsageError, match="no operation called None"):
-        process.operation_contour(str(part_files[0]), "None")
+        process.operation_contour(str(part_files[0]), "None", False)
 
 
 def test_a_measuring_program_of_a_document_takes_its_own_objects_as_nominal(part_files, tmp_path, monkeypatch):
@@ -244,7 +244,8 @@ def test_a_measuring_program_of_a_document_takes_its_own_objects_as_nominal(part
             document=part_files[0], nominal=nominal, dialect="linuxcnc", output=output,
             probe={"ball_radius": 1.0}, placement={"count": 12},
         )  # fmt: skip
-        assert f"program     {output}" in told
+        # The part stands from Z0 to Z12, and its path runs at Z-1.
+        assert f"program     {output}" in told and "measured at Z6.000" in told
         written.append(nc.read(output).toolpath)
     assert len(written[0]) == len(written[1]) > 24
     ends = [np.nan_to_num(path.end) for path in written]
@@ -255,6 +256,17 @@ def test_a_measuring_program_of_a_document_takes_its_own_objects_as_nominal(part
             document=part_files[0], nominal="#None", dialect="linuxcnc", output=tmp_path / "no.nc",
             probe={"ball_radius": 1.0}, placement={},
         )  # fmt: skip
+
+
+def test_no_touch_where_the_model_has_no_wall(part_files, tmp_path, monkeypatch):
+    """Half of the path's depth below Z0 is a height below the part."""
+    monkeypatch.setattr(freecad_process, "call", lambda name, arguments: process.FUNCTIONS[name](**arguments))
+    asked = {"dialect": "linuxcnc", "probe": {"ball_radius": 2.5}, "placement": {"count": 12}}
+    with pytest.raises(RefusedError, match="no wall stands there"):
+        measuring_task.measuring_program(document=part_files[0], output=tmp_path / "probe.nc", z=-0.5, **asked)
+    with pytest.raises(UsageError, match="--safe-z 13 lies below"):
+        measuring_task.measuring_program(document=part_files[0], output=tmp_path / "probe.nc", safe_z=13.0, **asked)
+    assert not list(tmp_path.glob("probe*"))
 
 
 def test_no_input_is_replaced(part_files, measured_file, tmp_path):

@@ -10,7 +10,7 @@ import pytest
 
 from millcorr.app import convert, demonstration, sources
 from millcorr.errors import FormatError, InputError
-from millcorr.footpoint import FootPointSearch
+from millcorr.geometry.footpoint import FootPointSearch
 
 V = FreeCAD.Vector
 Z = V(0, 0, 1)
@@ -211,7 +211,7 @@ def test_profile_goes_to_a_shape_and_back():
 
 
 def test_occt_reads_the_step_file_of_a_profile(tmp_path):
-    from millcorr import step
+    from millcorr.geometry import step
 
     given = convert.profile_of_edges([periodic_rational().toShape()])
     file = tmp_path / "profile.step"

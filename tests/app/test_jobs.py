@@ -7,7 +7,7 @@ import io
 
 import FreeCAD
 
-from millcorr import jobs
+from millcorr.cli import jobs
 
 
 def test_batch_of_document_and_program_from_freecad(part_files, measured_file, tmp_path):

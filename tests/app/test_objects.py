@@ -15,6 +15,7 @@ import pytest
 
 from millcorr.app import (
     batch,
+    candidates,
     compat,
     convert,
     correction,
@@ -26,8 +27,8 @@ from millcorr.app import (
     properties,
 )
 from millcorr.errors import FormatError, InputError, UsageError
-from millcorr.footpoint import FootPointSearch
-from millcorr.toolpath import Kind
+from millcorr.geometry.footpoint import FootPointSearch
+from millcorr.nc.toolpath import Kind
 
 
 @pytest.fixture
@@ -294,6 +295,29 @@ def test_properties_of_older_documents_are_completed(corrected, tmp_path):
     assert {"DeadBand", "Warnings"} <= set(obj.PropertiesList)
     for row in dressup.PROPERTIES:
         assert row.name in obj.PropertiesList and obj.getGroupOfProperty(row.name) == row.group
+
+
+def test_only_what_can_be_a_nominal_is_offered_for_one(corrected):
+    doc, obj, compensated = corrected
+    drawing, origin = doc.addObject("Part::Box", "Drawing"), doc.addObject("App::Part", "Assembly").Origin
+    empty = doc.addObject("Part::Feature", "Empty")
+    doc.recompute()
+    job = compat.parent_job(obj)
+    names = {obj.Name for obj in candidates.shapes(doc)}
+    assert {drawing.Name, "Part", job.Model.Group[0].Name} <= names
+    tool = job.Tools.Group[0].Tool
+    junk = [
+        *origin.OriginFeatures,
+        job.Stock,
+        job.Model,
+        tool,
+        *tool.OutListRecursive,
+        compensated,
+        empty,
+        obj,
+        obj.Base,
+    ]
+    assert not names & {obj.Name for obj in junk}
 
 
 def test_every_property_is_documented():

@@ -12,7 +12,7 @@ import pytest
 
 from millcorr.app import base_geometry, compat, correction, dressup, measurement_object, motion
 from millcorr.errors import InputError
-from millcorr.toolpath import Kind
+from millcorr.nc.toolpath import Kind
 
 V = FreeCAD.Vector
 HEIGHT = 12.0

@@ -79,7 +79,7 @@ LENGTHS = {
     "spline and lines": lambda: sum(e.Length for e in wave()),
     "ellipse": lambda: Part.Ellipse(V(), 40, 22).length(),
     "half ellipse": lambda: sum(e.Length for e in half_ellipse()),
-    "parallel of a spline": lambda: (interpolated().Length + 4 * np.pi),
+    "parallel of a spline": lambda: interpolated().Length + 4 * np.pi,
     "rounded box": lambda: 160 + 10 * np.pi,
     "pocket": lambda: 360.0,
     "flush boss": lambda: 200.0,

@@ -9,14 +9,13 @@ import FreeCAD
 import numpy as np
 import pytest
 
-from millcorr import freecad_process
-from millcorr import gcode as nc
+from millcorr import freecad_process, nc
 from millcorr.__main__ import main
 from millcorr.app import batch, compat, convert, correction, demonstration, documents, motion, process
 from millcorr.errors import InputError, LimitError, RefusedError, UsageError
+from millcorr.production import journal
 from millcorr.readers import text
-from millcorr.series import journal
-from millcorr.simulated_machine import ErrorField, SimulatedMachine
+from millcorr.virtual.simulated_machine import ErrorField, SimulatedMachine
 
 
 def files(directory: Path) -> set[str]:

@@ -8,11 +8,13 @@ import json
 import numpy as np
 import pytest
 
-from millcorr import freecad_process, gcode, session, setup_file
+from millcorr import freecad_process, nc
 from millcorr.app import batch, demonstration, documents, process, simulating
+from millcorr.cli import session
+from millcorr.correction.settings import Settings
 from millcorr.errors import UsageError
-from millcorr.prediction import simulate
-from millcorr.settings import Settings
+from millcorr.process import setup_file
+from millcorr.process.prediction import simulate
 
 SETUP = f"""\
 [tool]
@@ -88,7 +90,7 @@ def test_combined_control_of_a_document(part_files, setup, as_cut, tmp_path):
     assert (machine.kx, machine.ky) == pytest.approx((6000.0, 4000.0), rel=0.05)
     summary = json.loads((report / "report.json").read_text(encoding="utf-8"))["foreseen"]
     assert summary["predicted_after"][-1] < 0.5 * summary["predicted_before"]
-    again = simulate(gcode.read(out), setup_file.load(setup), result.nominal)
+    again = simulate(nc.read(out), setup_file.load(setup), result.nominal)
     assert again.largest < 0.5 * as_cut.largest
 
 
@@ -97,5 +99,5 @@ def test_correction_of_a_document_before_the_first_cut(part_files, setup, as_cut
     batch.correct_document(part_files[0], method="predicted", setup=str(setup), gcode=out)
     with documents.opened(part_files[0]) as doc:
         request = simulating.request_of(batch.find_operation(doc), setup)
-    again = simulate(gcode.read(out), request.setup, request.nominal)
+    again = simulate(nc.read(out), request.setup, request.nominal)
     assert again.largest < 0.5 * as_cut.largest

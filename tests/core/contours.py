@@ -15,9 +15,9 @@ import numpy as np
 from hypothesis import strategies as st
 from scipy.interpolate import BSpline
 
-from millcorr.nurbs import NurbsCurve
-from millcorr.profile import Contour, Profile
-from millcorr.toolpath import Kind, Plane, Toolpath
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Contour, Profile
+from millcorr.nc.toolpath import Kind, Plane, Toolpath
 
 
 @dataclass(frozen=True)

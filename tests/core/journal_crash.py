@@ -21,9 +21,9 @@ from pathlib import Path
 import numpy as np
 
 from millcorr.errors import RefusedError
-from millcorr.profile import Stretch
-from millcorr.series import journal
-from millcorr.series.places import Places
+from millcorr.geometry.profile import Stretch
+from millcorr.production import journal
+from millcorr.production.places import Places
 
 FIRST = b"(first program)\n"
 PLACES = Places((Stretch(0, 0.0, 4.0, True),), (8,))

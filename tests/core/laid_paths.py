@@ -5,14 +5,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from millcorr.commanded import Commanded
-from millcorr.compensation import Correction
+from millcorr.geometry.correction import Correction
+from millcorr.geometry.profile import Profile
+from millcorr.nc.toolpath import Toolpath
 from millcorr.path.displacement import displace
+from millcorr.path.moves import Regeneration
+from millcorr.path.passes import Commanded
+from millcorr.path.reconstruction import CompensatedContour
 from millcorr.path.wanted_surface import WantedSurface
-from millcorr.profile import Profile
-from millcorr.reconstruction import CompensatedContour
-from millcorr.regeneration import Regeneration
-from millcorr.toolpath import Toolpath
 
 
 def laid(

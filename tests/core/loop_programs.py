@@ -7,8 +7,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from millcorr.measurement import Measurement
-from millcorr.profile import Profile
+from millcorr.geometry.profile import Profile
+from millcorr.readers.measurement import Measurement
 
 RADIUS = 5.0
 

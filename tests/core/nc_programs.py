@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from hypothesis import strategies as st
 
-from millcorr.toolpath import Kind, Plane, Toolpath
+from millcorr.nc.toolpath import Kind, Plane, Toolpath
 
 # Points of a circle of radius 5 on the grid: arcs between them end on it exactly.
 CIRCLE = [

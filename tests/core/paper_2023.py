@@ -9,11 +9,11 @@ from pathlib import Path
 
 import numpy as np
 
-from millcorr import gcode, pipeline
-from millcorr.measurement import Measurement
-from millcorr.prediction import Simulation, simulate
-from millcorr.settings import Settings
-from millcorr.setup_file import Setup, load
+from millcorr import nc, pipeline
+from millcorr.correction.settings import Settings
+from millcorr.process.prediction import Simulation, simulate
+from millcorr.process.setup_file import Setup, load
+from millcorr.readers.measurement import Measurement
 
 SETUP = Path(__file__).resolve().parents[2] / "resources" / "setups" / "petrakov-2023.toml"
 
@@ -37,9 +37,9 @@ RADIUS = 10.0
 LEFT = Settings(side="left")
 
 
-def program(text: str = PROGRAM) -> gcode.Program:
+def program(text: str = PROGRAM) -> nc.Program:
     """The milling program, or another one."""
-    return gcode.parse(text, "part.nc")
+    return nc.parse(text, "part.nc")
 
 
 def setup() -> Setup:
@@ -77,4 +77,4 @@ def softer(kx: float, ky: float) -> Setup:
 
 def cut_again(text: bytes, its: Setup) -> Simulation:
     """A corrected program on a machine."""
-    return simulate(gcode.parse(text, "corrected.nc"), its, nominal())
+    return simulate(nc.parse(text, "corrected.nc"), its, nominal())

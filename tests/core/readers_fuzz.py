@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import importlib.util
+import io
 import random
 import resource
 import tempfile
@@ -19,9 +20,9 @@ import numpy as np
 
 from millcorr import readers
 from millcorr.errors import FormatError, UsageError
-from millcorr.measurement import Measurement
 from millcorr.readers import mapped
 from millcorr.readers.mapping import TextMapping
+from millcorr.readers.measurement import Measurement
 from tests.core import measurement_files as files
 
 NAME = "damaged"
@@ -241,6 +242,15 @@ def _e57(n: int) -> list[Dress]:
         return [(files.e57(files.ellipse(n), Path(folder), scans), {"points": "contact"}) for scans in (1, 2)]
 
 
+def _x3p(n: int) -> list[Dress]:
+    import x3pio
+
+    profile, cloud = io.BytesIO(), io.BytesIO()
+    x3pio.write(profile, np.random.default_rng(n).normal(0.0, 1e-5, n), x_scale=1e-6)
+    x3pio.write_points(cloud, files.ellipse(n).contact / 1000)
+    return [(file.getvalue(), {"points": "contact"}) for file in (profile, cloud)]
+
+
 DRESSES: dict[str, Callable[[int], list[Dress]]] = {
     "msr": _msr,
     "qif": _qif,
@@ -261,6 +271,7 @@ DRESSES: dict[str, Callable[[int], list[Dress]]] = {
     "ply": _ply,
     "pcd": _pcd,
     "e57": _e57,
+    "x3p": _x3p,
 }
-LIBRARIES = {"ply": "plyfile", "pcd": "pypcd4", "e57": "pye57"}
+LIBRARIES = {"ply": "plyfile", "pcd": "pypcd4", "e57": "pye57", "x3p": "x3pio"}
 """What reads these, and writes one of them."""

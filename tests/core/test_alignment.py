@@ -13,11 +13,11 @@ from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 from scipy.optimize import least_squares, linprog, minimize
 
-from millcorr import alignment
-from millcorr.alignment import Alignment, Freedom, Transform, align
+from millcorr.comparison import alignment
+from millcorr.comparison.alignment import Alignment, Freedom, Transform, align
 from millcorr.errors import FitError, InputError, UsageError
-from millcorr.measurement import Measurement
-from millcorr.profile import Contour, Profile
+from millcorr.geometry.profile import Contour, Profile
+from millcorr.readers.measurement import Measurement
 from tests.core.contours import (
     Element,
     Part,

@@ -11,10 +11,10 @@ from pathlib import Path
 
 import numpy as np
 
-from millcorr import gcode, pipeline
-from millcorr.measurement import Measurement
-from millcorr.nurbs import NurbsCurve
-from millcorr.profile import Contour, Profile
+from millcorr import nc, pipeline
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Contour, Profile
+from millcorr.readers.measurement import Measurement
 from tests.core import loop_programs as programs
 
 PROGRAM = Path(__file__).parents[1] / "data" / "nc" / "freecad-notch.nc"
@@ -40,7 +40,7 @@ def measured(nominal: Profile) -> Measurement:
 
 
 def corrected(nominal: Profile | None) -> pipeline.Result:
-    request = pipeline.Request(gcode.read(PROGRAM), 5.0, measured(plate()), nominal, pipeline.Settings(filter="mean:5"))
+    request = pipeline.Request(nc.read(PROGRAM), 5.0, measured(plate()), nominal, pipeline.Settings(filter="mean:5"))
     return pipeline.correct(request)
 
 

@@ -10,9 +10,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from millcorr.deflection.cantilever import Cantilever, deflection, second_moment, slope
 from millcorr.errors import UsageError
-from millcorr.setup_file import Machine, Material, Setup, Stock, Tool
+from millcorr.process.deflection.cantilever import Cantilever, deflection, second_moment, slope
+from millcorr.process.setup_file import Machine, Material, Setup, Stock, Tool
 
 E = 600_000.0
 """N/mm^2, carbide."""

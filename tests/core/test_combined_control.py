@@ -10,13 +10,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from millcorr import gcode, pipeline, split
-from millcorr.engagement import engagement, stock_of
-from millcorr.engagement.contact_steps import Contacts
+from millcorr import nc, pipeline
+from millcorr.correction.settings import Settings
 from millcorr.errors import DistrustError, InputError, RefusedError, UsageError
-from millcorr.prediction import simulate
-from millcorr.prediction.combined_control import identify, identify_machine
-from millcorr.settings import Settings
+from millcorr.process.engagement import engagement, stock_of
+from millcorr.process.engagement.contact_steps import Contacts
+from millcorr.process.prediction import simulate
+from millcorr.process.prediction.combined_control import identify, identify_machine
+from millcorr.production import split
 from tests.core.paper_2023 import LEFT, RADIUS, as_cut, cut_again, nominal, program, setup, softer, touched
 
 X, Y = (1.0, 0.0), (0.0, 1.0)
@@ -236,11 +237,11 @@ def test_single_piece():
     """Half of the allowance is cut and touched; the second half finds what the first one left."""
     its = setup()
     first = split.split(program(), RADIUS, 3.0, 0.5, settings=LEFT)
-    cut = gcode.parse(first.result.text, "first.nc")
+    cut = nc.parse(first.result.text, "first.nc")
     half = simulate(cut, its, first.result.compensated, stock=stock_of(its, nominal()))
     result = corrected(touched(half, (0.0, -8.5)), allowance=(1.5,), iterate=0.01)
     assert result.foreseen.machine.kx == pytest.approx(1200.0, rel=5e-3)
-    both = simulate(gcode.parse(result.text, "second.nc"), its, nominal(), earlier=cut)
+    both = simulate(nc.parse(result.text, "second.nc"), its, nominal(), earlier=cut)
     assert both.largest <= 0.0105
 
 

@@ -12,11 +12,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from millcorr import gcode, pipeline
+from millcorr import nc, pipeline
 from millcorr.__main__ import main
 from millcorr.comparison.path_distance import PathDistance
+from millcorr.nc.toolpath import Kind
 from millcorr.readers import text
-from millcorr.toolpath import Kind
 from tests.core import loop_programs as programs
 
 REPOSITORY = Path(__file__).resolve().parents[2]
@@ -40,7 +40,7 @@ class Shop:
         self.program = directory / "part.nc"
         self.program.write_text(programs.RECTANGLE)
         self.nominal = pipeline.nominal_from_program(
-            gcode.read(self.program), programs.RADIUS, pipeline.Settings(side="right"), None
+            nc.read(self.program), programs.RADIUS, pipeline.Settings(side="right"), None
         )
         self.measure("cmm.csv", wave)
 
@@ -97,6 +97,15 @@ def test_correct_writes_program_and_report(shop):
     assert report["points"]["used"] + len(report["points"]["rejected"]) == report["points"]["read"]
 
 
+def test_exports_stand_in_the_report(shop):
+    assert shop.correct("--report report --export dfq --export qif --export csv --zone 0.05") == DONE
+    files = {p.name for p in (shop.directory / "report").iterdir()}
+    assert files >= {"deviations.dfq", "deviations.qif", "deviations-comma.csv", "report.html"}
+    for line, what in (("--export dfq", "--report DIR"), ("--report r2 --export qif", "--zone MM")):
+        assert shop.correct(line) == USAGE
+        assert what in shop.err and not (shop.directory / "r2").exists()
+
+
 def test_report_has_the_keys_of_the_contract(shop):
     shop.run("check --program part.nc --tool-diameter 10 --measured cmm.csv --points contact --report r")
     report = json.loads((shop.directory / "r" / "report.json").read_text())
@@ -144,9 +153,9 @@ def test_existing_output_is_replaced_as_a_whole(shop):
 def test_contact_points_and_ball_centres_agree(shop):
     shop.measure("centres.csv", lambda k, s: wave(k, s) + 1.0)
     assert shop.correct() == DONE
-    contact = gcode.read(shop.directory / "out.nc").toolpath
+    contact = nc.read(shop.directory / "out.nc").toolpath
     assert shop.correct(measured="centres.csv", points="--points centre --probe-radius 1", output="c.nc") == DONE
-    centre = gcode.read(shop.directory / "c.nc").toolpath
+    centre = nc.read(shop.directory / "c.nc").toolpath
     assert len(contact) == len(centre)
     np.testing.assert_allclose(contact.end, centre.end, atol=0.0011)
 
@@ -155,7 +164,7 @@ def test_inch_points(shop):
     shop.measure("inch.csv", wave, lambda xyz: xyz / 25.4)
     assert shop.correct() == DONE
     assert shop.correct(extra="--units inch", measured="inch.csv", output="i.nc") == DONE
-    mm, inch = (gcode.read(shop.directory / f).toolpath for f in ("out.nc", "i.nc"))
+    mm, inch = (nc.read(shop.directory / f).toolpath for f in ("out.nc", "i.nc"))
     np.testing.assert_allclose(mm.end, inch.end, atol=0.0011)
 
 
@@ -278,7 +287,8 @@ def test_damaged_measured_file(shop, name):
 PROGRAMS = {
     "empty": b"",
     "no cut": b"G0 X1 Y1\nM30\n",
-    "macro": programs.RECTANGLE.replace("G1 X105", "#1=105\nG1 X#1").encode(),
+    # Known to the control alone: what other programs have left in it.
+    "macro": programs.RECTANGLE.replace("G1 X105", "G1 X#500").encode(),
     "binary": bytes(range(256)) * 8,
     "rotated": ("G68 X0 Y0 R10\n" + programs.RECTANGLE).encode(),
 }
@@ -432,7 +442,7 @@ def test_points_in_another_frame_are_laid_into_the_work_frame(shop):
 
 
 def moves_of(path):
-    return np.nan_to_num(gcode.read(path).toolpath.end)
+    return np.nan_to_num(nc.read(path).toolpath.end)
 
 
 def test_series_from_first_part_to_history(shop):
@@ -495,7 +505,7 @@ def test_the_compensated_profile_is_no_nominal(shop):
     assert shop.correct("--nominal rep/profile.json", output="other.nc") == INPUT
     assert "give the nominal.json beside it" in shop.err
     assert shop.correct("--nominal rep/nominal.json", output="other.nc") == DONE
-    own, again = (gcode.read(shop.directory / name).toolpath for name in ("out.nc", "other.nc"))
+    own, again = (nc.read(shop.directory / name).toolpath for name in ("out.nc", "other.nc"))
     path = PathDistance(again, np.flatnonzero(again.kind != Kind.RAPID))
     # Both are within 1 um of the same surface, and divided where each needs it.
     cut = own.take(own.kind != Kind.RAPID)

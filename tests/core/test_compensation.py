@@ -9,10 +9,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline
 
-from millcorr.compensation import CONSTANT, Correction, Course, along, correction_from, dead_band
+from millcorr.correction.compensation import correction_from, dead_band
 from millcorr.errors import LimitError
-from millcorr.nurbs import NurbsCurve
-from millcorr.profile import Contour, Profile
+from millcorr.geometry.correction import Correction, Course, along
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Contour, Profile
+from millcorr.tolerances import ALIKE
 from tests.core.contours import Element, profile_of, rectangle, started_at
 
 CIRCLE = 50.0
@@ -102,10 +104,10 @@ def test_constants_stay_constants(closed):
 def test_what_varies_by_more_than_a_tenth_of_a_nanometre_is_no_constant():
     s = np.linspace(0.0, 20.0, 21)
     wave = np.sin(s)
-    assert Course.through(s, 0.02 + 0.4 * CONSTANT * wave, 20.0, False).is_constant
-    assert not Course.through(s, 0.02 + 2 * CONSTANT * wave, 20.0, False).is_constant
+    assert Course.through(s, 0.02 + 0.4 * ALIKE * wave, 20.0, False).is_constant
+    assert not Course.through(s, 0.02 + 2 * ALIKE * wave, 20.0, False).is_constant
     # One bump between equal values.
-    assert not Course.through(s, np.where(s == 10.0, 3 * CONSTANT, 0.0), 20.0, False).is_constant
+    assert not Course.through(s, np.where(s == 10.0, 3 * ALIKE, 0.0), 20.0, False).is_constant
 
 
 @settings(max_examples=40, deadline=None, derandomize=True)

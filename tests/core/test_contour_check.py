@@ -6,8 +6,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from millcorr import contour_check, gcode, pipeline
-from millcorr.measurement import Measurement
+from millcorr import nc, pipeline
+from millcorr.production import contour_check
+from millcorr.readers.measurement import Measurement
 
 RADIUS = 10.0
 # Climb milling of two walls, X+ then up at 60 degrees, joined by a hollow arc of part radius 15 (path radius 5).
@@ -55,7 +56,7 @@ def checked():
     xyz = np.column_stack([ball, np.full(len(ball), -3.0)])
     measurement = Measurement(xyz, None, 3.0, np.arange(2, len(xyz) + 2), "touches.csv", "0")
     settings = pipeline.Settings(filter="none", side="left")
-    source = gcode.parse(program().encode(), "part.nc")
+    source = nc.parse(program().encode(), "part.nc")
     result = pipeline.correct(pipeline.Request(source, RADIUS, measurement, settings=settings))
     return result, foot, normal, slope, error
 

@@ -12,9 +12,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from millcorr.errors import FormatError, LimitError, UsageError
-from millcorr.gcode import parse
-from millcorr.kinematics import AxisDynamics, ContourControl, Control, corner_errors, halts_of
-from millcorr.prediction.corner_feed import slow_corners
+from millcorr.nc import parse
+from millcorr.process.kinematics import AxisDynamics, ContourControl, Control, corner_errors, halts_of
+from millcorr.process.prediction.corner_feed import slow_corners
 from tests.core.sweeps import examples
 
 SQUARE = """%

@@ -8,12 +8,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from millcorr import gcode, pipeline
-from millcorr.compensation import Correction
+from millcorr import nc, pipeline
 from millcorr.errors import LimitError, RefusedError
-from millcorr.reconstruction import CompensatedContour
-from millcorr.regeneration import BAND
-from millcorr.regeneration.carried import carried_correction
+from millcorr.geometry.correction import Correction
+from millcorr.path.carried import carried_correction
+from millcorr.path.moves import BAND
+from millcorr.path.reconstruction import CompensatedContour
 from tests.core import loop_programs as programs
 from tests.core.sweeps import examples
 
@@ -35,7 +35,7 @@ ACCEPTED = ("earlier-program", "constant-offset", "ball-not-compensated", "wrong
 
 def start(name: str):
     text, radius, side, clear = CASES[name]
-    program = gcode.parse(text, f"{name}.nc")
+    program = nc.parse(text, f"{name}.nc")
     nominal = pipeline.nominal_from_program(program, radius, pipeline.Settings(side=side), None)
     return program, nominal, radius, clear
 
@@ -80,7 +80,7 @@ def test_three_corrections_up_to_the_limit(name: str, mean: float, share: float,
         wanted = -sum(f(0, d.s) for f in carried)
         got = result.correction.at(d.stretch, d.s, nominal)
         assert np.abs(got - wanted)[inside].max() < 0.003
-        program = gcode.parse(result.text, f"loop{loop}.nc")
+        program = nc.parse(result.text, f"loop{loop}.nc")
 
 
 def far_from_corners(nominal, d, radius):
@@ -107,7 +107,7 @@ def chained(stock: float) -> str:
 def test_a_roughing_pass_is_never_taken_for_the_finishing_pass(mean: float, share: float) -> None:
     """0.3 mm of stock: whatever the finishing pass carries, the roughing pass keeps its every word."""
     _, nominal, _, _ = start("mitres")
-    program = gcode.parse(chained(0.3), "chained.nc")
+    program = nc.parse(chained(0.3), "chained.nc")
     roughing = [line for line in chained(0.3).splitlines() if ".3" in line]
     total = float(nominal.total[0])
     swing = share * min(0.45 - abs(mean), mean + 0.15)
@@ -118,15 +118,13 @@ def test_a_roughing_pass_is_never_taken_for_the_finishing_pass(mean: float, shar
         # Four sides that grow or shrink by the correction, and the 4 mm behind the seam; the roughing pass has 342.4.
         cut = result.regeneration.toolpath.take(np.flatnonzero(result.regeneration.following))
         assert float(np.nansum(cut.length())) == pytest.approx(2 * (110 + 60) + 4, abs=8 * 0.46)
-        program = gcode.parse(result.text, f"loop{loop}.nc")
+        program = nc.parse(result.text, f"loop{loop}.nc")
 
 
 def test_without_a_mark_nothing_is_looked_for_beyond_the_band() -> None:
     """The roughing pass of an uncorrected program, alone, follows nothing; with a mark it would."""
     program, nominal, _, _ = start("mitres")
-    high = gcode.parse(
-        programs.RECTANGLE.replace("-5", "-5.3").replace("105", "105.3").replace("55", "55.3"), "high.nc"
-    )
+    high = nc.parse(programs.RECTANGLE.replace("-5", "-5.3").replace("105", "105.3").replace("55", "55.3"), "high.nc")
     with pytest.raises(LimitError, match=r"no move of the program follows the profile at 5 mm: .* 0\.300 mm off"):
         again(high, nominal, 5.0, wave(0.01, 0.0, 1, 300.0), 0)
     plain = CompensatedContour(nominal, Correction.none(nominal))
@@ -143,7 +141,7 @@ def test_a_step_at_another_height_is_not_guessed() -> None:
     text = "(millcorr 0.1 corrected 2026-01-01 measurement " + "ef" * 8 + " source " + "01" * 8 + ")\n"
     text += "G0 X-20 Y-4.7\nG1 Z-2 F100\nX104.7 F300\nY54.7\nX-4.7\nY-4.7\nX0\nG0 Z5\n"
     text += "G0 X-20 Y-4.85\nG1 Z-5 F100\nX104.85 F300\nY54.85\nX-4.85\nY-4.85\nX0\nG0 Z5\n"
-    program = gcode.parse(text, "rebate.nc")
+    program = nc.parse(text, "rebate.nc")
     with pytest.raises(LimitError, match=r"-0\.300 mm off the profile at Z-2\.000 and -0\.150 mm off it at Z-5"):
         again(program, nominal, 5.0, wave(0.01, 0.0, 1, 300.0), 0)
 
@@ -161,7 +159,7 @@ def test_transfer_function_three_times(depth: float) -> None:
         carried = float(result.correction.at(d.stretch, d.s, nominal).mean())
         assert carried == pytest.approx(-ms * depth, abs=1e-4)
         assert result.verification.path_error_max <= 0.001
-        program = gcode.parse(result.text, f"loop{loop}.nc")
+        program = nc.parse(result.text, f"loop{loop}.nc")
 
 
 def test_one_side_alone_is_moved_with_its_corners() -> None:
@@ -182,7 +180,7 @@ def test_checking_a_measurement_that_was_applied_warns_and_shows_it_as_it_was() 
     program, nominal, radius, _ = start("mitres")
     swell = wave(0.3, 0.05, 1, 300.0)
     first = again(program, nominal, radius, swell, 0)
-    carrying = gcode.parse(first.text, "corrected.nc")
+    carrying = nc.parse(first.text, "corrected.nc")
     request = pipeline.Request(carrying, radius, first.request.measurement, nominal, first.request.settings)
     with pytest.raises(RefusedError, match="applied on"):
         pipeline.correct(request)

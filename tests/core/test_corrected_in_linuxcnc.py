@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from millcorr import gcode
+from millcorr import nc
 from tests.core import rs274
 from tests.core.test_gcode_linuxcnc import compare
 from tests.core.test_pipeline import corrected
@@ -26,7 +26,7 @@ def ended(text: bytes) -> bytes:
 @pytest.mark.parametrize("moves", ["keep", "lines", "arcs"])
 def test_the_interpreter_sees_the_corrected_path(name: str, moves: str) -> None:
     result, _ = corrected(name, lambda k, s: 0.01 + 0.005 * np.sin(2 * np.pi * s / 60.0), output_moves=moves)
-    compare(gcode.parse(result.text).toolpath, rs274.motions(ended(result.text)))
+    compare(nc.parse(result.text).toolpath, rs274.motions(ended(result.text)))
 
 
 def test_splines_are_accepted() -> None:

@@ -12,18 +12,30 @@ import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from millcorr import gcode
-from millcorr.cutting import average_force, chip_thickness, cutting, force_at, force_over_turn, surface_location_error
-from millcorr.deviation import Deviation
-from millcorr.engagement import engagement, stock_of
-from millcorr.engagement.stock_region import StockRegion
+from millcorr import nc
+from millcorr.comparison.deviation import Deviation
 from millcorr.errors import RefusedError, UsageError
-from millcorr.nurbs import NurbsCurve
-from millcorr.prediction import elastic_pass as elastic_pass_module
-from millcorr.prediction.elastic_pass import cutting_stiffness, deviation_along, elastic_pass, predicted_deviation
-from millcorr.profile import Contour, Profile
-from millcorr.setup_file import Machine, Material, Setup, Stock, Tool, load
-from millcorr.simulated_machine import SimulatedMachine, reference_contour
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Contour, Profile
+from millcorr.process.cutting import (
+    average_force,
+    chip_thickness,
+    cutting,
+    force_at,
+    force_over_turn,
+    surface_location_error,
+)
+from millcorr.process.engagement import engagement, stock_of
+from millcorr.process.engagement.stock_region import StockRegion
+from millcorr.process.prediction import elastic_pass as elastic_pass_module
+from millcorr.process.prediction.elastic_pass import (
+    cutting_stiffness,
+    deviation_along,
+    elastic_pass,
+    predicted_deviation,
+)
+from millcorr.process.setup_file import Machine, Material, Setup, Stock, Tool, load
+from millcorr.virtual.simulated_machine import SimulatedMachine, reference_contour
 
 SETUPS = Path(__file__).resolve().parents[2] / "resources" / "setups"
 ALTINTAS = Material("", 767.01, 168.8, 27.7, 26.6)
@@ -31,7 +43,7 @@ CHIP_ONLY = Material("", 2000.0, 600.0)
 
 
 def path(text):
-    return gcode.parse("G90 G17 G21 F600\n" + text).toolpath
+    return nc.parse("G90 G17 G21 F600\n" + text).toolpath
 
 
 def contour(*curves, closed=False):
@@ -131,7 +143,7 @@ def test_down_milling_pushes_off_the_wall_and_up_milling_draws_in():
 
 
 def test_a_move_without_feed_is_refused():
-    toolpath = gcode.parse("G90 G17 G21\nG0 X0 Y5\nG1 X30").toolpath
+    toolpath = nc.parse("G90 G17 G21\nG0 X0 Y5\nG1 X30").toolpath
     its = setup()
     with pytest.raises(UsageError, match="has no feed"):
         cutting(engagement(toolpath, its, stock_of(its, WALL)), its)
@@ -278,10 +290,11 @@ def test_a_surface_that_is_not_to_be_found_is_refused_with_its_place(monkeypatch
     """A bent path 5 mm beside where its steps are leaves no surface within reach."""
     its = setup()
     found = elastic_pass(path("G0 X-60 Y5\nG1 X60"), its, stock_of(its, WALL))
-    shorter = contour(NurbsCurve.line((-40, 5), (40, 5)))
     # The axes' own path may leave places out: corners that it rounds off are no more, and it may end before.
-    left, _ = deviation_along(found, WALL, (lambda z: shorter, found.centre), spacing=1.0)
-    assert np.abs(left.foot[:, 0]).max() <= 40.0
+    shorter = elastic_pass(path("G0 X-40 Y5\nG1 X40"), its, stock_of(its, WALL))
+    longer = shorter.path.steps.centre * [1.5, 1.0]
+    left, _ = deviation_along(shorter, WALL, longer, spacing=1.0)
+    assert 39.0 <= np.abs(left.foot[:, 0]).max() <= 40.0
     through, beside = elastic_pass_module._path_through, contour(NurbsCurve.line((-60, 10), (60, 10)))
     commanded = found.path.steps.centre
     monkeypatch.setattr(
@@ -427,7 +440,7 @@ def transfer_of(toolpath, its, nominal, allowance):
     rigid = cutting(engagement(toolpath, its, StockRegion(nominal, allowance)), its)
     k = np.array(its.machine.stiffness())
     place = rigid.engagement.position[:, :2]
-    from millcorr.footpoint import FootPointSearch
+    from millcorr.geometry.footpoint import FootPointSearch
 
     feet = FootPointSearch(nominal, margin=20.0).find(place)
     s = nominal.arc_length(feet.span, feet.t)

@@ -11,9 +11,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from millcorr import demonstration, freecad_process, gcode
+from millcorr import freecad_process, nc
 from millcorr.errors import UsageError
-from millcorr.simulated_machine import REFERENCE_POLES, SimulatedMachine, reference_contour
+from millcorr.virtual import demonstration
+from millcorr.virtual.simulated_machine import REFERENCE_POLES, SimulatedMachine, reference_contour
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 GOOD = {"mean": 0.0018, "min": 0.0, "max": 0.005, "height": 0.005, "std": 0.0008}
@@ -97,8 +98,8 @@ def test_the_whole_demonstration(tmp_path, monkeypatch, capsys):
     for name in ("corrected-mean-5.FCStd", "corrected-mean-5.nc", "report-mean-5/report.html", "loop.png"):
         file = Path("demo") / name
         assert str(file) in shown and file.stat().st_size > 1000
-    before = gcode.read(Path("demo/demo.nc")).toolpath
-    after = gcode.read(Path("demo/corrected-auto.nc")).toolpath
+    before = nc.read(Path("demo/demo.nc")).toolpath
+    after = nc.read(Path("demo/corrected-auto.nc")).toolpath
     assert len(after) >= len(before)
     # A second time over the first, and a machine that is too bad to be corrected.
     monkeypatch.setattr(demonstration, "FILTERS", {"mean:5": "after, mean of 5", "auto": "after, auto"})

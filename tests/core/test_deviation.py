@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from millcorr.deviation import Deviation, deviations, statistics
+from millcorr.comparison.deviation import Deviation, deviations, statistics
 from millcorr.errors import InputError
-from millcorr.measurement import Measurement
-from millcorr.profile import Contour, Profile
+from millcorr.geometry.profile import Contour, Profile
+from millcorr.readers.measurement import Measurement
 from tests.core.contours import (
     Element,
     Part,

@@ -6,11 +6,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from millcorr import gcode, pipeline
-from millcorr.distrust import NAMES
+from millcorr import nc, pipeline
 from millcorr.errors import DistrustError, InputError, MillcorrError, RefusedError, UsageError
-from millcorr.measurement import Measurement
-from millcorr.simulated_machine import reference_contour
+from millcorr.plausibility import NAMES
+from millcorr.readers.measurement import Measurement
+from millcorr.virtual.simulated_machine import reference_contour
 from tests.core.loop_programs import measured
 from tests.core.test_pipeline import PROGRAM
 
@@ -120,7 +120,7 @@ def test_a_tool_error_is_no_shift() -> None:
 
 def test_half_a_program_is_refused() -> None:
     whole = PROGRAM.data.splitlines(keepends=True)
-    half = gcode.parse(b"".join(whole[: len(whole) // 3]), "cut.nc")
+    half = nc.parse(b"".join(whole[: len(whole) // 3]), "cut.nc")
     with pytest.raises(DistrustError, match="is the program whole"):
         pipeline.correct(pipeline.Request(half, 5.0, changed(PLAIN), None, pipeline.Settings(side="right")))
 
@@ -128,7 +128,7 @@ def test_half_a_program_is_refused() -> None:
 def test_the_same_points_saved_differently_are_the_same_measurement() -> None:
     first = changed(PLAIN)
     reversed_ = Measurement(PLAIN[::-1].copy(), None, 0.0, np.arange(1, len(PLAIN) + 1), "again.csv", "ef" * 32)
-    program = gcode.parse(run(first).text, "second.nc")
+    program = nc.parse(run(first).text, "second.nc")
     with pytest.raises(RefusedError, match="applied on"):
         pipeline.correct(pipeline.Request(program, 5.0, reversed_, NOMINAL))
 
@@ -153,7 +153,7 @@ def test_alignment_takes_a_shift_out_and_says_so() -> None:
     assert np.abs(own.deviation.value - plain.deviation.value).max() < 0.004
     summary = aligned.summary()["alignment"]
     assert summary["rotation_deg"] == pytest.approx(-0.3, abs=0.01)
-    assert gcode.parse(aligned.text)
+    assert nc.parse(aligned.text)
 
 
 ELASTIC = {

@@ -8,18 +8,20 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from millcorr import distrust, gcode, pipeline
-from millcorr.deviation import deviations
+from millcorr import nc, pipeline, plausibility
+from millcorr.comparison.ball_radius import axis_residue, contact_known
+from millcorr.comparison.deviation import deviations
+from millcorr.correction.targets import Part, target_of
 from millcorr.errors import DistrustError, RefusedError
-from millcorr.measurement import Measurement
-from millcorr.probe import axis_residue, contact_known
-from millcorr.targets import Part, target_of
+from millcorr.readers.measurement import Measurement
 from tests.core.loop_programs import measured
 from tests.core.test_distrust import NOMINAL, PLAIN, PROGRAM, changed, wave
 
 
-def correct(first: Measurement, *further: Measurement, program: gcode.Program = PROGRAM) -> pipeline.Result:
-    settings = pipeline.Settings(filter="none")
+def correct(
+    first: Measurement, *further: Measurement, program: nc.Program = PROGRAM, **chosen: object
+) -> pipeline.Result:
+    settings = pipeline.Settings(**({"filter": "none"} | chosen))
     return pipeline.correct(pipeline.Request(program, 5.0, first, NOMINAL, settings, further))
 
 
@@ -29,12 +31,12 @@ def noisy(seed: int) -> Measurement:
     return replace(found, source=f"part-{seed}.csv")
 
 
-def examined(measurement: Measurement) -> tuple[distrust.Finding, ...]:
+def examined(measurement: Measurement) -> tuple[plausibility.Finding, ...]:
     """What the model says of one part."""
     d = deviations(measurement, NOMINAL)
     work = target_of([Part(d, np.zeros(len(d)), d.value)], NOMINAL, pipeline.Settings(), False, [])
     assert work.separated is not None
-    return distrust.examine_separated(d, work.separated, NOMINAL, 0.6)
+    return plausibility.examine_separated(d, work.separated, NOMINAL, 0.6)
 
 
 def test_points_on_a_small_part_of_the_contour_are_dangerous() -> None:
@@ -83,19 +85,21 @@ def test_where_nothing_was_measured_the_mean_is_corrected() -> None:
 
 def test_where_nothing_was_measured_an_earlier_correction_stays() -> None:
     whole = correct(measured(NOMINAL, wave))
-    program = gcode.parse(whole.text, "second.nc")
+    program = nc.parse(whole.text, "second.nc")
     left = measured(NOMINAL, lambda k, s: 0.004 * np.cos(4 * np.pi * s / NOMINAL.total[0]))
     result = correct(half_measured(left), program=program)
     s = on_the_other_half()
     number = np.zeros(len(s), dtype=int)
     before = whole.correction.at(number, s, whole.nominal)
     assert np.abs(before).max() > 0.01
-    # The mean of what is left, 4 um at most, is taken off there, too, and the form fades with its short waves.
-    np.testing.assert_allclose(result.correction.at(number, s, result.nominal), before, atol=0.008)
+    # What is left, 4 um at most, goes on from the measured half as far as it hangs together, and with it the earlier
+    # form is that of the measured half; beyond, the earlier one stays.
+    form = np.abs(before - before.mean()).max()
+    np.testing.assert_allclose(result.correction.at(number, s, result.nominal), before, atol=0.004 + form)
 
 
 def test_a_part_of_the_earlier_program_is_refused() -> None:
-    program = gcode.parse(correct(noisy(1)).text, "second.nc")
+    program = nc.parse(correct(noisy(1)).text, "second.nc")
     with pytest.raises(DistrustError, match="--accept earlier-program"):
         correct(noisy(2), program=program)
     small = measured(NOMINAL, lambda k, s: 0.05 * wave(k, s) + 0.001 * np.sin(s))
@@ -116,12 +120,26 @@ def test_a_nominal_among_several_parts_is_refused_by_its_name() -> None:
         correct(noisy(1), nominal)
 
 
-def test_the_part_that_reaches_farthest_comes_first() -> None:
+def test_parts_may_reach_as_far_as_they_like() -> None:
+    """What any of them shows is corrected; only a transfer function is told at the places of the first."""
     whole = noisy(1)
     half = replace(changed(noisy(2).points[: len(PLAIN) // 2].copy()), source="half.csv")
+    either = [correct(*parts, filter="auto").correction for parts in ((half, whole), (whole, half))]
+    s = np.linspace(0.0, 224.0, 400)
+    one, other = (c.at(np.zeros(len(s), dtype=int), s, NOMINAL) for c in either)
+    np.testing.assert_allclose(one, other, atol=1e-4)
     with pytest.raises(DistrustError, match="--accept first-part"):
-        correct(half, whole)
+        correct(half, whole, method="transfer", depth=[2.0])
     assert correct(whole, half).text
+
+
+def test_parts_measured_at_any_places_are_averaged() -> None:
+    """Points taken at random leave gaps of several spacings on each part."""
+    parts = []
+    for seed in (1, 2, 3):
+        rows = np.sort(np.random.default_rng(seed).choice(len(PLAIN), 40, replace=False))
+        parts.append(replace(changed(noisy(seed).points[rows].copy()), source=f"{seed}.csv"))
+    assert correct(*parts, filter="auto").text
 
 
 @pytest.mark.parametrize(("given", "name"), [(2.0, "axis-radius"), (3.0, None), (4.0, "axis-radius")])
@@ -187,7 +205,7 @@ def test_a_measurement_saved_otherwise_is_not_applied_twice(saved, error) -> Non
     rng = np.random.default_rng(5)
     found = measured(NOMINAL, lambda k, s: error(k, s) + 0.001 * rng.standard_normal(len(s)))
     first = replace(found, points=np.round(found.points, 4))
-    program = gcode.parse(correct(first).text, "second.nc")
+    program = nc.parse(correct(first).text, "second.nc")
     with pytest.raises(RefusedError, match=r"second\.nc:\d+: this measurement was applied on"):
         correct(replace(saved(first), source="again.csv"), program=program)
     # What the corrected program leaves is another part, however small its noise.

@@ -9,14 +9,14 @@ import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from millcorr import gcode
-from millcorr.engagement import engagement, load_ratio, piece_tree, stock_of
-from millcorr.engagement.path_pieces import pieces_of_toolpath
-from millcorr.engagement.stock_region import StockRegion, Swept
+from millcorr import nc
 from millcorr.errors import FormatError, InputError, UsageError
-from millcorr.nurbs import NurbsCurve
-from millcorr.profile import Contour, Profile
-from millcorr.setup_file import Machine, Material, Setup, Stock, Tool
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Contour, Profile
+from millcorr.process.engagement import engagement, load_ratio, piece_tree, stock_of
+from millcorr.process.engagement.path_pieces import pieces_of_toolpath
+from millcorr.process.engagement.stock_region import StockRegion, Swept
+from millcorr.process.setup_file import Machine, Material, Setup, Stock, Tool
 from tests.core.sweeps import examples
 
 EXACT = 1e-9
@@ -34,7 +34,7 @@ def setup(diameter=10.0, flutes=4, rpm=3000.0, depth=5.0, rotation="clockwise", 
 
 
 def path(text):
-    return gcode.parse("G90 G17 G21 F600\n" + text).toolpath
+    return nc.parse("G90 G17 G21 F600\n" + text).toolpath
 
 
 def contour(*curves, closed=False):

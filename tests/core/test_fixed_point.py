@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from millcorr.fixed_point import FixedPoint
+from millcorr.process.fixed_point import FixedPoint
 
 
 def settled(g, x, system, depth, rounds=60):
@@ -50,6 +50,7 @@ def test_force_that_ends_at_once():
 
 def test_systems_do_not_disturb_each_other():
     """Rows of one system beside another give what they give alone, to the last digit that adding leaves."""
+
     def g(x):
         return np.cos(x * np.array([1.0, 0.5]))
 

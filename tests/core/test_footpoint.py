@@ -8,10 +8,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import minimize_scalar
 
-from millcorr.footpoint import FootPointSearch, Place
-from millcorr.nurbs import NurbsCurve
-from millcorr.profile import Contour, Profile, join
-from millcorr.simulated_machine import reference_contour
+from millcorr.geometry.footpoint import FootPointSearch, Place
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Contour, Profile, join
+from millcorr.virtual.simulated_machine import reference_contour
 from tests.core.sweeps import examples
 
 EXACT = 1e-9

@@ -8,9 +8,9 @@ import re
 import numpy as np
 import pytest
 
-from millcorr import gcode, pipeline
-from millcorr.compensation import Correction, Course
-from millcorr.regeneration.free_ends import keep_coordinate
+from millcorr import nc, pipeline
+from millcorr.geometry.correction import Correction, Course
+from millcorr.path.free_ends import keep_coordinate
 from tests.core import loop_programs as programs
 from tests.core.laid_paths import laid
 
@@ -37,18 +37,18 @@ M30
 """Ends in an arc, along which nothing can slide and keep a coordinate exactly."""
 
 
-def corrected(text: str, along: str, depth: float = 1.0) -> gcode.Program:
+def corrected(text: str, along: str, depth: float = 1.0) -> nc.Program:
     """Correct for an MS of 0.05 all along."""
-    program = gcode.parse(text, "open.nc")
+    program = nc.parse(text, "open.nc")
     settings = pipeline.Settings(side="left", filter="none", method="transfer", depth=depth, depth_along=along)
     nominal = pipeline.nominal_from_program(program, 5.0, settings, None)
     measurement = programs.measured(nominal, lambda k, s: np.full(len(s), depth * 0.05 / 1.05), clear=6.0)
     result = pipeline.correct(pipeline.Request(program, 5.0, measurement, None, settings))
     assert result.verification.path_error_max <= 0.001
-    return gcode.parse(result.text, "corrected.nc")
+    return nc.parse(result.text, "corrected.nc")
 
 
-def words(program: gcode.Program, axis: str) -> list[str]:
+def words(program: nc.Program, axis: str) -> list[str]:
     lines = [t for t in program.data.decode().splitlines() if not t.startswith("(")]
     return [word for text in lines for word in re.findall(rf"{axis}[-.\d]+", text)]
 
@@ -58,8 +58,8 @@ def test_a_straight_cut_keeps_a_coordinate(along: str, kept: str, moved: str) ->
     """At 45 degrees both axes can be kept, and the path is the same line."""
     text = "G0 X0 Y0\nG1 Z-5 F100\nG1 X60 Y60 F300\nG0 Z20\nM30\n"
     result = corrected(text, along)
-    assert words(result, kept) == words(gcode.parse(text), kept)
-    assert words(result, moved) != words(gcode.parse(text), moved)
+    assert words(result, kept) == words(nc.parse(text), kept)
+    assert words(result, moved) != words(nc.parse(text), moved)
     # MS along an axis: delta is sqrt(2) larger, H is not; H MS is the shift along the normal in both readings.
     delta = 0.05 / 1.05 * np.sqrt(2)
     shift = delta / (1 - delta)
@@ -71,8 +71,8 @@ def test_a_straight_cut_keeps_a_coordinate(along: str, kept: str, moved: str) ->
 
 def regenerated(text: str, bare: str, shift: float):
     """A program moved out by a constant correction, and the same with its ends slid to keep X."""
-    program = gcode.parse(text)
-    nominal = pipeline.nominal_from_program(gcode.parse(bare), 5.0, pipeline.Settings(side="left"), None)
+    program = nc.parse(text)
+    nominal = pipeline.nominal_from_program(nc.parse(bare), 5.0, pipeline.Settings(side="left"), None)
     stretches = tuple(nominal.stretches())
     courses = tuple(Course.constant(shift, t.length, t.closed) for t in stretches)
     plain = laid(program.toolpath, nominal, Correction(stretches, courses), 5.0)

@@ -12,8 +12,8 @@ from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
 from millcorr.errors import FormatError
-from millcorr.gcode import parse, read, write
-from millcorr.toolpath import Kind, Plane, Toolpath
+from millcorr.nc import parse, read, write
+from millcorr.nc.toolpath import Kind, Plane, Toolpath
 from tests.core import rs274
 from tests.core.nc_programs import Made, displaced, programs
 
@@ -162,3 +162,28 @@ def test_what_linuxcnc_refuses_is_not_corrected(line: str) -> None:
 def test_what_linuxcnc_accepts_is_read_alike(line: str) -> None:
     text = f"G21 G17 G90\nG0 X0 Y0 Z0\nF100\n{line}\nM2\n".encode()
     compare(parse(text).toolpath, rs274.motions(text))
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        "o100 sub|G1 X#1 Y[#2*2]|o100 endsub|o100 call [3] [4]|o100 call [5] [1]",
+        "o200 repeat [3]|G91 G1 X1|Y.5|o200 endrepeat|G90",
+        "#<depth> = 0|o1 while [#<depth> gt -2]|#<depth> = [#<depth> - 0.5]|G1 Z#<depth>|X[10+#<depth>]|o1 endwhile",
+        "#1=3|o1 if [#1 gt 2]|G1 X1|o1 else|G1 X2|o1 endif|Y1",
+        "#1=1|o1 if [#1 gt 2]|G1 X1|o1 elseif [#1 eq 1]|G1 X2|o1 else|G1 X3|o1 endif",
+        "#1=5 #2=#1|G1 X#1|#1=[#1+1]|G1 X-#1 Y[SIN[30]*4+SQRT[16]-ABS[-2]]|G1 X[2**3] Y[ATAN[1]/[1]]",
+        "#1=2|#1=[#1*3] G1 X#1|X#1",
+        "G1 X[1+2*3-4/2] Y[[1+2]*3] Z[7 MOD 4]|X[FIX[2.7]] Y[FUP[2.2]] Z[ROUND[2.5]]",
+        "#1=4|G2 X[2*#1] Y0 I#1|G3 X0 Y0 R[#1]",
+        "M98 P200 L2|G1 X9|M2|O200|G91 G1 X1 Y1|G90|M99",
+        "o1 sub|o2 call|G91 G1 X1|o1 endsub|o2 sub|G90 G1 Y[#31]|o2 endsub|#31=4|o1 call|o1 call|G90",
+    ],
+)
+def test_what_linuxcnc_runs_is_run_alike(lines: str) -> None:
+    """Subprograms, loops, choices, variables and expressions."""
+    head = "G21 G17 G90|G0 X0 Y0 Z0|F100|"
+    text = (head + lines + "|M2|").replace("|", "\n").encode()
+    program = parse(text)
+    assert not program.opaque
+    compare(program.toolpath, rs274.motions(text))

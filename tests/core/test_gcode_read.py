@@ -13,8 +13,8 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from millcorr.errors import FormatError
-from millcorr.gcode import Program, parse, read
-from millcorr.toolpath import Compensation, Kind
+from millcorr.nc import Program, parse, read
+from millcorr.nc.toolpath import Compensation, Kind
 from tests.core.nc_programs import Made, programs
 
 DATA = Path(__file__).parents[1] / "data" / "nc"
@@ -259,14 +259,14 @@ def test_carriage_returns_alone_end_lines() -> None:
         ("G0 X0 Y0|G1 X=R1 F1|X3", [0, 1, 0]),
         ("G0 X0 Y0|M98 P100|G1 X2 F1|G90 X3", [0, 1, 0]),
         ("G0 X0 Y0|G65 P9810 X2|G90 G1 X3 F1", [0, 0]),
-        ("o100 sub|G1 X1 F1|o100 endsub|G1 X2", [1, 1]),
+        ("o100 sub|G1 X1 F1|o100 endsub|G1 X2", [0]),
         ("G0 X0|IF [#1 EQ 1] GOTO 5|G1 X1 F1", [0, 1]),
         ("G0 X0|G33 Z1 K1|G1 X1 F1", [0, 1, 0]),
         ("G0 X0|G53 X5|G1 X1 F1", [0, 1, 0]),
         ("G0 X0|G16|G1 X1 Y30 F1|G15|X2", [0, 1, 0]),
         ("G0 X0|G93 G1 X1 F1|G94 X2 F9", [0, 1, 1]),
         ("G0 X0 A0|G1 X1 A5 F1|X2", [0, 1, 0]),
-        ("G0 X0|G1 X5 ,C1 F1|X7", [0, 1, 0]),
+        ("G0 X0|G1 X5 ,C1 F1|X7", [0, 1, 1]),
         ("X1 Y2|G0 X1", [1, 0]),
         ("G0 X0|CYCLE800(1)|G90 G0 X5", [0, 0]),
     ],
@@ -310,7 +310,7 @@ def test_position_is_unknown_behind_a_variable_until_stated() -> None:
         ("G0 X0 Y0|G1 X1 \xa7", 2, "cannot read"),
         ("G0 X0|G5 X1 Y1 P0 Q1", 2, "G5"),
         ("G1 X99999999999999999999", 1, "too large"),
-        ("BEGIN PGM 12 MM", 1, "plain-language"),
+        ("TOOL CALL 1 Z S1000", 1, "plain-language"),
         ("", None, "empty"),
         (" \n\n", None, "empty"),
         ("\0\1", None, "binary"),

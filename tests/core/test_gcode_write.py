@@ -12,8 +12,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from millcorr.errors import FormatError, InputError, MillcorrError
-from millcorr.gcode import Program, parse, read, write
-from millcorr.toolpath import Kind, Plane, Toolpath
+from millcorr.nc import Program, parse, read, write
+from millcorr.nc.toolpath import Kind, Plane, Toolpath
 from tests.core.nc_programs import Made, displaced, programs
 from tests.core.sweeps import examples
 
@@ -370,3 +370,76 @@ def test_long_headers_are_wrapped_and_ascii() -> None:
     out = write(p, p.toolpath, header=["wörd " * 60])
     assert max(len(line) for line in lines(out)) <= 100
     assert out.isascii()
+
+
+def moved(text: str, rows: list[int], by: float = 0.03) -> str:
+    """Program with the ends of some moves displaced along X."""
+    program = parse(text, "t.nc")
+    path = program.toolpath
+    end, start, centre = path.end.copy(), path.start.copy(), path.centre.copy()
+    end[rows, 0] += by
+    centre[rows, 0] += by
+    start[[r + 1 for r in rows if r + 1 < len(path)], 0] += by
+    return write(program, path.with_moves(end=end, start=start, centre=centre)).decode()
+
+
+def test_a_number_takes_the_place_of_a_variable_that_nothing_else_uses() -> None:
+    text = "#1=3. (WIDTH)\nG0 X0 Y0 Z0\nG1 X#1 F10\nY[2+#2]\nM2\n".replace("#2", "1")
+    assert moved(text, [1, 2]) == text.replace("X#1", "X3.03").replace("Y[2+1]", "Y[2+1]")
+    siemens = "R1=3\nG0 X0 Y0 Z0\nG1 X=R1 F=R2\nY5\nM30\n"
+    assert moved(siemens, [1, 2]) == siemens.replace("X=R1", "X=3.03")
+
+
+@pytest.mark.parametrize(
+    ("text", "row", "what"),
+    [
+        ("#1=3\nG0 X0 Y0 Z0\nG1 X#1 F9\nX#1 Y2\nM2", 1, r"t.nc:3: X#1 cannot .* #1, set in line 1, is used 2"),
+        ("R1=3\nG0 X0 Y0 Z0\nG1 X=R1 F9\nY=R1\nM2", 1, r"t.nc:3: X=R1 .* R1, set in line 1, .* \(line 3, 4\)"),
+        ("#2=1\n#1=3\nG0 X0 Y0 Z0\nG1 X#[#2] F9\nM2", 1, r"which variable it is, is computed"),
+    ],
+)  # fmt: skip
+def test_a_variable_that_something_else_uses_is_named(text: str, row: int, what: str) -> None:
+    with pytest.raises(FormatError, match=what):
+        moved(text, [row])
+
+
+def test_named_addresses_keep_their_form() -> None:
+    text = "G0 X=AC(10) Y=5 Z=IC(2)\nG1 X=AC(7) F9\nG2 x=ac(0) Y5 CR=20 ; ARC\n"
+    text += "G3 X5 I=AC(2.5) J=AC(5)\nX=IC(4) CR=2\nM30\n"
+    wanted = (
+        text.replace("X=AC(7)", "X=AC(7.03)")
+        .replace("x=ac(0)", "x=ac(0.03)")
+        .replace("X5 I=AC(2.5)", "X5.03 I=AC(2.53)")
+    )
+    assert moved(text, [1, 2, 3, 4]) == wanted
+
+
+def test_a_shift_is_taken_off_what_is_written() -> None:
+    text = "TRANS X10 Y=2*2\nG0 X0 Y0 Z0\nG1 X5 F9\nG2 X9 I=AC(7) J=AC(0)\nATRANS X-1\nG1 X2 Y9\nM30\n"
+    assert parse(text).toolpath.end[:, 0].tolist() == [10, 15, 19, 11]
+    wanted = text.replace("X5", "X5.03").replace("X9 I=AC(7)", "X9.03 I=AC(7.03)").replace("X2 ", "X2.03 ")
+    assert moved(text, [1, 2, 3]) == wanted
+
+
+def test_corners_are_written_out_where_they_are_corrected() -> None:
+    text = "G0 X0 Y0 Z0\nG1 X10,R2. F9\nY20\nX30 RND=3\nY0\nM30\n"
+    path = parse(text).toolpath
+    assert path.source.tolist() == [0, 1, 1, 2, 3, 3, 4]
+    out = moved(text, [1, 2, 3])
+    assert out == "G0 X0 Y0 Z0\nG1 X8.03 F9\nG3 X10.03 Y2 I0 J2\nG1 Y20\nX27\nG2 X30 Y17 I0 J-3\nG1 Y0\nM30\n"
+
+
+@pytest.mark.parametrize("line", ["CIP X3 Y1 I1=AC(2) J1=2", "CT X3 Y1", "G2 X3 Y1 AR=90"])
+def test_arcs_stated_otherwise_become_arcs_by_their_centre(line: str) -> None:
+    text = f"G0 X0 Y0 Z0\nG1 X1 Y1 F9\n{line}\nG1 X9\nM30\n"
+    before = parse(text).toolpath
+    out = parse(moved(text, [1, 2])).toolpath
+    np.testing.assert_allclose(out.centre[2, :2], before.centre[2, :2] + [0.03, 0], atol=0.001)
+    np.testing.assert_allclose(out.sweep[2], before.sweep[2], atol=0.001)
+
+
+def test_lines_by_their_angle_are_read_and_written_by_their_ends() -> None:
+    text = "G0 X0 Y0 Z0\nG1 X10,A45. F9\n,A90.\nX0 Y20,A180.\nY0\nM30\n"
+    path = parse(text).toolpath
+    np.testing.assert_allclose(path.end[1:, :2], [[10, 10], [10, 20], [0, 20], [0, 0]], atol=1e-9)
+    assert moved(text, [1, 2, 3]) == "G0 X0 Y0 Z0\nG1 X10.03 Y10 F9\nY20\nX0.03 Y20\nX0 Y0\nM30\n"

@@ -12,20 +12,20 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
-from millcorr import gcode
-from millcorr.cutting import force_at, surface_location_error
-from millcorr.deflection.cantilever import Cantilever
-from millcorr.deflection.height_deviation import predicted_deviation
-from millcorr.deflection.height_error import WallModel
-from millcorr.deflection.real_path import real_path
-from millcorr.engagement import engagement, stock_of
-from millcorr.engagement.stock_region import StockRegion
+from millcorr import nc
 from millcorr.errors import InputError, UsageError
-from millcorr.kinematics import AxisDynamics, Control, motion
-from millcorr.nurbs import NurbsCurve
-from millcorr.prediction.real_feed import RealFeed
-from millcorr.profile import Contour, Profile
-from millcorr.setup_file import Machine, Material, Setup, Stock, load
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Contour, Profile
+from millcorr.process.cutting import force_at, surface_location_error
+from millcorr.process.deflection.cantilever import Cantilever
+from millcorr.process.deflection.height_deviation import predicted_deviation
+from millcorr.process.deflection.height_error import WallModel
+from millcorr.process.deflection.real_path import real_path
+from millcorr.process.engagement import engagement, stock_of
+from millcorr.process.engagement.stock_region import StockRegion
+from millcorr.process.kinematics import AxisDynamics, Control, motion
+from millcorr.process.prediction.real_feed import RealFeed
+from millcorr.process.setup_file import Machine, Material, Setup, Stock, load
 
 PAPER = load(Path(__file__).resolve().parents[2] / "resources" / "setups" / "dat-2025.toml")
 HEIGHTS = np.array([0.5, 1.0, 1.5, 2.0])
@@ -47,7 +47,7 @@ CORNER = HEAD + "G0 X-25 Y0 Z5\nG1 Z0\nG1 X0\nG1 Y25"
 
 
 def path(text):
-    return gcode.parse(HEAD + text).toolpath
+    return nc.parse(HEAD + text).toolpath
 
 
 def straight(length=20.0, y=5.0):
@@ -86,6 +86,39 @@ def test_a_wall_that_bends_over_its_height():
     # On top of the tool and the machine, not in their place.
     both = middle(model(replace(PAPER, machine=replace(PAPER.machine, wall_over_height=rows))).errors(HEIGHTS).value)
     assert both == pytest.approx(middle(model(PAPER).errors(HEIGHTS).value) + found, rel=1e-3)
+
+
+def test_a_wall_that_bends_along_its_length_and_over_its_height():
+    """Each place is as on a machine that has its stiffness everywhere; compliance is linear between the rows."""
+    rows = ((0.0, 900.0, 900.0), (500.0, 300.0, 300.0), (1000.0, 900.0, 900.0))
+    over = ((0.0, 9000.0, 9000.0), (2.5, 5000.0, 5000.0))
+    machine = replace(PAPER.machine, kx_n_per_mm=900.0, ky_n_per_mm=900.0, wall_over_height=over)
+    its = replace(PAPER, machine=replace(machine, stiffness_along=rows))
+    way = real_path(path("G0 X-240 Y5\nG1 X240"), spacing=0.25)
+    found = WallModel.of(way, its, stock_of(its, WALL), WALL).errors(HEIGHTS)
+    x = found.model.engagement.position[:, 0]
+    for place in (-200.0, -55.0, 0.0, 130.0):
+        row = int(np.abs(x - place).argmin())
+        # The nominal begins at X500 and runs along -X.
+        k = 1.0 / np.interp(500.0 - x[row], [0.0, 500.0, 1000.0], [1 / 900, 1 / 300, 1 / 900])
+        even = replace(PAPER, machine=replace(machine, kx_n_per_mm=k, ky_n_per_mm=k))
+        wanted = middle(
+            WallModel.of(real_path(straight(), spacing=0.25), even, stock_of(even, WALL)).errors(HEIGHTS).value
+        )
+        # The loop is closed to 1e-6 mm; a place differs from its neighbours by 1e-5 mm a step.
+        assert found.value[row] == pytest.approx(wanted, abs=1e-5)
+    assert np.ptp(found.value[:, 0][np.isfinite(found.value[:, 0])]) > 0.01
+
+
+def test_a_row_that_is_stiffer_than_the_tool_alone_is_refused():
+    alone = Cantilever.of_tool(PAPER.tool).tip_stiffness
+    rows = ((0.0, 900.0, 900.0), (500.0, 2 * alone, 900.0))
+    its = replace(PAPER, machine=replace(PAPER.machine, kx_n_per_mm=900.0, ky_n_per_mm=900.0, stiffness_along=rows))
+    way = real_path(straight(), spacing=0.25)
+    with pytest.raises(UsageError, match="tool alone"):
+        WallModel.of(way, its, stock_of(its, WALL), WALL)
+    with pytest.raises(UsageError, match="nominal of one contour"):
+        WallModel.of(way, its, stock_of(its, WALL))
 
 
 def test_the_outermost_of_straight_teeth_makes_the_wall():
@@ -285,7 +318,7 @@ def test_the_real_feed_sets_the_chip():
 
 def test_real_path_follows_the_motion():
     """Corner of linear acc/dec: closest approach sqrt(2) v T / 8 (5 mm/s, 50 ms: 0.0442 mm); lines as asked."""
-    toolpath = gcode.parse(CORNER).toolpath
+    toolpath = nc.parse(CORNER).toolpath
     found = real_path(toolpath, Control.alike(AxisDynamics(0.05, "linear")), spacing=0.01)
     lines = found.toolpath.take(found.short)
     assert np.hypot(*lines.end[:, :2].T).min() == pytest.approx(np.sqrt(2) * 5 * 0.05 / 8, abs=2e-3)
@@ -299,7 +332,7 @@ def test_real_path_follows_the_motion():
 
 def test_deviation_by_height():
     """One level a height at foot points of the nominal; the elastic error of the straight wall, corner left out."""
-    toolpath = gcode.parse(CORNER).toolpath
+    toolpath = nc.parse(CORNER).toolpath
     found = model(PAPER, HOLLOW, toolpath).errors(HEIGHTS)
     deviation = predicted_deviation(found, HOLLOW)
     assert set(deviation.level) == {0, 1, 2, 3}
@@ -312,7 +345,7 @@ def test_deviation_by_height():
 
 def test_the_overlap_of_an_outer_corner_is_left_out():
     """With acc/dec the path turns inside an outer corner: what is cut away again is no surface."""
-    toolpath = gcode.parse(CORNER).toolpath
+    toolpath = nc.parse(CORNER).toolpath
     up = model(PAPER, ROUND, toolpath, control=Control.alike(AxisDynamics(0.05, "linear")), spacing=0.02)
     found = up.errors(HEIGHTS)
     assert not up.down[np.isfinite(up.wall[:, 0])].any()
@@ -349,7 +382,7 @@ def test_an_outer_corner_in_up_milling_is_as_the_straight_wall(radial, overhang)
 def test_load_of_the_commanded_corner_is_that_of_the_actual_one_or_more(feed, ratio, degrees):
     """The commanded cutter stands in the corner, 143.13 degrees engaged, 90 + acos(3 / 5); the actual one rounds it."""
     control = Control.alike(AxisDynamics(0.05, "linear", 40.0))
-    toolpath = gcode.parse(CORNER.replace("F300", f"F{feed}")).toolpath
+    toolpath = nc.parse(CORNER.replace("F300", f"F{feed}")).toolpath
     at_real_feed = RealFeed.of(toolpath, motion(toolpath, control)).toolpath
     commanded = engagement(at_real_feed, PAPER, stock_of(PAPER, HOLLOW), step=0.05)
     actual = engagement(real_path(toolpath, control).toolpath, PAPER, stock_of(PAPER, HOLLOW), step=0.05)
@@ -358,6 +391,12 @@ def test_load_of_the_commanded_corner_is_that_of_the_actual_one_or_more(feed, ra
     assert np.nanmax(commanded.area) / np.nanmax(actual.area) == pytest.approx(ratio, abs=0.01)
     # Elsewhere both meet the same.
     assert np.median(actual.phi) == pytest.approx(np.median(commanded.phi), abs=1e-6)
+    # What a simulation goes along, thinned to lines within 5e-5 mm, against the samples every 0.02 mm.
+    moved = motion(toolpath, control)
+    simulated = engagement(RealFeed.of(toolpath, moved).run(toolpath, moved).toolpath, PAPER, stock_of(PAPER, HOLLOW))
+    assert simulated.phi.max() == pytest.approx(actual.phi.max(), abs=0.01)
+    # The feed is that in the middle of parts of 0.25 mm, on which it changes by a few hundredths at the vertex.
+    assert np.nanmax(simulated.area) == pytest.approx(np.nanmax(actual.area), rel=0.04)
 
 
 def test_two_passes_have_their_own_heights():

@@ -15,11 +15,11 @@ import numpy as np
 import pytest
 
 from millcorr.errors import UsageError
-from millcorr.profile import Stretch
+from millcorr.geometry.profile import Stretch
+from millcorr.production import history
+from millcorr.production.journal import Chain, Entry
+from millcorr.production.places import Places
 from millcorr.report import history as report_history
-from millcorr.series import history
-from millcorr.series.journal import Chain, Entry
-from millcorr.series.places import Places
 
 PLACES = Places((Stretch(0, 0.0, 30.0, True),), (60,))
 

@@ -10,9 +10,9 @@ import pytest
 
 from millcorr import readers
 from millcorr.__main__ import main
-from millcorr.distrust import examine_file, examine_points
-from millcorr.measurement import Measurement
-from millcorr.simulated_machine import reference_contour
+from millcorr.plausibility import examine_file, examine_points
+from millcorr.readers.measurement import Measurement
+from millcorr.virtual.simulated_machine import reference_contour
 
 MSR = """START
 G800 N1 X10 Y20 Z-5 I1 J0 K0 O0 U0.01 L-0.01

@@ -14,10 +14,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from millcorr import gcode, jobs, pipeline
+from millcorr import nc, pipeline
 from millcorr.__main__ import main
+from millcorr.cli import jobs
 from millcorr.errors import FormatError, MillcorrError, UsageError
-from millcorr.series import journal
+from millcorr.production import journal
 from tests.core import loop_programs as programs
 
 REPOSITORY = Path(__file__).resolve().parents[2]
@@ -28,7 +29,7 @@ def shop(tmp_path):
     """Directory with one program and the measurements of three parts."""
     (tmp_path / "part.nc").write_text(programs.RECTANGLE)
     nominal = pipeline.nominal_from_program(
-        gcode.read(tmp_path / "part.nc"), programs.RADIUS, pipeline.Settings(side="right"), None
+        nc.read(tmp_path / "part.nc"), programs.RADIUS, pipeline.Settings(side="right"), None
     )
     for number in (1, 2, 3):
         points = programs.measured(nominal, lambda k, s, n=number: 0.004 * n + 0.003 * np.sin(s / 9.0)).points
@@ -188,7 +189,7 @@ def test_values_of_every_shape_reach_the_command(tmp_path):
         "work-offset=[-1, 2.5, 3]\naccept=['unit', 'outliers']\nwork_rotation=-90\n"
         "[[job]]\nverb='convert'\nmeasured='-x.csv'\noutput='x.csv'\n"
     )
-    from millcorr import arguments
+    from millcorr.cli import arguments
 
     first, second = (arguments.parser().parse_args(job.argv) for job in jobs.load(path))
     assert first.program == Path("-a.nc") and first.measured == [Path("b.csv"), Path("c.csv")]

@@ -19,11 +19,11 @@ import pytest
 
 import millcorr
 from millcorr.errors import FormatError, InputError, MillcorrError, RefusedError, UsageError
-from millcorr.profile import Stretch
-from millcorr.series import journal
-from millcorr.series.journal import Chain, Entry
-from millcorr.series.places import Places
-from millcorr.series.points import Points
+from millcorr.geometry.profile import Stretch
+from millcorr.production import journal
+from millcorr.production.journal import Chain, Entry
+from millcorr.production.places import Places
+from millcorr.production.points import Points
 from tests.core import journal_crash
 
 PLACES = Places((Stretch(0, 0.0, 30.0, True), Stretch(1, 2.5, 4.0, False)), (60, 8))
@@ -284,7 +284,7 @@ def test_places_where_no_journal_can_be(tmp_path: Path) -> None:
 WRITE_AS_ANOTHER_USER = """
 import os, sys
 from pathlib import Path
-from millcorr.series import journal
+from millcorr.production import journal
 from millcorr.errors import MillcorrError
 if os.geteuid() == 0:
     os.setgid(65534)

@@ -15,8 +15,9 @@ from scipy.optimize import brentq, minimize_scalar
 from scipy.signal import lfilter
 
 from millcorr.errors import FitError, FormatError, InputError, UsageError
-from millcorr.gcode import parse
-from millcorr.kinematics import (
+from millcorr.nc import parse
+from millcorr.nc.toolpath import Kind
+from millcorr.process.kinematics import (
     AxisDynamics,
     ContourControl,
     Control,
@@ -34,8 +35,7 @@ from millcorr.kinematics import (
     read_trace,
     schedule,
 )
-from millcorr.kinematics.response import _psi
-from millcorr.toolpath import Kind
+from millcorr.process.kinematics.response import _psi
 from tests.core.sweeps import examples, slow
 
 HEAD = "G90 G21 G17|G0 X0 Y0 Z0|"
@@ -368,7 +368,7 @@ def test_blocks_do_not_show(monkeypatch):
     toolpath = path(text + "|G0 X0 Y20|G1 X5|G3 X8 Y23 J3")
     control = Control.alike(AxisDynamics(0.03, "exponential", 40.0, 100.0), ContourControl(3.0))
     whole = motion(toolpath, control), corner_errors(toolpath, control), path_errors(toolpath, control)
-    monkeypatch.setattr(sys.modules["millcorr.kinematics.motion"], "_BLOCK", 7)
+    monkeypatch.setattr(sys.modules["millcorr.process.kinematics.motion"], "_BLOCK", 7)
     parts = motion(toolpath, control), corner_errors(toolpath, control), path_errors(toolpath, control)
     assert len(list(motions(schedule(toolpath, control)))) > 10
     for a, b in zip(whole, parts, strict=True):

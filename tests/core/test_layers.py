@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import ast
+import importlib
 import re
 import sys
 from functools import cache
@@ -19,29 +20,39 @@ GUI = sorted(PACKAGE.glob("gui/*.py"))
 
 HOST = {"FreeCAD", "FreeCADGui", "App", "Gui", "Part", "Sketcher", "Path", "PathScripts", "CAM", "Import", "Draft"}
 WINDOW = {"FreeCADGui", "Gui", "PySide", "PySide2", "PySide6", "pivy"}
-NOUNS = {"errors", "read_only", "nurbs", "toolpath", "profile", "measurement", "transform"}
-DOORS = {"gcode", "readers"}
-"""Packages that turn text into nouns and back."""
-FRONTS = {
-    "__main__",
-    "arguments",
-    "contour_check",
-    "demonstration",
+ROOMS = (
+    "messages",
+    "errors",
+    "options",
+    "progress",
+    "tolerances",
+    "arrays",
+    "whole_file",
+    "decimal_text",
     "freecad_process",
-    "jobs",
-    "measuring_task",
+    "geometry",
+    "nc",
+    "readers",
+    "comparison",
+    "separation",
+    "plausibility",
+    "correction",
+    "path",
+    "process",
+    "probing",
+    "stages",
     "pipeline",
-    "remedy_programs",
+    "production",
     "report",
-    "scene",
-    "series.production",
-    "session",
-    "simulation",
-    "split",
-}
-"""What calls the steps; no step calls them. A package stands for all its modules."""
+    "virtual",
+    "cli",
+    "__main__",
+    "app",
+    "gui",
+)
+"""A room imports only itself and what stands above it. The files before `geometry` serve all."""
 DEPENDENCIES = {"numpy", "scipy", "shapely", "matplotlib"}
-OPTIONAL = {"distributed"}
+OPTIONAL = {"argcomplete", "distributed"}
 """Imported only where they are asked for, with a remedy where they are missing."""
 
 NAMES = {path: ".".join(path.relative_to(REPOSITORY).with_suffix("").parts) for path in [*CORE, *APP, *GUI]}
@@ -85,11 +96,6 @@ def own(path):
     return found
 
 
-def fronts(modules):
-    """Those of some modules that are fronts, or lie in one."""
-    return {module for module in modules if module in FRONTS or module.partition(".")[0] in FRONTS}
-
-
 def name(path):
     return NAMES[path].removeprefix("millcorr.")
 
@@ -122,24 +128,25 @@ def test_app_knows_nothing_of_windows(path):
     assert not {module for module in own(path) if module.partition(".")[0] == "gui"}
 
 
-@pytest.mark.parametrize("noun", sorted(NOUNS))
-def test_nouns_import_only_nouns(noun):
-    assert own(PACKAGE / f"{noun}.py") <= NOUNS
+def room(module):
+    return module.partition(".")[0]
 
 
-@pytest.mark.parametrize("path", [p for p in CORE if p.parent.name in DOORS], ids=name)
-def test_doors_for_text_know_only_nouns(path):
-    others = {module for module in own(path) if module.partition(".")[0] != path.parent.name}
-    assert others <= NOUNS | {"whole_file"}
+@pytest.mark.parametrize("path", [*CORE, *APP, *GUI], ids=name)
+def test_a_room_imports_only_rooms_above_it(path):
+    if name(path) == "__init__":
+        return
+    allowed = {"__init__", *ROOMS[: ROOMS.index(room(name(path))) + 1]}
+    assert {module for module in own(path) if room(module) not in allowed} == set()
 
 
-@pytest.mark.parametrize("path", [p for p in CORE if not fronts({name(p)})], ids=name)
-def test_steps_do_not_call_the_fronts(path):
-    assert not fronts(own(path))
-
-
-def test_pipeline_is_below_session_and_report():
-    assert not fronts(own(PACKAGE / "pipeline.py"))
+def test_every_room_is_on_the_page():
+    page = (REPOSITORY / "docs" / "architecture.md").read_text(encoding="utf-8")
+    missing = [one for one in ROOMS if f"`{one}`" not in page]
+    assert not missing
+    assert {path.relative_to(PACKAGE).with_suffix("").parts[0] for path in PACKAGE.rglob("*.py")} - {"__init__"} == set(
+        ROOMS
+    )
 
 
 def test_no_module_imports_itself_through_others():
@@ -227,3 +234,72 @@ def test_every_page_is_reached_from_the_index():
                 waiting.append(target)
     left = sorted(p.relative_to(docs).as_posix() for p in set(docs.rglob("*.md")) - reached)
     assert not left
+
+
+SPELLS = {"messages", "cli/arguments", "cli/jobs", "gui/batch_run", "virtual/demonstration"}
+"""Modules that write or read a command line."""
+
+
+@pytest.mark.parametrize("path", [*CORE, *APP, *GUI], ids=NAMES.get)
+def test_only_the_command_line_spells_its_options(path):
+    """A message names an option by its key (`millcorr.messages`); each front words it."""
+    if path.relative_to(PACKAGE).with_suffix("").as_posix() in SPELLS:
+        return
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    texts = {node for node in ast.walk(tree) if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)}
+    documented = {id(node.value) for node in texts}
+    keys = "|".join(sorted(map(re.escape, flags()), key=len, reverse=True))
+    spelled = [
+        node.value
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in documented
+        if re.search(rf"(?<![\w(-])--(?:{keys})(?![\w-])", node.value)
+    ]
+    assert spelled == []
+
+
+@cache
+def flags():
+    """Options of every verb, without their dashes."""
+    from millcorr.cli.arguments import verbs
+
+    return {text.lstrip("-") for verb in verbs().values() for action in verb._actions for text in action.option_strings}
+
+
+def test_every_key_in_a_message_is_an_option():
+    from millcorr.messages import flag
+
+    used = set()
+    for path in [*CORE, *APP, *GUI]:
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") in ("option", "remedy") and node.args:
+                if isinstance(node.args[0], ast.Constant):
+                    used.add(node.args[0].value)
+    assert {key for key in used if flag(key).lstrip("-") not in flags()} == set()
+
+
+def _module(parts):
+    """File of a module by its name within the package; a package is its directory; None where there is neither."""
+    place = PACKAGE.joinpath(*parts)
+    return place if place.is_dir() else next(iter(p for p in [place.with_suffix(".py")] if p.is_file()), None)
+
+
+def test_the_glossary_names_what_there_is():
+    """Each name of the code in it can be imported; app needs FreeCAD, so its source is asked."""
+    page = (REPOSITORY / "docs" / "glossary.md").read_text(encoding="utf-8")
+    named = re.findall(r"(?<=[|,] )`([a-z_]+(?:\.\w+)+)`", page)
+    assert len(named) > 40
+    missing = []
+    for name in named:
+        parts = name.split(".")
+        whole = [k for k in range(1, len(parts) + 1) if _module(parts[:k]) is not None]
+        depth = max(whole)
+        if parts[0] == "app":
+            source = _module(parts[:depth]).read_text(encoding="utf-8")
+            missing += [] if depth == len(parts) or f"class {parts[-1]}" in source else [name]
+            continue
+        there = importlib.import_module(".".join(["millcorr", *parts[:depth]]))
+        for part in parts[depth:]:
+            there = getattr(there, part, None)
+        missing += [] if there is not None else [name]
+    assert missing == []

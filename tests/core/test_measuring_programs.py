@@ -13,9 +13,12 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from millcorr import readers
-from millcorr.deviation import deviations
+from millcorr.comparison.deviation import deviations
 from millcorr.errors import RefusedError, UsageError
-from millcorr.measuring_programs import (
+from millcorr.geometry.profile import Profile
+from millcorr.nc.toolpath import Toolpath
+from millcorr.probing import Placement, TouchProbe, plan
+from millcorr.probing.controls import (
     DIALECTS,
     Cleared,
     Job,
@@ -25,8 +28,6 @@ from millcorr.measuring_programs import (
     names_of,
     written,
 )
-from millcorr.probing import Placement, TouchProbe, plan
-from millcorr.profile import Profile
 from tests.core import rs274
 from tests.core.contours import Part, distance_to, moved_sides, parts, pocket, profile_of, rectangle
 from tests.core.measuring_machine import (
@@ -426,11 +427,23 @@ def test_no_room_is_refused_with_its_place() -> None:
 
 
 def test_heights_of_a_milling_program() -> None:
-    from millcorr import gcode
+    from millcorr import nc
 
-    path = gcode.parse(b"G21 G90\nG0 Z30\nG0 X0 Y0\nG1 Z-8 F100\nG1 X50\nG0 Z30\nM2\n").toolpath
-    assert heights(path) == (-4.0, 30.0)
-    assert heights(gcode.parse(b"G21 G90\nG1 X50 F100\nM2\n").toolpath) is None
+    profile = rectangle(60, 40).profile
+    at_once = nc.parse(MILLING).toolpath
+    # One pass shows a wall just above its floor: ball and margin above it.
+    assert suggested(at_once, 5.0, profile) == (-10 + RADIUS + 0.5, 20.0)
+    deeper = MILLING.replace(b"M30\n", b"").replace(b"%\n", b"").replace(b"Z-10", b"Z-30")
+    in_two = nc.parse(MILLING.replace(b"M30\n", deeper + b"M30\n")).toolpath
+    # Between the floor and the highest pass.
+    assert suggested(in_two, 5.0, profile) == (-20.0, 20.0)
+    assert suggested(nc.parse(b"G21 G90\nG1 X50 F100\nM2\n").toolpath, 5.0, profile) == (None, None)
+
+
+def suggested(
+    path: Toolpath, radius: float, profile: Profile, contour: int | None = None, **more: object
+) -> tuple[float | None, float | None]:
+    return heights(profile, Placement(count=24, contour=contour), TouchProbe(RADIUS), Cleared(path, radius, **more))
 
 
 MILLING = b"""%
@@ -454,13 +467,13 @@ M30
 @pytest.mark.parametrize("dialect", EVERY)
 def test_from_the_milling_program_to_the_corrected_one(dialect: str, tmp_path: Path) -> None:
     """Program, measuring program, simulated part, log, deviations of a correction, all by the product's own doors."""
-    from millcorr import gcode, pipeline
+    from millcorr import nc, pipeline
 
-    source = gcode.parse(MILLING, "part.nc")
+    source = nc.parse(MILLING, "part.nc")
     chosen = pipeline.Settings(side="right", filter="none")
     nominal = pipeline.nominal_from_program(source, 5.0, chosen, None)
-    z, safe_z = heights(source.toolpath) or (0.0, 0.0)
-    assert (z, safe_z) == (-5.0, 20.0)
+    z, safe_z = suggested(source.toolpath, 5.0, nominal)
+    assert (z, safe_z) == (-7.0, 20.0)
     made = program(nominal, dialect, count=30, z=z, safe_z=safe_z, cleared=(source.toolpath, 5.0))
     assert not made.warnings
     moved = np.array([0.02, -0.015, 0.008, -0.004])
@@ -472,7 +485,7 @@ def test_from_the_milling_program_to_the_corrected_one(dialect: str, tmp_path: P
     assert value["min"] == pytest.approx(-0.015, abs=rounding(dialect))
     assert result.summary()["points"]["used"] == 30
     # The path's sides at -5, 65, 45 and -5 go in where material stood, and out where it lacked.
-    after = gcode.parse(result.text, "corrected.nc").toolpath
+    after = nc.parse(result.text, "corrected.nc").toolpath
     corners = after.end[after.kind != 0][2:6, :2]
     expected = [[65.015, -4.98], [65.015, 44.992], [-5.004, 44.992], [-5.004, -4.98]]
     assert np.abs(corners[:3] - expected[:3]).max() < rounding(dialect) + 1e-3
@@ -481,10 +494,10 @@ def test_from_the_milling_program_to_the_corrected_one(dialect: str, tmp_path: P
 @pytest.mark.parametrize("dialect", EVERY)
 def test_an_open_inclined_edge_from_the_program_to_the_corrected_one(dialect: str, tmp_path: Path) -> None:
     """The edge of petrakov-2025, 30.27 degrees off X, with 0.09 mm left on it: the path goes 0.09 mm deeper."""
-    from millcorr import gcode, pipeline
+    from millcorr import nc, pipeline
     from tests.core.loop_programs import EDGE
 
-    source = gcode.parse(EDGE, "edge.nc")
+    source = nc.parse(EDGE, "edge.nc")
     chosen = pipeline.Settings(side="left", filter="none", method="transfer", depth=2.0)
     nominal = pipeline.nominal_from_program(source, 8.0, chosen, None)
     (begin, _), (n, _) = nominal.at(0, np.array([0.0, float(nominal.total[0])]))
@@ -501,20 +514,20 @@ def test_an_open_inclined_edge_from_the_program_to_the_corrected_one(dialect: st
     assert np.abs(corrected.deviation.value - left).max() < rounding(dialect)
     # MS = 0.09 / (2 - 0.09); the next path commands 2 (1 + MS).
     deeper = 2.0 * left / (2.0 - left)
-    path = gcode.parse(corrected.text, "corrected.nc").toolpath
+    path = nc.parse(corrected.text, "corrected.nc").toolpath
     cut = path.end[path.kind != 0][-1, :2]
     assert (cut - begin) @ n == pytest.approx(8.0 - deeper, abs=rounding(dialect) + 1e-3)
 
 
 def test_a_cutter_too_slim_for_the_ball_makes_a_warning() -> None:
     """A cutter of 6 mm clears 6 mm; the ball of 5 mm with a clearance of 2 mm needs 7."""
-    from millcorr import gcode
+    from millcorr import nc
 
-    path = gcode.parse(MILLING.replace(b"65", b"63").replace(b"45", b"43").replace(b"-5\n", b"-3\n")).toolpath
+    path = nc.parse(MILLING.replace(b"65", b"63").replace(b"45", b"43").replace(b"-5\n", b"-3\n")).toolpath
     profile = rectangle(60, 40).profile
-    made = program(profile, "grbl", cleared=(path, 3.0))
+    made = program(profile, "grbl", cleared=(path, 3.0), z=-7.0)
     assert len(made.warnings) == 1 and "X" in made.warnings[0] and made.warnings[0] in made.words()
-    assert not program(profile, "grbl", cleared=(path, 3.0), probe=TouchProbe(RADIUS, clearance=0.9)).warnings
+    assert not program(profile, "grbl", cleared=(path, 3.0), z=-7.0, probe=TouchProbe(RADIUS, clearance=0.9)).warnings
 
 
 ELSEWHERE = b"""G0 X200 Y100
@@ -533,32 +546,31 @@ M30
 
 
 def test_only_cuts_beside_the_contour_say_how_deep_it_is() -> None:
-    """Half of 40 mm would be 10 mm below the floor, at Z-10, of what is measured."""
-    from millcorr import gcode
+    """Holes and grooves elsewhere are deeper."""
+    from millcorr import nc
 
-    path = gcode.parse(MILLING.replace(b"M30\n", ELSEWHERE)).toolpath
+    path = nc.parse(MILLING.replace(b"M30\n", ELSEWHERE)).toolpath
     profile = rectangle(60, 40).profile
-    assert heights(path) == (-15.0, 20.0)
-    assert heights(Cleared(path, 5.0), profile) == (-5.0, 20.0)
+    assert suggested(path, 5.0, profile) == (-7.0, 20.0)
     # The path lies 5 mm off the contour, which is no place of a cutter of 8 mm radius.
-    assert heights(Cleared(path, 8.0), profile) is None
-    for z in (-10.0, -4.0):
+    assert suggested(path, 8.0, profile)[0] is None
+    for z in (-9.5, -4.0):
         assert program(profile, "grbl", cleared=(path, 5.0), z=z)
-    with pytest.raises(UsageError, match="--z -10.1 lies below Z-10, .* say --z -10 or higher"):
-        program(profile, "grbl", cleared=(path, 5.0), z=-10.1)
+    with pytest.raises(UsageError, match="--z -9.6 lies below Z-9.5, .* say --z -7 or higher"):
+        program(profile, "grbl", cleared=(path, 5.0), z=-9.6)
 
 
 def test_the_shallower_of_two_contours_says_how_deep() -> None:
-    from millcorr import gcode
+    from millcorr import nc
 
     second = MILLING.replace(b"%\n", b"").replace(b"M30\n", b"").replace(b"Z-10", b"Z-4")
     for x in (b"-25", b"-5", b"65"):
         second = second.replace(b"X" + x, b"X%d" % (int(x) + 200))
-    path = gcode.parse(MILLING.replace(b"M30\n", second + b"M30\n")).toolpath
+    path = nc.parse(MILLING.replace(b"M30\n", second + b"M30\n")).toolpath
     far = Part(rectangle(60, 40).vertices + np.array([200.0, 0.0]), (0.0,) * 4)
     both = Profile.from_contours([rectangle(60, 40).profile.contours[0], far.profile.contours[0]])
-    found = [heights(Cleared(path, 5.0), both, contour) for contour in (None, 1, 2)]
-    assert found == [(-2.0, 20.0), (-5.0, 20.0), (-2.0, 20.0)]
+    found = [suggested(path, 5.0, both, contour) for contour in (None, 1, 2)]
+    assert found == [(-1.0, 20.0), (-7.0, 20.0), (-1.0, 20.0)]
 
 
 @pytest.mark.parametrize(
@@ -570,9 +582,9 @@ def test_the_shallower_of_two_contours_says_how_deep() -> None:
     ],
 )
 def test_safe_height_is_not_below_what_the_program_passes_at(head: bytes, least: float, what: str) -> None:
-    from millcorr import gcode
+    from millcorr import nc
 
-    path = gcode.parse(MILLING.replace(b"G0 Z20\nG0 X-25 Y-5\n", head)).toolpath
+    path = nc.parse(MILLING.replace(b"G0 Z20\nG0 X-25 Y-5\n", head)).toolpath
     profile = rectangle(60, 40).profile
     assert program(profile, "grbl", cleared=(path, 5.0), safe_z=least)
     with pytest.raises(UsageError, match=f"--safe-z {least - 0.1:g} lies below Z{least:g}, the program's {what}"):
@@ -599,18 +611,18 @@ M30
 @pytest.mark.parametrize(("radius", "clear"), [(5.0, True), (3.6, True), (3.4, False)])
 def test_a_program_that_gives_the_contour_clears_a_cutter_beside_it(radius: float, clear: bool) -> None:
     """The ball of 5 mm with a clearance of 2 mm needs 7 mm beside the wall; the cutter clears its diameter."""
-    from millcorr import gcode
+    from millcorr import nc
 
-    path = gcode.parse(COMPENSATED).toolpath
+    path = nc.parse(COMPENSATED).toolpath
     profile = rectangle(60, 40).profile
     cleared = Cleared(path, radius, contour_programmed=True)
-    assert heights(cleared, profile) == (-5.0, 20.0)
-    assert (not program(profile, "grbl", cleared=cleared).warnings) == clear
+    assert suggested(path, radius, profile, contour_programmed=True) == (-7.0, 20.0)
+    assert (not program(profile, "grbl", cleared=cleared, z=-7.0).warnings) == clear
     # Taken for the centre's way it would clear its radius only, and lie where no cutter of that size can be.
     as_centre = Cleared(path, radius)
-    assert program(profile, "grbl", cleared=as_centre).warnings and heights(as_centre, profile) is None
+    assert program(profile, "grbl", cleared=as_centre).warnings and suggested(path, radius, profile)[0] is None
     # The other side of the contour is no more cleared.
-    left = Cleared(gcode.parse(COMPENSATED.replace(b"G42", b"G41")).toolpath, radius, contour_programmed=True)
+    left = Cleared(nc.parse(COMPENSATED.replace(b"G42", b"G41")).toolpath, radius, contour_programmed=True)
     assert program(profile, "grbl", cleared=left).warnings
 
 

@@ -8,9 +8,10 @@ import json
 import numpy as np
 import pytest
 
-from millcorr import gcode, measuring_programs, pipeline
+from millcorr import nc, pipeline
 from millcorr.__main__ import main
-from millcorr.settings import Settings
+from millcorr.correction.settings import Settings
+from millcorr.probing import controls as measuring_programs
 from tests.core import loop_programs as programs
 
 
@@ -44,15 +45,15 @@ def test_every_dialect_is_written(shop, capsys, dialect):
 
 def test_heights_come_from_the_program_or_the_user(shop):
     assert run(f"{PROBE} --dialect linuxcnc") == 0
-    touching = gcode.parse((shop / "probe.nc").read_bytes()).toolpath.end[:, 2]
+    touching = nc.parse((shop / "probe.nc").read_bytes()).toolpath.end[:, 2]
     assert np.nanmin(touching) == -2.5 and np.nanmax(touching) == 20.0
     assert run(f"{PROBE} --dialect linuxcnc --z -4 --safe-z 33") == 0
-    touching = gcode.parse((shop / "probe.nc").read_bytes()).toolpath.end[:, 2]
+    touching = nc.parse((shop / "probe.nc").read_bytes()).toolpath.end[:, 2]
     assert np.nanmin(touching) == -4.0 and np.nanmax(touching) == 33.0
 
 
 def test_profile_alone_is_enough_with_heights(shop):
-    nominal = pipeline.nominal_from_program(gcode.read(shop / "part.nc"), 5.0, Settings(side="right"), None)
+    nominal = pipeline.nominal_from_program(nc.read(shop / "part.nc"), 5.0, Settings(side="right"), None)
     (shop / "profile.json").write_text(json.dumps(nominal.as_dict()))
     line = "probe --nominal profile.json --probe-radius 2 --dialect grbl --output probe.nc"
     assert run(line) == 2
@@ -69,7 +70,7 @@ def test_profile_alone_is_enough_with_heights(shop):
         (PROBE + " --dialect haas --points-count 0", 2, "--points-count 0"),
         (PROBE + " --dialect haas --spacing -1", 2, "--spacing -1"),
         (PROBE + " --dialect haas --spacing 5 --points-count 9", 2, "not allowed with"),
-        (PROBE + " --dialect haas --z -5.5", 2, "--z -5.5 lies below Z-5"),
+        (PROBE + " --dialect haas --z -5", 2, "--z -5 lies below Z-4.5, a margin"),
         (PROBE + " --dialect haas --safe-z 4", 2, "--safe-z 4 lies below Z5"),
         (PROBE + " --dialect haas --operation P", 2, "--operation belongs to --document"),
         (PROBE.replace("radius 2", "radius 0") + " --dialect haas", 2, "--probe-radius 0"),

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from scipy.interpolate import BSpline
 
 from millcorr.errors import InputError
-from millcorr.nurbs import NurbsCurve
+from millcorr.geometry.nurbs import NurbsCurve
 
 angles = st.floats(0.01, 2 * np.pi) | st.floats(-2 * np.pi, -0.01)
 

@@ -6,8 +6,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from millcorr import gcode, pipeline
-from millcorr.measurement import Measurement
+from millcorr import nc, pipeline
+from millcorr.readers.measurement import Measurement
 
 
 def ring(over: float, x0: float = 0.0) -> str:
@@ -38,7 +38,7 @@ def measured() -> Measurement:
     ids=["alone", "finish", "rings", "far", "neighbour"],
 )
 def test_only_other_walls_are_called_without_points(passes: str, said: bool) -> None:
-    program = gcode.parse(f"G21 G90 G17\nG0 Z20\n{passes}M30\n".encode(), "part.nc")
+    program = nc.parse(f"G21 G90 G17\nG0 Z20\n{passes}M30\n".encode(), "part.nc")
     settings = pipeline.Settings(side="right")
     done = pipeline.correct(pipeline.Request(program, 5.0, measured(), None, settings))
     expected = ("the program cuts another contour without measured points: left as it is",) if said else ()

@@ -6,10 +6,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from millcorr import gcode, pipeline
+from millcorr import nc, pipeline
 from millcorr.errors import UsageError
-from millcorr.measurement import Measurement
-from millcorr.scene import correction as overlay
+from millcorr.readers.measurement import Measurement
+from millcorr.report.length_unit import INCH, MM
+from millcorr.report.magnification import KEPT
+from millcorr.report.scene import correction as overlay
+from millcorr.report.scene.scale import Look, Scale
 
 DISC, CUTTER = 40.0, 5.0
 SINGLE = 4e-6
@@ -36,7 +39,7 @@ def corrected(error, count=72, z=(-3.0,), extra=(), **settings):
     )
     measurement = Measurement(points, None, 0.0, np.arange(2, len(points) + 2), "disc.csv", "0")
     chosen = pipeline.Settings(**({"filter": "none", "side": "left"} | settings))
-    return pipeline.correct(pipeline.Request(gcode.parse(text, "disc.nc"), CUTTER, measurement, settings=chosen))
+    return pipeline.correct(pipeline.Request(nc.parse(text, "disc.nc"), CUTTER, measurement, settings=chosen))
 
 
 def radii(lines):
@@ -49,7 +52,7 @@ def even():
 
 
 def test_everything_is_magnified_along_the_normal(even):
-    picture = overlay.overlay_of(even, overlay.Look(500.0, 0.01))
+    picture = overlay.overlay_of(even, Look(500.0))
     # 0.012 mm of material left: whiskers out by 6 mm, what is to be cut in by 6 mm, band 5 mm to both sides.
     ends = radii(picture.whiskers).reshape(-1, 2)
     np.testing.assert_allclose(ends, np.tile([40.0, 46.0], (72, 1)), atol=5e-5)
@@ -75,7 +78,7 @@ def test_lines_lie_at_the_height_they_belong_to(even):
 
 def test_colours_say_excess_tolerance_undercut():
     result = corrected(lambda angle: 0.02 * np.cos(angle))
-    picture = overlay.overlay_of(result, overlay.Look(tolerance=0.005))
+    picture = overlay.overlay_of(result, Look(lower=-0.005, upper=0.005))
     colour = picture.whiskers.colours.reshape(-1, 2)
     assert (colour[:, 0] == colour[:, 1]).all()
     red, green, blue = ((colour[:, 0] >> k) & 255 for k in (24, 16, 8))
@@ -84,18 +87,51 @@ def test_colours_say_excess_tolerance_undercut():
     assert ((green > red) & (green > blue))[np.abs(value) <= 0.005].all()
     assert ((red > green) & (red > blue))[value < -0.005].all()
     # The legend has the very colours, and its bounds hold every deviation.
-    assert set(colour[:, 0].tolist()) <= set(picture.shades.tolist())
-    assert len(picture.steps) == len(picture.shades) + 1 and (np.diff(picture.steps) < 0).all()
-    assert picture.steps[0] >= value.max() - 1e-12 and picture.steps[-1] <= value.min() + 1e-12
-    for k in range(len(picture.shades)):
-        inside = (value < picture.steps[k] - 1e-9) & (value > picture.steps[k + 1] + 1e-9)
-        assert (colour[inside, 0] == picture.shades[k]).all()
+    assert set(colour[:, 0].tolist()) <= set(picture.scale.shades.tolist())
+    assert len(picture.scale.steps) == len(picture.scale.shades) + 1 and (np.diff(picture.scale.steps) < 0).all()
+    assert picture.scale.steps[0] >= value.max() - 1e-12 and picture.scale.steps[-1] <= value.min() + 1e-12
+    for k in range(len(picture.scale.shades)):
+        inside = (value < picture.scale.steps[k] - 1e-9) & (value > picture.scale.steps[k + 1] + 1e-9)
+        assert (colour[inside, 0] == picture.scale.shades[k]).all()
 
 
 def test_all_in_tolerance_is_all_green():
-    steps, shades = overlay.scale(0.01, 0.004)
-    assert steps.tolist() == [0.01, -0.01] and len(shades) == 1
-    assert set(overlay.colours_of(np.array([0.004, -0.004, 0.0]), 0.01, 0.004).tolist()) == set(shades.tolist())
+    scale = Scale.of(Look(), np.array([0.004, -0.004]))
+    assert scale.steps.tolist() == [0.01, -0.01] and len(scale.shades) == 1
+    assert set(scale.colours(np.array([0.01, 0.004, -0.004, 0.0, -0.01])).tolist()) == set(scale.shades.tolist())
+
+
+def test_limits_need_not_lie_evenly_about_zero():
+    value = np.array([0.031, 0.03, 0.02, 0.0, -0.005, -0.0051, -0.015])
+    scale = Scale.of(Look(lower=-0.005, upper=0.03), value)
+    green = scale.shades[scale.within]
+    assert (scale.colours(value) == green).tolist() == [False, True, True, True, True, False, False]
+    # The farthest lies 10 um outside: so far the scale goes at both ends, in equal steps.
+    np.testing.assert_allclose(scale.steps[[0, -1]], [0.04, -0.015])
+    np.testing.assert_allclose(np.diff(scale.steps)[[0, 1, 2, 3, 5, 6, 7, 8]], -0.0025)
+
+
+def test_material_left_is_blue_or_red():
+    value = np.array([0.02, 0.0, -0.02])
+    ours, theirs = (Scale.of(Look(material_left=colour), value).colours(value) for colour in ("blue", "red"))
+    assert ours.tolist() == theirs[::-1].tolist()
+    red, _, blue = ((ours >> k) & 255 for k in (24, 16, 8))
+    assert blue[0] > red[0] and red[2] > blue[2]
+
+
+def test_the_magnification_is_chosen_so_that_deviations_are_seen_and_fit():
+    # 80 mm across: whiskers of at most 12 %, which is 9.6 mm.
+    for error, times in ((0.012, 500.0), (0.2, 20.0), (0.0001, 50_000.0)):
+        result = corrected(lambda angle, error=error: np.full(len(angle), error), accept=("ball-not-compensated",))
+        assert overlay.overlay_of(result).magnification == times, error
+
+
+def test_a_magnification_beyond_the_bound_is_the_bound():
+    # 0.2 mm of material left: the profile to cut lies inwards of the disc of radius 40, at most by nine tenths of it.
+    even = corrected(lambda angle: np.full(len(angle), 0.2), accept=("ball-not-compensated",))
+    picture = overlay.overlay_of(even, Look(2023.0))
+    assert picture.magnification == picture.bound == pytest.approx(KEPT * DISC / 0.2, rel=3e-3)
+    assert picture.bound <= KEPT * DISC / 0.2
 
 
 def test_polylines_are_whole():
@@ -123,6 +159,17 @@ def test_a_whisker_tells_what_it_is():
     assert text.endswith("disc.csv:2")
     least = overlay.whisker_text(result, int(np.argmin(result.deviation.value)))
     assert "deviation -0.0125 mm (undercut)" in least and least.endswith("disc.csv:38")
+
+
+def test_lengths_are_told_in_inches_where_they_are_wanted():
+    result = corrected(lambda angle: 0.0254 * np.cos(angle), extra=[(44.0, 1.0, -3.0)])
+    text = overlay.whisker_text(result, int(np.argmax(result.deviation.value)), INCH)
+    assert text.splitlines()[0] == "X 1.575803  Y 0.000000  Z -0.118110 in"
+    assert "deviation +0.001000 in (material left)" in text and "mm" not in text
+    assert "X 1.732283  Y 0.039370  Z -0.118110 in as measured" in overlay.rejected_text(result, 0, INCH)
+    # A thousandth of an inch is 25.4 um.
+    assert (INCH.fine_number(0.0254), INCH.in_fine(25.4), MM.fine_number(-0.0254)) == ("+1.000", 1.0, "-25.4")
+    assert (MM.number(-1e-9, "+"), MM.fine_number(-1e-9)) == ("+0.0000", "+0.0")
 
 
 def test_rejected_points_are_marked_with_their_reason():
@@ -161,7 +208,18 @@ def test_without_a_measurement_there_is_only_the_path():
     np.testing.assert_allclose(picture.nominal.vertices[:, 2], -8.0)
 
 
-@pytest.mark.parametrize("wrong", [{"magnification": 0.5}, {"magnification": float("nan")}, {"tolerance": -1.0}])
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"magnification": 0.5},
+        {"magnification": -2023.0},
+        {"magnification": float("nan")},
+        {"lower": 0.02, "upper": 0.01},
+        {"lower": float("nan")},
+        {"upper": 11.0},
+        {"material_left": "green"},
+    ],
+)
 def test_an_impossible_look_is_refused(wrong):
-    with pytest.raises(UsageError, match="must be from"):
-        overlay.Look(**wrong)
+    with pytest.raises(UsageError, match="must be"):
+        Look(**wrong)

@@ -11,10 +11,10 @@ import re
 import numpy as np
 import pytest
 
-from millcorr import gcode, pipeline
-from millcorr.footpoint import FootPointSearch
-from millcorr.measurement import Measurement
-from millcorr.transfer_function import identify
+from millcorr import nc, pipeline
+from millcorr.correction.transfer_function import identify
+from millcorr.geometry.footpoint import FootPointSearch
+from millcorr.readers.measurement import Measurement
 from tests.core.loop_programs import EDGE as TABLE_1
 
 X = np.array([35.0, 50.0, 65.0, 80.0])
@@ -65,7 +65,7 @@ def corrected(text: str, y: np.ndarray, **settings: object) -> pipeline.Result:
     chosen = pipeline.Settings(
         **({"method": "transfer", "depth_along": "y", "transfer_function": "one", "filter": "none"} | settings)  # type: ignore[arg-type]
     )
-    return pipeline.correct(pipeline.Request(gcode.parse(text, "edge.nc"), CUTTER, measurement, None, chosen))
+    return pipeline.correct(pipeline.Request(nc.parse(text, "edge.nc"), CUTTER, measurement, None, chosen))
 
 
 def body(result: pipeline.Result) -> str:
@@ -94,7 +94,7 @@ def test_programs_of_table_1() -> None:
 def test_commanded_ball_centres(text: str, printed: np.ndarray, within: float) -> None:
     np.testing.assert_allclose(ball_centres(text), printed, atol=within)
     # The same from millcorr's own contour: the printed centres are a ball's radius over it.
-    nominal = pipeline.nominal_from_program(gcode.parse(text), CUTTER, pipeline.Settings(side="left"), None)
+    nominal = pipeline.nominal_from_program(nc.parse(text), CUTTER, pipeline.Settings(side="left"), None)
     feet = FootPointSearch(nominal, margin=5.0).find(np.column_stack([X, printed]))
     np.testing.assert_allclose(feet.distance, BALL, atol=within)
 

@@ -6,12 +6,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from millcorr import gcode, pipeline
-from millcorr.deviation import deviations
+from millcorr import nc, pipeline
+from millcorr.comparison.deviation import deviations
 from millcorr.errors import InputError, RefusedError, UsageError
-from millcorr.measurement import Measurement
+from millcorr.readers.measurement import Measurement
 from millcorr.separation.parts import averaged
-from millcorr.simulated_machine import SimulatedMachine, reference_contour
+from millcorr.virtual.simulated_machine import SimulatedMachine, reference_contour
 from tests.core.loop_programs import measured
 from tests.core.sweeps import slow
 from tests.core.test_pipeline import PROGRAM, nominal_of
@@ -46,8 +46,8 @@ def test_the_spread_is_the_random_part() -> None:
     # 200 places, 4 degrees of freedom each: the estimate scatters by 1/sqrt(2 * 800) = 2.5 %; points at the same
     # places, so nothing is interpolated.
     assert result.random_std == pytest.approx(SIGMA, rel=0.08)
-    assert any("mean of 5 parts" in w for w in result.warnings)
-    again = gcode.parse(result.text, "again.nc")
+    assert result.warnings == () and result.summary()["points"]["parts"] == 5
+    again = nc.parse(result.text, "again.nc")
     for part in parts_of(5):
         with pytest.raises(RefusedError, match="applied on"):
             pipeline.correct(pipeline.Request(again, 5.0, part, NOMINAL))

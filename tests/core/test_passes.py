@@ -12,14 +12,14 @@ import numpy as np
 import pytest
 import shapely
 
-from millcorr import gcode, pipeline
+from millcorr import nc, pipeline
 from millcorr.comparison.cutters import stated_diameters
-from millcorr.errors import LimitError, UsageError
-from millcorr.measurement import Measurement
-from millcorr.nurbs import NurbsCurve
+from millcorr.errors import InputError, LimitError, UsageError
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Contour, Profile
+from millcorr.nc.toolpath import named_tool
 from millcorr.path import emission
-from millcorr.profile import Contour, Profile
-from millcorr.toolpath import named_tool
+from millcorr.readers.measurement import Measurement
 
 R = 4.0
 W, H = 80.0, 50.0
@@ -75,7 +75,7 @@ def measured(*groups: np.ndarray) -> Measurement:
 
 
 def correct(text: str, part: Measurement, **settings) -> tuple[pipeline.Result, str]:
-    request = pipeline.Request(gcode.parse(text, "part.nc"), R, part, settings=pipeline.Settings(**settings))
+    request = pipeline.Request(nc.parse(text, "part.nc"), R, part, settings=pipeline.Settings(**settings))
     result = pipeline.correct(request)
     return result, "\n".join(line for line in result.text.decode().splitlines() if not line.startswith("("))
 
@@ -214,7 +214,7 @@ def test_roughing_round_corners_goes_along() -> None:
     result, new = correct(program(about(R + 0.2), about(R)), measured(points(-0.06)), keep_allowance=True)
     (note,) = (w for w in result.warnings if "moved along" in w)
     assert numbers(note) == set(range(7, 16))
-    path = gcode.parse(new).toolpath
+    path = nc.parse(new).toolpath
     rows = np.flatnonzero((path.kind != 0) & (path.start[:, 2] == -3))
     wanted = shapely.Polygon([(x + np.sign(x) * 0.06, y + np.sign(y) * 0.06) for x, y in ring(0.0)[1:]])
     for k, distance in ((0, R + 0.2), (1, R)):
@@ -330,7 +330,7 @@ def test_a_program_in_facets_is_corrected_again() -> None:
     lines = "".join(f"G1 X{x:.3f} Y{y:.3f}\n" for x, y in path[1:])
     start = f"X{path[0, 0]:.3f} Y{path[0, 1]:.3f}"
     text = f"G21 G90\nG0 X60. Y0.\nG1 Z-3. F100.\nG1 {start} F400.\n{lines}G1 X60. Y0.\nG0 Z20.\nM30\n"
-    first = gcode.parse(text, "first.nc")
+    first = nc.parse(text, "first.nc")
     nominal = pipeline.nominal_from_program(first, R, pipeline.Settings(), measured(np.column_stack([on, 0 * t - 2.0])))
 
     def part(deviation: np.ndarray, digest: str) -> Measurement:
@@ -339,7 +339,7 @@ def test_a_program_in_facets_is_corrected_again() -> None:
 
     one, two = 0.02 + 0.01 * np.cos(2 * t), 0.004 * np.sin(t)
     request = pipeline.Request(first, R, part(one, "ab"))
-    second = gcode.parse(pipeline.correct(request).text, "second.nc")
+    second = nc.parse(pipeline.correct(request).text, "second.nc")
     request = pipeline.Request(second, R, part(two, "cd"), nominal, nominal_is_first_program=True)
     removed = left(pipeline.correct(request).text.decode(), -2.0)
     middle = slice(5, -5, 7)
@@ -425,8 +425,8 @@ def test_on_a_drawing_laps_that_wander_otherwise_are_no_roughing(stock: float) -
     turn = np.linspace(0.05, 2 * np.pi, 120, endpoint=False)
     part = measured(np.column_stack([20.03 * np.cos(turn), 20.03 * np.sin(turn), np.full(120, -2.5)]))
     nominal = Profile.from_contours([Contour(tuple(half), True)])
-    done = pipeline.correct(pipeline.Request(gcode.parse(text, "part.nc"), R, part, nominal))
-    moves = gcode.parse(done.text, "part.nc").toolpath
+    done = pipeline.correct(pipeline.Request(nc.parse(text, "part.nc"), R, part, nominal))
+    moves = nc.parse(done.text, "part.nc").toolpath
     new = done.text.decode()
     assert rough in new
     end = moves.end[moves.source >= new[: new.index(rough) + len(rough)].count("\n")]
@@ -447,7 +447,7 @@ def test_a_lead_on_the_tangent_turns_with_the_contour() -> None:
     r = 30 - 0.25 * np.sin(3 * turn)
     part = measured(np.column_stack([r * np.cos(turn), r * np.sin(turn), np.full(240, -2.0)]))
     _, new = correct(text, part)
-    moves = gcode.parse(new, "part.nc").toolpath
+    moves = nc.parse(new, "part.nc").toolpath
     arcs = np.flatnonzero((moves.kind == 2) & (moves.end[:, 2] < -2))
     u = np.linspace(0, 1, 50)
     places = np.concatenate([moves.place(np.full(50, k), u) for k in arcs[[0, -1]]])
@@ -467,3 +467,63 @@ def test_beyond_what_was_measured_a_pass_that_stays_is_only_told() -> None:
     part = measured(np.column_stack([x, np.full(120, -0.02), np.full(120, -2.0)]))
     result, _ = correct(text, part, side="left")
     assert any("cuts 20.0 um into" in w and "beyond what was measured" in w for w in result.warnings)
+
+
+@pytest.mark.parametrize("deviation", [0.02, -0.02])
+def test_a_smaller_cutter_in_the_corners_makes_the_wall_beside_them_too(deviation: float) -> None:
+    """Rest machining: both cutters move with the wall, or the second one would cut or leave a step."""
+    big = once(-R, -3.0, head="(T1 D8.0)\nT1 M6\n", begin=-10.0)
+    corners = []
+    for sx, sy in ((1, 1), (1, -1), (-1, -1), (-1, 1)):
+        x, y = sx * (W / 2 - 2), sy * (H / 2 - 2)
+        way = [(x - 12 * sx, y), (x, y), (x, y - 12 * sy)]
+        corners += [f"G0 X{way[0][0]:.3f} Y{way[0][1]:.3f}", "G0 Z5.", "G1 Z-3. F100."]
+        corners += [f"G1 X{a:.3f} Y{b:.3f} F400." for a, b in way[1:]] + ["G0 Z20."]
+    small = "(T2 D4.0)\nT2 M6\n" + "\n".join(corners) + "\n"
+    _, new = correct(program(big, small), measured(points(-deviation)))
+    first, second = new.split("T2 M6")
+    for text, radius in ((first, 4.0), (second, 2.0)):
+        x0, y0, x1, y1 = left(text, -2.0, radius).bounds
+        off = [-x0 - W / 2, -y0 - H / 2, x1 - W / 2, y1 - H / 2]
+        np.testing.assert_allclose(off, deviation, atol=0.001)
+
+
+def test_passes_to_and_fro_make_one_wall() -> None:
+    """Moves of two passes lie on each other: which of them a point is nearest to is chance."""
+    there = "".join(f"G1 X{x} F400.\n" for x in range(-45, 55, 5))
+    back = "".join(f"G1 X{x}\n" for x in range(45, -55, -5))
+    cuts = f"G0 X-50. Y-29.\nG0 Z5.\nG1 Z-1.5 F100.\n{there}G1 Z-3. F100.\n{back}G0 Z20.\n"
+    edge = np.column_stack([np.linspace(-40, 40, 80), np.full(80, -25.02), np.full(80, -1.0)])
+    _, new = correct(program(cuts), measured(edge))
+    for z in (-1.0, -2.0):
+        inside = shapely.box(-30, -30, 30, 0).difference(left(new, z))
+        assert inside.bounds[1] == pytest.approx(-25.0 + 0.02, abs=0.001)
+
+
+def test_a_ramp_to_and_fro_on_the_contour_tells_no_side() -> None:
+    lines = once(R, -3.0).splitlines()
+    y = -H / 2 - R
+    ways = [*range(-5, -40, -5), *range(-30, 5, 5)]
+    ramp = [f"G1 X{x} Y{y:.3f} Z{-3 * (n + 1) / len(ways):.3f} F100." for n, x in enumerate(ways)]
+    lap = [f"G1 X{x} Y{y:.3f} F400." for x in range(-5, -40, -5)]
+    text = program("\n".join([*lines[:2], f"G0 X0. Y{y:.3f}", "G1 Z0. F100.", *ramp, *lap, *lines[4:]]) + "\n")
+    all_round = points(0.02)
+    front = all_round[all_round[:, 1] < -H / 2]
+    _, new = correct(text, measured(front, all_round))
+    np.testing.assert_allclose(wall(new, -2.0), -0.02, atol=0.001)
+
+
+def test_centres_of_a_ball_as_large_as_the_cutter_lie_on_the_path() -> None:
+    """Another pass clears one side: the wall is on the other."""
+    finish, clearing = once(R, -3.0), once(R + 6.0, -3.0)
+    centres = points(0.02, distance=R)
+    part = Measurement(centres, None, R, np.arange(1, len(centres) + 1), "part.csv", "cd" * 32)
+    _, new = correct(program(clearing, finish), part)
+    np.testing.assert_allclose(wall(new, -2.0), -0.02, atol=0.001)
+    with pytest.raises(InputError, match="--side left or --side right"):
+        correct(program(finish), part)
+    across = np.abs(centres[:, 0]) > W / 2 + R
+    outward = np.where(across[:, None], [[1.0, 0.0, 0.0]], [[0.0, 1.0, 0.0]]) * np.sign(centres)
+    known = Measurement(centres, outward, R, np.arange(1, len(centres) + 1), "part.csv", "cd" * 32)
+    _, new = correct(program(finish), known)
+    np.testing.assert_allclose(wall(new, -2.0), -0.02, atol=0.001)

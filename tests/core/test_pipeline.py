@@ -11,12 +11,12 @@ from scipy.spatial import cKDTree
 from shapely import LinearRing, LineString, Point, distance
 from shapely import points as shapely_points
 
-from millcorr import gcode, pipeline
-from millcorr.deviation import statistics
+from millcorr import nc, pipeline
+from millcorr.comparison.deviation import statistics
+from millcorr.comparison.theoretical_contour import cutting_runs
 from millcorr.errors import FormatError, InputError, LimitError, RefusedError, UsageError
-from millcorr.measurement import Measurement
-from millcorr.simulated_machine import SimulatedMachine, reference_contour
-from millcorr.theoretical_contour import cutting_runs
+from millcorr.readers.measurement import Measurement
+from millcorr.virtual.simulated_machine import SimulatedMachine, reference_contour
 from tests.core import loop_programs as programs
 from tests.core.sweeps import slow
 
@@ -36,7 +36,7 @@ CASES = {
 
 def nominal_of(name: str):
     text, radius, right, _ = CASES[name]
-    program = gcode.parse(text, f"{name}.nc")
+    program = nc.parse(text, f"{name}.nc")
     settings = pipeline.Settings(side="left" if right else "right")
     return program, pipeline.nominal_from_program(program, radius, settings, None)
 
@@ -107,7 +107,7 @@ def test_arcs_stay_arcs_about_the_same_centres() -> None:
 def test_path_error_against_an_independent_offset() -> None:
     """The emitted path of a pocket lies on shapely's offset of the compensated profile."""
     result, _ = corrected("pocket", lambda k, s: 0.01 + 0.004 * np.sin(2 * np.pi * s / 37.0))
-    emitted = gcode.parse(result.text).toolpath
+    emitted = nc.parse(result.text).toolpath
     profile = result.compensated
     span, t = profile.samples(0.01)
     c, _, _ = profile.evaluate(span, t)
@@ -142,7 +142,7 @@ def test_reference_contour_through_three_loops_on_an_elastic_machine() -> None:
         result = pipeline.correct(
             pipeline.Request(program, 5.0, measurement, nominal, pipeline.Settings(filter="auto"))
         )
-        program = gcode.parse(result.text, f"loop{loop}.nc")
+        program = nc.parse(result.text, f"loop{loop}.nc")
     part = machine.cut(program.toolpath, 5.0, nominal, seed=1)
     left.append(part.deviation(0, s).mean())
     share = ms / (1 + ms)
@@ -159,7 +159,7 @@ def spline_program(nominal, radius: float, count: int = 800):
     lines = ["G21 G90", f"G0 X{lead[0]:.4f} Y{lead[1]:.4f}", "G0 Z2", "G1 Z-5 F100"]
     lines += [f"G1 X{x:.4f} Y{y:.4f} F300" for x, y in (*q, q[0])]
     lines += [f"G1 X{lead[0]:.4f} Y{lead[1]:.4f}", "G0 Z20", "M30", ""]
-    return gcode.parse("\n".join(lines), "spline.nc")
+    return nc.parse("\n".join(lines), "spline.nc")
 
 
 @pytest.mark.parametrize("parts", [4, slow(20)])
@@ -199,7 +199,7 @@ def test_the_programs_own_error_is_removed_and_kept_apart() -> None:
     measurement = part.measure(200, noise=0.0, seed=1)
     result = pipeline.correct(pipeline.Request(program, 5.0, measurement, nominal, pipeline.Settings(filter="auto")))
     assert np.ptp(result.commanded) > 0.01
-    again = gcode.parse(result.text)
+    again = nc.parse(result.text)
     s = np.arange(333) * nominal.total[0] / 333
     after = SimulatedMachine(errors=SimulatedMachine.reference().errors).cut(again.toolpath, 5.0, nominal, seed=1)
     # What is left: the tolerance of the path and what the spline regression does not follow.
@@ -215,7 +215,7 @@ def test_gain_and_dead_band() -> None:
 
 def test_correcting_again_adds_up() -> None:
     first, nominal = corrected("mitres", lambda k, s: np.full(len(s), 0.02))
-    program = gcode.parse(first.text, "second.nc")
+    program = nc.parse(first.text, "second.nc")
     measurement = programs.measured(nominal, lambda k, s: np.full(len(s), 0.003), digest="cd" * 32)
     second = pipeline.correct(pipeline.Request(program, 5.0, measurement, nominal, pipeline.Settings(filter="none")))
     assert second.correction.largest == pytest.approx(0.023, abs=1e-6)
@@ -228,7 +228,7 @@ def test_correcting_again_adds_up() -> None:
 
 def test_the_same_measurement_twice_is_refused() -> None:
     first, nominal = corrected("mitres", lambda k, s: np.full(len(s), 0.02))
-    program = gcode.parse(first.text, "second.nc")
+    program = nc.parse(first.text, "second.nc")
     measurement = programs.measured(nominal, lambda k, s: np.full(len(s), 0.02))
     with pytest.raises(RefusedError, match=r"second.nc:1: .* applied on .* already"):
         pipeline.correct(pipeline.Request(program, 5.0, measurement, nominal))
@@ -236,7 +236,7 @@ def test_the_same_measurement_twice_is_refused() -> None:
 
 def test_a_corrected_program_needs_its_nominal() -> None:
     first, nominal = corrected("mitres", lambda k, s: np.full(len(s), 0.02))
-    program = gcode.parse(first.text, "second.nc")
+    program = nc.parse(first.text, "second.nc")
     measurement = programs.measured(nominal, lambda k, s: np.full(len(s), 0.003), digest="cd" * 32)
     with pytest.raises(InputError, match="--nominal"):
         pipeline.correct(pipeline.Request(program, 5.0, measurement))
@@ -262,7 +262,7 @@ def test_a_hollow_that_is_too_narrow_is_cut_as_far_as_the_cutter_goes() -> None:
     moved = result.correction.at(np.zeros(len(s), dtype=np.int64), s, nominal)
     np.testing.assert_allclose(moved, -dent(0, s), atol=0.003)
     wanted = LineString(place + moved[:, None] * normal)
-    emitted = gcode.parse(result.text).toolpath
+    emitted = nc.parse(result.text).toolpath
     path = emitted.position(np.linspace(0, 1, 9))[result.regeneration.following][:, :, :2].reshape(-1, 2)
     near = path[distance(wanted, shapely_points(path)) < 6.0]
     near = near[np.abs(near - nominal.at(0, 50.0)[0]).max(axis=1) < 8.0]
@@ -337,7 +337,7 @@ def test_ball_centres() -> None:
 
 def test_wear_compensation_reads_the_centre_path() -> None:
     text = programs.RECTANGLE.replace("G1 X0 Y-5 F300", "G42 D1 G1 X0 Y-5 F300").replace("G1 X0 Y-20", "G40 G1 X0 Y-20")
-    program = gcode.parse(text, "wear.nc")
+    program = nc.parse(text, "wear.nc")
     settings = pipeline.Settings(cutter_compensation="wear", filter="none")
     nominal = pipeline.nominal_from_program(program, 5.0, settings, None)
     assert nominal.signed_areas() == pytest.approx([5000.0])
@@ -347,8 +347,8 @@ def test_wear_compensation_reads_the_centre_path() -> None:
 
 
 def test_opaque_stretches_are_refused_with_their_line() -> None:
-    text = programs.RECTANGLE.replace("Y55\n", "#1=55\nY#1\n")
-    program = gcode.parse(text, "macro.nc")
+    text = programs.RECTANGLE.replace("Y55\n", "Y#500\n")
+    program = nc.parse(text, "macro.nc")
     nominal = nominal_of("mitres")[1]
     measurement = programs.measured(nominal, lambda k, s: np.full(len(s), 0.01))
     with pytest.raises((FormatError, InputError), match="macro.nc"):
@@ -372,7 +372,7 @@ def test_without_measurement_the_path_is_made_exact() -> None:
     assert result.verification.path_error_max <= 0.001
     span, t = nominal.samples(0.005)
     c, _, _ = nominal.evaluate(span, t)
-    p = gcode.parse(result.text).toolpath
+    p = nc.parse(result.text).toolpath
     p = p.take(np.flatnonzero(result.regeneration.following)).position(np.linspace(0, 1, 9))[:, :, :2].reshape(-1, 2)
     # The nearest sample is at most 0.0025 mm along the curve from the foot point: 0.6 nm farther off than that.
     assert np.abs(cKDTree(c).query(p)[0] - 5.0).max() < 0.001
@@ -397,7 +397,7 @@ def test_order_and_direction_of_the_points_do_not_matter() -> None:
 @pytest.mark.parametrize("halves", [False, True])
 def test_full_circles_both_ways(word: str, side: str, halves: bool) -> None:
     turn = f"{word} X25 Y0 I-25 J0\n" if not halves else f"{word} X-25 Y0 I-25 J0\n{word} X25 Y0 I25 J0\n"
-    program = gcode.parse(f"G0 X35 Y0\nG1 Z-5 F200\nG1 X25 F400\n{turn}G1 X35\nG0 Z20\n", "circle.nc")
+    program = nc.parse(f"G0 X35 Y0\nG1 Z-5 F200\nG1 X25 F400\n{turn}G1 X35\nG0 Z20\n", "circle.nc")
     nominal = pipeline.nominal_from_program(program, 5.0, pipeline.Settings(side=side), None)
     assert nominal.signed_areas() == pytest.approx([np.pi * 400])
     measurement = programs.measured(nominal, lambda k, s: 0.01 + 0.004 * np.sin(s / 20.0))
@@ -435,7 +435,7 @@ M30
 
 def test_other_contours_and_roughing_passes_stay_where_they_are() -> None:
     """A roughing pass, the finishing pass and another contour, chained by feed moves; only the second is measured."""
-    program = gcode.parse(CHAINED, "chained.nc")
+    program = nc.parse(CHAINED, "chained.nc")
     nominal = nominal_of("mitres")[1]
     measurement = programs.measured(nominal, lambda k, s: np.full(len(s), -0.15))
     result = pipeline.correct(pipeline.Request(program, 5.0, measurement, nominal, pipeline.Settings(filter="none")))
@@ -444,7 +444,7 @@ def test_other_contours_and_roughing_passes_stay_where_they_are() -> None:
     assert [line for line in text if line in kept] == kept
     for line in ("X105.15", "Y55.15", "X-5.15"):
         assert line in text
-    before, after = program.toolpath, gcode.parse(result.text).toolpath
+    before, after = program.toolpath, nc.parse(result.text).toolpath
     # The roughing pass ends where it ended; the link to the finishing pass takes up the difference.
     assert after.end[7].tolist() == before.end[7].tolist()
 

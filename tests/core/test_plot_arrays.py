@@ -8,13 +8,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from millcorr import gcode, pipeline
-from millcorr.measurement import Measurement
+from millcorr import nc, pipeline
+from millcorr.correction.settings import Settings
 from millcorr.probing import Placement, TouchProbe, plan
-from millcorr.scene import plots as plot_arrays
-from millcorr.scene.probing import BALL, OVER, TOUCH, WAY, joined
-from millcorr.scene.probing import overlay_of as probing_lines
-from millcorr.settings import Settings
+from millcorr.production.process_control import Control
+from millcorr.readers.measurement import Measurement
+from millcorr.report.scene import plots as plot_arrays
+from millcorr.report.scene.probing import BALL, OVER, TOUCH, WAY, joined
+from millcorr.report.scene.probing import overlay_of as probing_lines
+from tests.core.test_serial import Shop
 
 RADIUS = 40.0
 
@@ -35,7 +37,7 @@ def corrected(noise=0.0, count=360, gap=None, wrong=None, filter="gauss:10"):
         points = points[(angle < np.radians(gap[0])) | (angle > np.radians(gap[1]))]
     measurement = Measurement(points, None, 0.0, np.arange(1, len(points) + 1), "disc.csv", "0", has_z=True)
     chosen = Settings(side="left", filter=filter)
-    return pipeline.correct(pipeline.Request(gcode.parse(text, "disc.nc"), 5.0, measurement, None, chosen))
+    return pipeline.correct(pipeline.Request(nc.parse(text, "disc.nc"), 5.0, measurement, None, chosen))
 
 
 @pytest.fixture(scope="module")
@@ -169,6 +171,36 @@ def test_lines_of_a_measuring_program(result):
 def test_no_lines_at_all():
     drawn = joined([])
     assert len(drawn) == 0 and drawn.vertices.shape == (0, 3)
+
+
+def test_a_series_has_parts_mean_form_and_limits(tmp_path):
+    shop = Shop(tmp_path, Control(2, 0.004))
+    sizes = [20, 3, 5, 6]
+    for size in sizes:
+        shop.next(shop.measure(size))
+    found = plot_arrays.series(shop.entries)
+    assert found.part.tolist() == [1, 2, 3, 4]
+    np.testing.assert_allclose(found.mean, sizes, atol=0.01)
+    np.testing.assert_allclose(found.limit, 4.0)
+    # After the first part's correction the control begins at 0 and goes half the way to every part.
+    np.testing.assert_allclose(found.smoothed[1:], [1.5, 3.25, 4.625], atol=0.01)
+    assert found.corrected.tolist() == [True, False, False, True]
+    # A wave that all parts share: 6 um along the contour are 6 / sqrt(2) root mean square.
+    waved = Shop(tmp_path / "waved", Control(2, 0.030))
+    waved.directory.mkdir()
+    total = waved.nominal.total
+    for mean in (3, 4, 5, 3):
+        waved.next(waved.measure(lambda k, s, mean=mean: 1e-3 * (mean + 6 * np.sin(6 * np.pi * s / total[k]))))
+    form = plot_arrays.series(waved.entries).form
+    assert np.isfinite(form).any()
+    np.testing.assert_allclose(form[np.isfinite(form)], 6 / np.sqrt(2), rtol=0.15)
+
+
+def test_a_series_without_a_control_has_no_limit(tmp_path):
+    shop = Shop(tmp_path)
+    shop.next(shop.measure(20))
+    found = plot_arrays.series(shop.entries)
+    assert np.isnan(found.limit).all() and np.isnan(found.smoothed).all()
 
 
 def test_a_gap_is_drawn_with_what_is_milled_there_and_outliers_apart():

@@ -8,20 +8,20 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from millcorr import gcode, pipeline
-from millcorr.cutting import average_force
-from millcorr.engagement import stock_of
+from millcorr import nc, pipeline
+from millcorr.correction.settings import Settings
 from millcorr.errors import FormatError, RefusedError, UsageError
-from millcorr.kinematics import AxisDynamics, Control, arc_shrinkage, motion
-from millcorr.nurbs import NurbsCurve
-from millcorr.prediction import simulate
-from millcorr.prediction.cutter_reach import profile_of_path, reachable
-from millcorr.prediction.elastic_pass import elastic_pass
-from millcorr.prediction.real_feed import EVEN, RealFeed, control_of, times
-from millcorr.profile import Contour, Profile
-from millcorr.settings import Settings
-from millcorr.setup_file import from_dict
-from millcorr.simulated_machine import SimulatedMachine
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Contour, Profile
+from millcorr.process.cutting import average_force
+from millcorr.process.engagement import stock_of
+from millcorr.process.kinematics import AxisDynamics, Control, arc_shrinkage, motion
+from millcorr.process.prediction import simulate
+from millcorr.process.prediction.cutter_reach import profile_of_path, reachable
+from millcorr.process.prediction.elastic_pass import elastic_pass
+from millcorr.process.prediction.real_feed import EVEN, RealFeed, control_of, times
+from millcorr.process.setup_file import from_dict
+from millcorr.virtual.simulated_machine import SimulatedMachine
 from tests.core.paper_2023 import LEFT, RADIUS, as_cut, cut_again, nominal, program, setup, softer
 
 WALL = Profile.from_contours([Contour((NurbsCurve.line((60, -10), (-60, -10)),), False)])
@@ -112,8 +112,8 @@ def test_paper_a_priori():
 
 def test_simulated_machine_agrees():
     """Another program closes the loop by delta = MS (H - delta), with MS from the rigid force: within 2 %."""
-    from millcorr.cutting import cutting
-    from millcorr.engagement import engagement
+    from millcorr.process.cutting import cutting
+    from millcorr.process.engagement import engagement
 
     its = softer(3000.0, 2000.0)
     source = program(STRAIGHT)
@@ -127,7 +127,7 @@ def test_simulated_machine_agrees():
     assert np.abs(simulation.deviation.value / other - 1)[inside].max() < 0.02
     # And the corrected program leaves next to nothing on that machine, too.
     corrected = predicted(STRAIGHT, its, WALL, iterate=1e-3)
-    again = machine.cut(gcode.parse(corrected.text, "c.nc").toolpath, RADIUS, WALL, seed=1)
+    again = machine.cut(nc.parse(corrected.text, "c.nc").toolpath, RADIUS, WALL, seed=1)
     assert np.abs(again.deviation(0, simulation.deviation.s)[inside]).max() < 0.02 * other.max() + 1e-3
 
 
@@ -248,7 +248,7 @@ def test_contour_control_of_a_setup():
     assert control is not None and control.contour is not None
     # dat-2025, eq. 1: 0.0062 * 300 + 39.226 ms.
     assert control.contour.time(300.0 / 60.0) == pytest.approx(41.086e-3, rel=1e-12)
-    square = gcode.parse("G21 G90 G17\nG0 X0 Y0\nG1 X20 F1200\nG1 Y20\n")
+    square = nc.parse("G21 G90 G17\nG0 X0 Y0\nG1 X20 F1200\nG1 Y20\n")
     moved = motion(square.toolpath, control)
     corner = np.argmin(np.hypot(moved.x - 20.0, moved.y))
     # Both axes change by the whole feed at a right angle: 120 mm/min of 1200; within a sample of 1 ms of the ramp.
@@ -294,7 +294,7 @@ def test_arcs_shrink_by_the_closed_form(side, sign):
 
     The first turn, in which the axes still speed up, is cut again.
     """
-    circle = gcode.parse(TURNS, "turns.nc")
+    circle = nc.parse(TURNS, "turns.nc")
     profile = pipeline.nominal_from_program(circle, 3.0, Settings(side=side), None)
     found = simulate(circle, light(**INERTIA), profile)
     wanted = sign * float(arc_shrinkage(10.0, 50.0, AxisDynamics(0.064, kv=30.0)))
@@ -308,7 +308,7 @@ def test_arcs_shrink_by_the_closed_form(side, sign):
 
 def test_corners_are_rounded_by_the_envelope_of_the_cutter():
     """The lowest of all circles along the sampled motion, 10 um apart; the tool is off by sqrt 2 v T / 8 = 0.147 mm."""
-    square = gcode.parse("G21 G90 G17\nG0 X-20 Y0\nG0 Z0\nG1 X0 F1000\nG1 Y20\nG0 Z5\n", "square.nc")
+    square = nc.parse("G21 G90 G17\nG0 X-20 Y0\nG0 Z0\nG1 X0 F1000\nG1 Y20\nG0 Z5\n", "square.nc")
     profile = pipeline.nominal_from_program(square, 3.0, Settings(side="left"), None)
     found = simulate(square, light(acceleration_time_x_ms=50.0, acceleration_time_y_ms=50.0), profile)
     moved = motion(square.toolpath, Control.alike(AxisDynamics(0.05)), step=0.01 / (1000 / 60))
@@ -327,7 +327,7 @@ def test_corners_are_rounded_by_the_envelope_of_the_cutter():
 
 def test_correction_takes_out_what_arcs_lose():
     """A hole's wall: 0.178 mm of shrinkage, corrected until at most 10 um are left."""
-    circle = gcode.parse(TURNS, "turns.nc")
+    circle = nc.parse(TURNS, "turns.nc")
     wanted = Settings(side="left", method="predicted", iterate=0.01)
     slow = light(**{**INERTIA, "position_gain_per_s": 60.0})
     done = pipeline.correct(pipeline.Request(circle, 3.0, None, None, wanted, setup=slow)).foreseen
@@ -346,7 +346,7 @@ def test_a_height_that_is_never_stated_changes_nothing():
     inert = light(acceleration_time_x_ms=50.0, acceleration_time_y_ms=50.0, position_gain_per_s=40.0)
     found = []
     for source in (text, text.replace("G0 Z0\n", "")):
-        part = gcode.parse(source, "part.nc")
+        part = nc.parse(source, "part.nc")
         found.append(simulate(part, inert, pipeline.nominal_from_program(part, 3.0, Settings(side="left"), None)))
     stated, never = found
     assert never.kinematic == pytest.approx(stated.kinematic, abs=1e-6)
@@ -355,7 +355,7 @@ def test_a_height_that_is_never_stated_changes_nothing():
 
 def test_what_the_axes_leave_at_a_corner_is_named():
     """No moved path takes out what a corner loses within a few tenths of a millimetre: the remedy is the feed."""
-    square = gcode.parse("G21 G90 G17\nG0 X-20 Y0\nG0 Z0\nG1 X0 F1000\nG1 Y20\nG0 Z5\n", "square.nc")
+    square = nc.parse("G21 G90 G17\nG0 X-20 Y0\nG0 Z0\nG1 X0 F1000\nG1 Y20\nG0 Z5\n", "square.nc")
     inert = light(acceleration_time_x_ms=50.0, acceleration_time_y_ms=50.0)
     wanted = Settings(side="left", method="predicted", iterate=0.002)
     with pytest.raises(RefusedError, match=r"more than --iterate 0\.002 mm, which the axes leave: lower the feed"):

@@ -17,15 +17,16 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.optimize import brentq
 
-from millcorr import alignment, distrust, gcode, pipeline, readers
-from millcorr.deviation import deviations
+from millcorr import nc, pipeline, plausibility, readers
+from millcorr.comparison import alignment
+from millcorr.comparison.ball_radius import axis_signature, contact_known, numbered_as_read
+from millcorr.comparison.deviation import deviations
 from millcorr.errors import DistrustError, FormatError, InputError, UsageError
-from millcorr.measurement import Measurement, Probe
-from millcorr.probe import axis_signature, contact_known, numbered_as_read
-from millcorr.profile import Contour, Profile
+from millcorr.geometry.profile import Contour, Profile
 from millcorr.readers import probe_file
 from millcorr.readers.mapping import TextMapping
-from millcorr.transform import Transform
+from millcorr.readers.measurement import Measurement, Probe
+from millcorr.readers.transform import Transform
 from tests.core import measurement_files
 from tests.core.contours import (
     Element,
@@ -624,7 +625,7 @@ def test_plain_text_goes_by_the_rule(file):
     assert m.axis_radii == (2.0, 2.0) and m.travel is None and m.ball_radius == 0
     with pytest.raises(UsageError, match="need --probe-radius"):
         readers.read(path, points="axis")
-    with pytest.raises(UsageError, match="contact, centre or axis"):
+    with pytest.raises(UsageError, match="choose one of contact, centre, axis"):
         readers.read(path, points="axes")
     with pytest.raises(UsageError, match="leave --points axis out"):
         readers.text.write(path, m)
@@ -736,7 +737,7 @@ def test_the_whole_way_from_file_to_corrected_program(tmp_path):
     table.write_text("x,y,z\n" + "".join(f"{x:.9f},{y:.9f},-3\n" for x, y in points))
     measurement = readers.read(table, points="axis", probe_radius=ball)
     request = pipeline.Request(
-        gcode.read(program), cutter, measurement, None, pipeline.Settings(side="right", filter="none")
+        nc.read(program), cutter, measurement, None, pipeline.Settings(side="right", filter="none")
     )
     result = pipeline.correct(request)
     # Program and file carry 6 and 9 decimals.
@@ -744,6 +745,7 @@ def test_the_whole_way_from_file_to_corrected_program(tmp_path):
     assert 5 not in result.deviation.index
     assert [(r.index, r.reason[:15]) for r in result.deviation.rejected] == [(5, "touched neither")]
     assert result.summary()["points"] == {
+        "parts": 1,
         "read": 73, "used": 72,
         "rejected": [{"index": 5, "reason": result.deviation.rejected[0].reason}],
     }  # fmt: skip
@@ -778,7 +780,7 @@ def test_the_signature_of_a_shift_along_an_axis(ball, said):
     found = axis_signature(measured(points, ball=ball if said == "centre" else 0.0), block_profile())
     assert found is not None
     name, text, dangerous = found
-    finding = distrust.Finding(name, text, dangerous)
+    finding = plausibility.Finding(name, text, dangerous)
     assert finding.name == "axis-compensated" and finding.dangerous and "--points axis" in finding.text
     assert f"about {ball:.1f}" in text
     # Once it is said, there is nothing to find.

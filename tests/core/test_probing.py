@@ -10,10 +10,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from millcorr.errors import RefusedError, UsageError
-from millcorr.footpoint import FootPointSearch
+from millcorr.geometry.footpoint import FootPointSearch
+from millcorr.geometry.profile import Contour, Profile
 from millcorr.probing import Placement, ProbingPlan, TouchProbe, places, plan, touch_directions
-from millcorr.probing.links import clear, into_fillets
-from millcorr.profile import Contour, Profile
+from millcorr.probing.links import clear
+from millcorr.probing.space import Space, into_fillets
 from tests.core.contours import (
     Element,
     Part,
@@ -300,10 +301,10 @@ def test_distance_from_fillets_in_a_rectangular_pocket(cutter: float) -> None:
 def test_ways_keep_clear_of_fillets() -> None:
     search = FootPointSearch(pocket(60, 40).profile)
     way = np.array([[4.5, 20.0], [4.5, 4.5], [20.0, 4.5]])
-    assert clear(search, [way], 3.5, np.inf, 0.0) == [True]
+    assert clear(Space(search, 0.0), [way], 3.5, np.inf) == [True]
     # Cutter of 14 mm radius: the ball's centre at (4.5, 4.5) has 14 - 9.5 * sqrt(2) = 0.565 mm.
-    assert clear(search, [way], 3.5, np.inf, 14.0) == [False]
-    assert clear(search, [way[:1] + [[0.0, 0.0], [0.0, 5.0]]], 3.5, np.inf, 14.0) == [True]
+    assert clear(Space(search, 14.0), [way], 3.5, np.inf) == [False]
+    assert clear(Space(search, 14.0), [way[:1] + [[0.0, 0.0], [0.0, 5.0]]], 3.5, np.inf) == [True]
 
 
 @pytest.mark.parametrize("spacing", [2.0, slow(0.5)])
@@ -329,12 +330,18 @@ def test_open_contours_keep_from_their_ends() -> None:
     "values",
     [
         {"ball_radius": 0.0}, {"ball_radius": float("nan")}, {"clearance": 0.0}, {"overtravel": 0.0},
-        {"stock": -0.1}, {"margin": -1.0}, {"free_width": 5.0}, {"touch": "up"}, {"ball_radius": float("inf")},
+        {"stock": -0.1}, {"free_width": 5.0}, {"touch": "up"}, {"ball_radius": float("inf")},
     ],
 )  # fmt: skip
 def test_impossible_probes_are_refused(values: dict[str, object]) -> None:
     with pytest.raises(UsageError, match="--"):
         TouchProbe(**{"ball_radius": 2.5, **values})  # type: ignore[arg-type]
+
+
+def test_an_impossible_margin_is_refused() -> None:
+    """It is no option of the command line."""
+    with pytest.raises(UsageError, match="the margin -1 at corners"):
+        TouchProbe(ball_radius=1.0, margin=-1.0)
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
 from millcorr.errors import LimitError, UsageError
-from millcorr.series.process_control import Control, decide, refuse_beyond, weights
+from millcorr.production.process_control import Control, decide, refuse_beyond, weights
 
 UM = 1e-3
 lengths = st.floats(-0.3, 0.3)

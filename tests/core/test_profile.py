@@ -10,9 +10,9 @@ from scipy.integrate import quad
 from scipy.special import ellipe
 
 from millcorr.errors import FormatError, InputError
-from millcorr.nurbs import NurbsCurve
-from millcorr.profile import Contour, Profile, join
-from millcorr.simulated_machine import reference_contour
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Contour, Profile, join
+from millcorr.virtual.simulated_machine import reference_contour
 
 
 def circle(radius=10.0, centre=(3.0, -2.0), sweep=2 * np.pi):

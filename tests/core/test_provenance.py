@@ -10,10 +10,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from millcorr.correction.provenance import MODULUS, PLACES, Mark, header, marks, recognised, refuse_second_use
 from millcorr.errors import InputError, RefusedError
-from millcorr.gcode import parse
-from millcorr.gcode.writer import write
-from millcorr.provenance import MODULUS, PLACES, Mark, header, marks, recognised, refuse_second_use
+from millcorr.nc import parse
+from millcorr.nc.writer import write
 
 PROGRAMS = {
     "plain": b"G21 G90\nG1 X0 Y0 Z0 F100\nX10\n",

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 
 from millcorr import readers
 from millcorr.errors import FormatError, MillcorrError, UsageError
-from millcorr.measurement import Measurement, Probe
 from millcorr.readers import read, text
+from millcorr.readers.measurement import Measurement, Probe
 from millcorr.readers.preview import preview
 
 
@@ -566,3 +566,28 @@ def test_a_solid_that_is_no_mesh_is_text(tmp_path):
     path = tmp_path / "points.txt"
     path.write_text("# solid\nx,y\n1,2\n")
     assert len(readers.read(path, points="contact")) == 1
+
+
+@pytest.mark.parametrize(
+    ("content", "wanted"),
+    [
+        ("Nr;X ist;Y ist;Z ist\nP1;1,5;2,5;3,5\nP2;1,5;3,5;3,5\n", [1.5, 2.5, 3.5]),
+        ("Report 7\nName\tXm\tYm\tDev\nP1\t1.5\t2.5\t0.1\nP2\t1.5\t3.5\t0.1\n", None),
+        ("Name\tXm\tYm\tDev\nP1\t1.5\t2.5\t0.1\nP2\t1.5\t3.5\t0.1\n", [1.5, 2.5, 0.0]),
+        ("a b c\n1.5 2.5 3.5\n1.5 3.5 3.5\n", [1.5, 2.5, 3.5]),
+        ("1.5;2.5;3.5;4.5\n1.5;3.5;3.5;4.5\n", [1.5, 2.5, 3.5]),
+    ],
+)
+def test_a_refused_table_is_told_with_the_mapping_that_reads_it(tmp_path, content, wanted):
+    path, mapping = tmp_path / "table.txt", tmp_path / "table.toml"
+    path.write_text(content)
+    with pytest.raises(FormatError) as caught:
+        readers.read(path, points="contact")
+    _, _, lines = str(caught.value).partition("a mapping for it: ")
+    assert (not lines) == (wanted is None)
+    if wanted is not None:
+        # A header of letters is one line that is no row.
+        skip = "" if content[0].isdigit() else "skip = 1\n"
+        mapping.write_text(skip + lines.replace(" | ", "\n") + "\n")
+        m = readers.read(path, points="contact", mapping=mapping)
+        assert m.points[0].tolist() == wanted and len(m) == 2

@@ -16,7 +16,7 @@ from tests.core import measurement_files as files
 from tests.core import readers_fuzz
 
 PAGES = Path(__file__).parents[2] / "docs" / "formats"
-BINARY = ("stl", "ply", "pcd", "e57")
+BINARY = ("stl", "ply", "pcd", "e57", "x3p")
 TEXTS = [s for s in readers_fuzz.subjects() if s.format not in BINARY and not s.data.startswith(b"<?xml")]
 
 

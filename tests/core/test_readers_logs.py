@@ -9,8 +9,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from millcorr import readers
-from millcorr.distrust import examine_file
 from millcorr.errors import FormatError, UsageError
+from millcorr.plausibility import examine_file
 from tests.core import measurement_files as files
 
 PART = files.ellipse(4)
@@ -356,3 +356,18 @@ def test_written_and_read_back(tmp_path, n, seed, kind, inch, offset):
         m = readers.read(path, probe_radius=1.5, work_offset=offset)
     assert m.format == kind
     np.testing.assert_allclose(m.points, part.contact if m.ball_radius == 0 else part.centres, atol=1e-4)
+
+
+@pytest.mark.parametrize(("places", "asked"), [(("-3.1250", "-1.2500"), True), (("-312.5000", "-125.0000"), False)])
+def test_grbl_four_decimals_are_asked_about_only_where_they_may_be_inches(tmp_path, places, asked):
+    log = tmp_path / "probe.log"
+    x, y = places
+    rows = [f"[PRB:{x},{y},-{1.5 + 0.01 * k:.4f}:1]" for k in range(5)]
+    log.write_text("\n".join([*rows, ""]))
+    said = {"probe_radius": 1.0, "work_offset": (0.0, 0.0, 0.0)}
+    if asked:
+        with pytest.raises(UsageError, match="--units inch or --units mm"):
+            readers.read(log, **said)
+        return
+    m = readers.read(log, **said)
+    assert m.unit == "mm" and m.bases["unit"].how == "inferred" and m.points[0, 0] == float(x)

@@ -369,3 +369,51 @@ def test_a_column_that_is_not_there_names_the_mapping_and_the_nearest(tmp_path):
     with pytest.raises(FormatError, match=r"cam.toml; lacking: 'X Act' \(is it 'X Actual'\?\)") as caught:
         readers.read(path, mapping=tmp_path / "cam.toml")
     assert caught.value.line == 1
+
+
+@pytest.mark.parametrize(
+    ("plane", "expected"),
+    [
+        ("xy", (1.0, 2.0, 3.0)), ("xz", (1.0, 3.0, -2.0)), ("yz", (2.0, 3.0, 1.0)), ("zx", (3.0, 1.0, 2.0)),
+        ("zy", (3.0, 2.0, -1.0)), ("yx", (2.0, 1.0, -3.0)),
+    ],
+)  # fmt: skip
+def test_the_plane_of_a_contour_instrument_becomes_that_of_the_contour(tmp_path, plane, expected):
+    path = tmp_path / "profile.txt"
+    columns = {c: n for n, c in enumerate(("x", "y", "z", "i", "j", "k"), 1)}
+    path.write_text("1000 2000 3000 0.6 0 0.8\n4000 5000 6000 0 1 0\n")
+    mapping = TextMapping(columns, separator="blank", factor=0.001, plane=plane, points="contact")
+    m = readers.read(path, mapping=mapping)
+    np.testing.assert_allclose(m.points[0], expected, atol=1e-15)
+    # Turned and not mirrored: the triple product of the points and a normal is kept.
+    before = np.linalg.det([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [0.6, 0.0, 0.8]])
+    assert np.linalg.det([*m.points, m.normals[0]]) == pytest.approx(before)
+    assert m.unit == "mm" and "unit of 0.001 mm" in m.notes[1]
+
+
+def test_a_profile_has_two_columns_and_comes_out_at_one_level(tmp_path):
+    path, said = tmp_path / "profile.txt", tmp_path / "instrument.toml"
+    path.write_text("X [um];Z [um]\n0,5;-12,25\n1,0;-12,75\n")
+    said.write_text(
+        'separator = "semicolon"\ndecimal = "comma"\nfactor = 0.001\nplane = "xz"\npoints = "contact"\n'
+        '[columns]\nx = "X [um]"\nz = "Z [um]"\n'
+    )
+    m = readers.read(path, mapping=said)
+    np.testing.assert_allclose(m.points, [[0.0005, -0.01225, 0.0], [0.001, -0.01275, 0.0]], atol=1e-18)
+    assert not m.has_z and m.bases["unit"].how == "said"
+    loaded = mappings.load(said)
+    assert mappings.load(mappings.save(tmp_path / "again.toml", loaded)) == loaded
+    with pytest.raises(UsageError, match="mm"):
+        readers.read(path, mapping=said, units="inch")
+
+
+@pytest.mark.parametrize(
+    ("keys", "message"),
+    [
+        ({"plane": "xz"}, "columns: z is missing"), ({"plane": "xx"}, "plane is one of"),
+        ({"factor": 0.0}, "factor is the millimetres"), ({"factor": 0.001, "units": "mm"}, "the same twice"),
+    ],
+)  # fmt: skip
+def test_a_plane_or_factor_that_cannot_be(keys, message):
+    with pytest.raises(FormatError, match=message):
+        TextMapping({"x": 1, "y": 2}, **keys)

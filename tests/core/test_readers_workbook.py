@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Excel workbooks, where openpyxl is installed."""
+"""Workbooks, where openpyxl and odfpy are installed."""
 
 import datetime
 import importlib
@@ -103,4 +103,87 @@ def test_a_missing_library_is_named(tmp_path, monkeypatch):
     path = tmp_path / "points.xlsx"
     path.write_bytes(bare({}))
     with pytest.raises(UsageError, match="pip install openpyxl, or save the points as CSV"):
+        readers.read(path, points="contact")
+
+
+@pytest.fixture
+def open_document(tmp_path):
+    """Function that saves sheets of rows as an OpenDocument workbook; the sheet named is shown."""
+    pytest.importorskip("odf")
+
+    def make(sheets, active):
+        from odf import config, opendocument, table, text
+
+        book = opendocument.OpenDocumentSpreadsheet()
+        for title, rows in sheets.items():
+            sheet = table.Table(name=title)
+            for row in rows:
+                line = table.TableRow()
+                for value in row:
+                    if isinstance(value, float):
+                        cell = table.TableCell(valuetype="float", value=repr(value))
+                        cell.addElement(text.P(text=f"{value:.2f}"))
+                    elif isinstance(value, datetime.date):
+                        cell = table.TableCell(valuetype="date", datevalue=value.isoformat())
+                    elif value is None:
+                        cell = table.TableCell(numbercolumnsrepeated=2)
+                    else:
+                        cell = table.TableCell(valuetype="string")
+                        cell.addElement(text.P(text=value))
+                    line.addElement(cell)
+                line.addElement(table.TableCell(numbercolumnsrepeated=16000))
+                sheet.addElement(line)
+            sheet.addElement(table.TableRow(numberrowsrepeated=2))
+            book.spreadsheet.addElement(sheet)
+        blank = table.TableRow(numberrowsrepeated=1_000_000)
+        blank.addElement(table.TableCell(numbercolumnsrepeated=16_384))
+        sheet.addElement(blank)
+        item = config.ConfigItem(name="ActiveTable", type="string")
+        item.addText(active)
+        items = config.ConfigItemSet(name="ooo:view-settings")
+        items.addElement(item)
+        book.settings.addElement(items)
+        path = tmp_path / "points.ods"
+        book.save(str(path))
+        return path
+
+    return make
+
+
+def test_columns_of_an_open_document_sheet_with_all_digits(open_document):
+    rows = [["Plate 12"], [], ["Nr", "X", "Y", "Z"]] + [[f"P {k}", *place] for k, place in enumerate(PLACES)]
+    path = open_document({"Notes": [["made by hand"]], "Points": rows, "Other": [["x"]]}, "Points")
+    m = readers.read(path, points="contact")
+    np.testing.assert_array_equal(m.points, PLACES)
+    np.testing.assert_array_equal(m.lines, [4, 5, 6])
+    assert m.notes[0] == "sheet 'Points' of the workbook, the one shown of 3"
+    mapping = TextMapping({"id": "Nr", "x": "X", "y": "Y"}, separator="tab")
+    assert readers.read(path, points="contact", mapping=mapping).elements == ("P 0", "P 1", "P 2")
+
+
+def test_an_open_document_date_is_no_coordinate_and_blank_cells_are_counted(open_document):
+    path = open_document({"A": [["x", "y", "z"], [1.5, datetime.date(2024, 2, 29), 3.5]]}, "A")
+    with pytest.raises(FormatError, match="date") as caught:
+        readers.read(path, points="contact")
+    assert caught.value.line == 2
+    path = open_document({"A": [["x", "y", "a", "b", "z"], [1.5, 2.5, None, 3.5], [2.5, 2.5, None, 3.25]]}, "A")
+    np.testing.assert_array_equal(readers.read(path, points="contact").points, [[1.5, 2.5, 3.5], [2.5, 2.5, 3.25]])
+
+
+def test_a_damaged_open_document_and_a_missing_library(open_document, monkeypatch):
+    path = open_document({"A": [["x", "y"], [1.5, 2.5]]}, "A")
+    data = path.read_bytes()
+    path.write_bytes(data[: len(data) // 2])
+    with pytest.raises(FormatError, match="damaged"):
+        readers.read(path, points="contact")
+    path.write_bytes(data)
+    original = importlib.import_module
+
+    def without(name, *rest):
+        if name.startswith("odf"):
+            raise ImportError(name)
+        return original(name, *rest)
+
+    monkeypatch.setattr(importlib, "import_module", without)
+    with pytest.raises(UsageError, match="pip install odfpy"):
         readers.read(path, points="contact")

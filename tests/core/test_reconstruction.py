@@ -11,12 +11,13 @@ from hypothesis import strategies as st
 from scipy.optimize import minimize_scalar
 from scipy.spatial import cKDTree
 
-from millcorr.compensation import Correction, Course, correction_from
+from millcorr.correction.compensation import correction_from
 from millcorr.errors import FitError, LimitError
-from millcorr.footpoint import FootPointSearch
-from millcorr.nurbs import NurbsCurve
-from millcorr.profile import Contour, Profile
-from millcorr.reconstruction import FIT, CompensatedContour
+from millcorr.geometry.correction import Correction, Course
+from millcorr.geometry.footpoint import FootPointSearch
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Contour, Profile
+from millcorr.path.reconstruction import FIT, CompensatedContour
 from tests.core.contours import (
     Element,
     Part,

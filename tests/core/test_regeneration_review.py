@@ -8,10 +8,10 @@ import pytest
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
-from millcorr.footpoint import FootPointSearch, Place
-from millcorr.profile import Profile
-from millcorr.reconstruction import CompensatedContour
-from millcorr.regeneration import Regeneration
+from millcorr.geometry.footpoint import FootPointSearch, Place
+from millcorr.geometry.profile import Profile
+from millcorr.path.moves import Regeneration
+from millcorr.path.reconstruction import CompensatedContour
 from tests.core.contours import Element, Part, Path, parts, profile_of, rectangle, reversed_elements, started_at
 from tests.core.laid_paths import laid
 from tests.core.sweeps import examples

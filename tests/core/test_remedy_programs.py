@@ -10,9 +10,9 @@ import re
 import numpy as np
 import pytest
 
-from millcorr import gcode
+from millcorr import nc
 from millcorr.__main__ import main
-from millcorr.kinematics import AxisDynamics, ContourControl, Control, corner_errors, motion
+from millcorr.process.kinematics import AxisDynamics, ContourControl, Control, corner_errors, motion
 from tests.core.test_tilt import APART, HOLLOW
 from tests.core.test_wall_in_simulation import CORNER, HEIGHTS, SETUP
 
@@ -68,7 +68,7 @@ def test_slowed_corner(directory, capsys):
     assert corner["before_mm"] == pytest.approx(np.sqrt(2) * 15.0 * 0.05 / 8, rel=1e-6)
     assert (corner["line"], corner["place_mm"]) == (4, [0.0, 0.0, 0.0])
     assert slowed["time_after_s"] > slowed["time_before_s"]
-    written = gcode.read(directory / "out.nc")
+    written = nc.read(directory / "out.nc")
     again = corner_errors(written.toolpath, Control.alike(AxisDynamics(0.05)))
     # The two places where the feed changes are straight, so one corner is left.
     assert len(again) == 1 and again.error[0] == pytest.approx(corner["after_mm"], rel=1e-9)
@@ -112,8 +112,8 @@ def test_tilted_walls(directory, capsys):
     wall = found(directory, "tilted")["wall"]["stretches"]
     means = [np.mean(one["before_mm"]) for one in wall]
     moved = -means[0] - 1.25 * np.tan(lean) + 5.0 * (1 / np.cos(lean) - 1)
-    path = gcode.read(directory / "tilted.nc").toolpath
-    plain = gcode.parse(APART).toolpath
+    path = nc.read(directory / "tilted.nc").toolpath
+    plain = nc.parse(APART).toolpath
     assert path.end[2, 1] - plain.end[2, 1] == pytest.approx(moved, abs=2e-4)
     assert path.end[-2, 0] - plain.end[-2, 0] == pytest.approx(-moved, abs=2e-4)
     page = (directory / "tilted" / "simulation.html").read_text(encoding="utf-8")
@@ -129,7 +129,7 @@ def test_shifted_contour(directory, capsys):
     assert shifted["largest_before_mm"] == pytest.approx(0.025, abs=1e-4)
     # The closed loop gives a little back: a smaller cut bends less.
     assert shifted["largest_after_mm"] == pytest.approx(before[0] - np.mean(before), abs=2e-4)
-    path, plain = (gcode.parse(t).toolpath for t in ((directory / "shifted.nc").read_text(), CORNER))
+    path, plain = (nc.parse(t).toolpath for t in ((directory / "shifted.nc").read_text(), CORNER))
     moved = path.end[-2, 1] - plain.end[-2, 1], path.start[3, 1] - plain.start[3, 1]
     assert moved == pytest.approx((0.0, -np.mean(before)), abs=2e-4)
     assert shifted["path_moved_mm"] == pytest.approx(np.mean(before), abs=2e-4)
@@ -180,7 +180,7 @@ def test_what_is_refused_writes_nothing(directory, capsys, program, setup, words
 def log(directory, name, text, columns, noise, contour=None, seed=3):
     """A log of the corner, cut by ramps of 50 and 60 ms and a gain of 40/s, begun at 7 s, in steps of 2 ms."""
     control = Control(AxisDynamics(0.05, kv=40.0), AxisDynamics(0.06, kv=40.0), AxisDynamics(0.06, kv=40.0), contour)
-    m = motion(gcode.parse(text).toolpath, control, step=0.002)
+    m = motion(nc.parse(text).toolpath, control, step=0.002)
     rng = np.random.default_rng(seed)
     values = np.column_stack([m.x, m.y]) if columns == "t,x,y" else 60.0 * m.feed[:, None]
     rows = np.column_stack([m.t + 7.0, values + noise * rng.standard_normal(values.shape)])

@@ -11,15 +11,16 @@ from html.parser import HTMLParser
 import numpy as np
 import pytest
 
-from millcorr import gcode, pipeline, report
+from millcorr import nc, pipeline, report
+from millcorr.correction.largest import largest_correction
 from millcorr.errors import UsageError
-from millcorr.largest import largest_correction
-from millcorr.measurement import Measurement
-from millcorr.nurbs import NurbsCurve
-from millcorr.profile import Contour, Profile, Stretch
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Contour, Profile, Stretch
+from millcorr.readers.measurement import Measurement
 from millcorr.report import page as pages
 from millcorr.report import plots, svg
 from millcorr.report import view as views
+from millcorr.report.magnification import magnification_for
 
 RADIUS = 5.0
 DAY = datetime.date(2024, 2, 29)
@@ -81,13 +82,11 @@ def corrected(program: str = DISC, points=None, name: str = "disc.nc", source: s
         points = ring(120, wavy)
     measurement = None if isinstance(points, str) else measured(points, source)
     chosen = pipeline.Settings(**({"side": "right"} | settings))
-    return pipeline.correct(pipeline.Request(gcode.parse(program, name), RADIUS, measurement, None, chosen))
+    return pipeline.correct(pipeline.Request(nc.parse(program, name), RADIUS, measurement, None, chosen))
 
 
 def plate_result(levels=(-2.0,)):
-    nominal = pipeline.nominal_from_program(
-        gcode.parse(PLATE, "plate.nc"), RADIUS, pipeline.Settings(side="right"), None
-    )
+    nominal = pipeline.nominal_from_program(nc.parse(PLATE, "plate.nc"), RADIUS, pipeline.Settings(side="right"), None)
     points = []
     for k, total in enumerate(nominal.total):
         s = (np.arange(60) + 0.5) / 60 * total
@@ -212,7 +211,7 @@ def test_json_has_the_keys_of_the_contract(disc, tmp_path):
     data = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"), parse_constant=pytest.fail)
     shape = ("mean", "min", "max", "height", "std")
     assert data["unit"] == "mm" and isinstance(data["millcorr"], str)
-    assert data["points"] == {"read": 120, "used": 120, "rejected": []}
+    assert data["points"] == {"parts": 1, "read": 120, "used": 120, "rejected": []}
     assert tuple(data["deviation"]) == shape and tuple(data["filtered"]) == shape
     assert {"max", "limited"} <= data["correction"].keys()
     assert data["alignment"] == {"shift": [0.0, 0.0], "rotation_deg": 0.0}
@@ -227,7 +226,7 @@ def test_json_has_null_where_there_is_no_number(tmp_path):
     text = (tmp_path / "report.json").read_text(encoding="utf-8")
     data = json.loads(text, parse_constant=pytest.fail)
     assert data["deviation"]["mean"] is None and data["random_std"] is None
-    assert data["points"] == {"read": 0, "used": 0, "rejected": []}
+    assert data["points"] == {"parts": 0, "read": 0, "used": 0, "rejected": []}
 
 
 def test_profile_reads_back(disc, tmp_path):
@@ -335,7 +334,7 @@ def test_page_says_what_was_done(disc):
         "ab" * 32,
         disc.request.program.digest,
         "Form: ",
-        f"at {views.magnification_for(disc.nominal, np.abs(disc.deviation.value).max()):g}:1",
+        f"at {magnification_for(disc.nominal, np.abs(disc.deviation.value).max()):g}:1",
         "p.nc",
     ):
         assert words in text, words
@@ -407,7 +406,7 @@ def test_own_path_error_is_named_when_it_is_worth_it(disc):
     lines = "\n".join(f"X{25 * np.cos(t):.5f} Y{25 * np.sin(t):.5f}" for t in theta)
     program = f"G21 G90 G17\nG0 X25 Y0\nG1 Z-5 F200\nG1\n{lines}\nG0 Z20\nM30\n"
     measurement = measured(ring(120, wavy))
-    request = pipeline.Request(gcode.parse(program, "polygon.nc"), RADIUS, measurement, circle(20.0))
+    request = pipeline.Request(nc.parse(program, "polygon.nc"), RADIUS, measurement, circle(20.0))
     result = pipeline.correct(request)
     assert result.regeneration.original_error == pytest.approx(25 * (1 - np.cos(np.pi / 180)), abs=2e-5)
     text = Page(pages.page(result)).text
@@ -463,7 +462,7 @@ def test_round_numbers(value, down, up):
 @pytest.mark.parametrize(("largest", "expected"), [(0.0, 500), (0.005, 500), (0.008, 500), (0.05, 50), (0.0001, 20000)])
 def test_magnification_fits_the_part(largest, expected):
     # 40 mm across: whiskers of at most 4.8 mm.
-    assert views.magnification_for(circle(20.0), largest) == pytest.approx(expected)
+    assert magnification_for(circle(20.0), largest) == pytest.approx(expected)
 
 
 def test_whiskers_point_outward_for_excess():
@@ -577,7 +576,7 @@ def test_an_offset_told_apart_by_two_depths_is_shown():
     """delta = 5 um + 0.2 h at h = 0.1 and 0.2 mm: MS = 0.25, offset 5 um."""
     a, b = (measured(ring(90, lambda t, h=h: 0.005 + 0.2 * h + 0 * t), f"{h}.csv") for h in (0.1, 0.2))
     chosen = pipeline.Settings(side="right", filter="none", method="transfer", depth=(0.1, 0.2), next_depth=0.15)
-    request = pipeline.Request(gcode.parse(DISC, "disc.nc"), RADIUS, a, None, chosen, (b,))
+    request = pipeline.Request(nc.parse(DISC, "disc.nc"), RADIUS, a, None, chosen, (b,))
     text = Page(pages.page(pipeline.correct(request))).text
     assert "+5.00 µm in the mean" in text and "0.2500 in the mean" in text
 
@@ -594,7 +593,7 @@ def test_contour_check_files_hold_path_and_points(disc, tmp_path):
 def test_contact_points_stand_off_the_contour_at_the_stated_magnification():
     result = corrected(points=ring(8, lambda t: 0.01 + 0 * t), filter="none")
     plot = views.path_and_contour(result)
-    times = views.magnification_for(result.nominal, 0.01)
+    times = magnification_for(result.nominal, 0.01)
     assert f"at {times:g}:1" in plot.caption
     drawn = [d for d in re.findall(r'class="excess" d="([^"]+)"', plot.svg) if "L" in d]
     lines = np.array(re.findall(r"M([\d.]+) ([\d.]+)L([\d.]+) ([\d.]+)", drawn[0]), dtype=float)

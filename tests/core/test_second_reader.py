@@ -3,15 +3,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 
-from millcorr import gcode
+from millcorr import nc
+from millcorr.nc.toolpath import Kind, Toolpath
 from millcorr.path.reading import PlainMoves, read_moves
-from millcorr.toolpath import Kind, Toolpath
 from tests.core import loop_programs, rs274
 from tests.core.nc_programs import Made, programs
 from tests.core.sweeps import examples
@@ -20,6 +21,39 @@ from tests.core.test_gcode_linuxcnc import compare, motions_of
 DATA = Path(__file__).parents[1] / "data" / "nc"
 TEXTS = {name: text.encode() for name, text in vars(loop_programs).items() if name.isupper() and isinstance(text, str)}
 TEXTS |= {path.stem: path.read_bytes() for path in sorted(DATA.glob("*.nc"))}
+FAMILIES = [
+    "M98 P2 L3|G0 Z9|M30|O2|G91 G1 Z-1|G90 X5|X0|M99",
+    "M98 P30002|G0 Z9|M30|O2|G91 G1 Z-1|G90 X5|X0|M99",
+    "M97 P500 L2|G0 Z9|M30|N500 G91 G1 Z-1|G90 X5|X0|M99",
+    "M98 P2|M30|O2|M98 P3 L2|G1 X9|M99|O3|G91 X1|G90|M99",
+    "G0 Z5|M98 P2 L2|X1|M30|O2|G91 Z-1 M99",
+    "#1=0|WHILE [#1 GT -3] DO1|#1=#1-1|G1 Z#1 F10|X5|X0|END1|G0 X7",
+    "#1=5 (DEPTH)|N10 #1=#1-1|G1 X[#1*2] Y-#1|IF [#1 GT 0] GOTO 10|G0 X[SQRT[#1+16]+SIN[30]]",
+    "IF [1 EQ 2] GOTO 7|G1 X3|N7 X4|GOTO 9|X99|N9 Y3",
+    "#100=3|#2=#100/4|G1 X#2 F#100|IF [#2 LT 1] THEN #2=8|X#2",
+    "o100 sub|G1 X#1 Y[#2*2]|o100 endsub|o100 call [3] [4]|o200 repeat [2]|G91 X1|o200 endrepeat|G90",
+    "#<depth> = 0|o1 while [#<depth> gt -2]|#<depth> = [#<depth> - 0.5]|G1 Z#<depth>|o1 endwhile|X1",
+    "o1 if [1 gt 2]|G1 X1|o1 else|G1 X2|o1 endif|Y1",
+    "G0 X=AC(10) Y=5 Z=IC(2)|R1=3|R2=R1*2|G1 X=R2+1 F=R1|G2 X=AC(0) Y5 CR=20|G3 X=IC(4) I=AC(2) J=AC(5)",
+    "TRANS X10 Z=1+2|G1 X1 Z0|ATRANS Y5|X2 Y2|G3 X5 I=AC(3.5) J=AC(2)|TRANS|G1 X1 Y1",
+    "G1 X1 Y1|CIP X3 Y1 I1=AC(2) J1=2|CT X5 Y1|CT X7 Y1.5|G1 X3 Y0|G2 X=IC(2) AR=90|G3 X9 I2 TURN=1",
+    "R1=2|ANF:|G1 X=R1 Y0|R1=R1-1|IF R1>0 GOTOB ANF|X9",
+    "FOR R1=1 TO 3|G91 G1 X=R1|ENDFOR|G90 Y2|WHILE R1>2|R1=R1-1|X=R1|ENDWHILE",
+    'ANF:|G91 G1 X1|MITTE_2:|Y1|REPEAT ANF MITTE_2 P=2|G90 X0|N7 REPEATB MITTE_2 P2|MSG("x")|Y0',
+    "VC1=3|NLOOP G1 X=VC1|VC1=VC1-1|IF [VC1 GT 0] GOTO 5|N5 Y2",
+    "CALL O20 Q2|G1 X5|M30|O20|G91 G1 X1 Y1|G90|RTS",
+    "DEF REAL TIEFE=-3, NN|G1 Z=TIEFE|NN=2|X=NN*3 KONTT CDOF|G500 G0 X2|G710",
+    "L20 P2|G1 X5|M30|%_N_L20_SPF|G91 G1 X1 Y1|G90|M17",
+    "G1 X10 ,R2|Y20 ,C1|X30 RND=3|G2 X40 Y10 R10 ,R1|G1 X30 Y0 CHF=.5|X20 Y-9 CHR=.7|"
+    "Y-20,R1.|G3 X30 Y-10 R10 ,R.5|G3 X40 Y-20 R10 F5",
+    "G1 X10 ,R2|G3 X10 Y20 R10 ,R3|G1 X0,R1|G2 X-10 Y20 R5",
+    "G1 X10 Y0,A30.|Y20,A90.|,A180.|X-5 Y0,A45.|G3 X-10 Y5 R9 F3",
+    "G20|G1 X1 ANG=45|TRANS X1|G1 Y2 ANG=90|ANG=120|X0 Y5 ANG=150 ,R.1|G1 X-9 Y5",
+    "G1 X10,A30. ,R2.|Y20,A100.|X0 ,A180",
+    "G1 X10 RNDM=2|Y10|X20 Y5 RNDM=0|Y-20",
+    "#5=#6|G1 X#5|Y1|X1|IF [#7 EQ 1] GOTO 5|X2|N5 X3",
+    "G1 X5 (A B) Y1|#1=2 (TWO)|X[#1] (THREE)|X=AC (7) ; X9",
+]
 HEAD = "G21 G17 G90\nG0 X0 Y0 Z0\nF100\n"
 LINES = [
     "x 1 0 y- .5 g1",
@@ -63,7 +97,7 @@ LINES = [
 
 def check(texts: bytes, moves: PlainMoves) -> None:
     """Every move that the program's reader can follow is the same, to the last bits."""
-    program = gcode.parse(texts)
+    program = nc.parse(texts)
     path = program.toolpath
     np.testing.assert_array_equal(moves.line, path.source)
     plain = ~program.opaque_moves()
@@ -88,6 +122,32 @@ def test_samples(name: str, ending: bytes) -> None:
 def test_lines(line: str) -> None:
     text = (HEAD + line.replace("|", "\n") + "\nG1 X7 Y7\nM2\n").encode()
     check(text, read_moves(text))
+
+
+@pytest.mark.parametrize("line", FAMILIES)
+@pytest.mark.parametrize("case", [str, str.lower])
+def test_what_steers_and_what_is_computed(line: str, case: Callable[[str], str]) -> None:
+    """Subprograms, loops, variables and named addresses run alike in both readers."""
+    text = case("%\nO1\n" + HEAD + line.replace("|", "\n") + "\nG1 X7 Y7\nM2\n").encode()
+    program = nc.parse(text)
+    assert len(program.toolpath) > 2
+    check(text, read_moves(text))
+
+
+TITLES = [
+    "%\nO1000 BRACKET OP1\nG21 G90 G0 X1\nY2 Z3\nM30\n",
+    "%\nO1000\nBRACKET\nN5 T1 M6\nG21 G90 G0 X1\nY2 Z3\nM30\n",
+    "BRACKET REV B 2019-05-03\nDRAWN: J. DOE 12.5 X 30\nG21 G90 G0 X1\nY2 Z3\nM98 P7\nM30\nO7\nG1 X2 F1\nM99\n",
+    "O0001 PART\nG0 X1 Y1 Z1\nM98 P2 L2\nM30\nO2\nG91 G1 X1 F1\nM99\n",
+]
+
+
+@pytest.mark.parametrize("text", TITLES)
+def test_titles_without_brackets_are_text(text: str) -> None:
+    program = nc.parse(text)
+    assert not program.opaque
+    assert nc.write(program, program.toolpath.with_moves()) == text.encode()
+    check(text.encode(), read_moves(text.encode()))
 
 
 @settings(max_examples=examples(200), deadline=None)

@@ -11,9 +11,9 @@ import pytest
 from scipy.interpolate import CubicSpline
 from scipy.stats import binom
 
-from millcorr.separation import Filter, Observed, Separated, Stretches, filtered, separate
+from millcorr.correction.targets import SPLINE_LEFT
+from millcorr.separation import Filter, Observed, Separated, Stretches, filtered, model, separate
 from millcorr.separation.process import Cells, Layout, Sizes
-from millcorr.targets import SPLINE_LEFT
 from tests.core.sweeps import slow
 
 UM = 1e-3
@@ -205,6 +205,22 @@ def test_outliers_cost_little(seed: int) -> None:
     assert set(np.flatnonzero(found.outlier)) >= set(bad)
     assert found.outlier.sum() <= len(bad) + 2
     assert rms(found.systematic - truth) < 1.2 * rms(clean.systematic - truth)
+
+
+@pytest.mark.parametrize("half", [2, 6])
+def test_an_outlier_on_a_slope_is_suspected(half: int) -> None:
+    """On a slope every value is the median of itself and its neighbours: that is not what is usual."""
+    s = np.linspace(0.0, 99.0, 100)
+    value = 1 * UM * s + 0.2 * UM * np.random.default_rng(0).standard_normal(100)
+    value[40] -= 0.1
+    zero = np.zeros(100, dtype=np.int64)
+    observed = Observed(zero, s, value, zero, zero)
+    gathered = model.Gathered(observed, Stretches(np.array([99.0]), np.array([False]), zero[:1]), model.MOST_CELLS)
+    suspects = np.flatnonzero(model._suspects(gathered, observed, half))
+    # Its neighbours' median lies by it, too: whether they are wrong is for the model to say, and it says no.
+    assert 40 in suspects and (np.abs(suspects - 40) <= half).all()
+    found = separate(observed, Stretches(np.array([99.0]), np.array([False]), zero[:1]))
+    assert np.flatnonzero(found.outlier).tolist() == [40]
 
 
 @pytest.mark.parametrize("height", [0.03, 0.2])

@@ -11,12 +11,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from millcorr import gcode, pipeline, provenance
+from millcorr import nc, pipeline
+from millcorr.correction import provenance
 from millcorr.errors import InputError, LimitError, RefusedError, UsageError
-from millcorr.series import history, journal
-from millcorr.series import production as serial
-from millcorr.series.process_control import LIMITS, Control
-from millcorr.simulated_machine import ErrorField, SimulatedMachine
+from millcorr.production import history, journal
+from millcorr.production import series as serial
+from millcorr.production.process_control import LIMITS, Control
+from millcorr.virtual.simulated_machine import ErrorField, SimulatedMachine
 from millcorr.whole_file import replaced_whole
 from tests.core import loop_programs as programs
 
@@ -32,7 +33,7 @@ class Shop:
         self.directory, self.control = directory, control
         self.settings = pipeline.Settings(**({"side": "right", "filter": "none"} | settings))
         self.journal = directory / "P0.nc.journal"
-        self.first = gcode.parse(programs.RECTANGLE, "P0.nc")
+        self.first = nc.parse(programs.RECTANGLE, "P0.nc")
         self.nominal = pipeline.nominal_from_program(self.first, programs.RADIUS, self.settings, None)
         self.programs = [self.first]
         self.count = 0
@@ -60,7 +61,7 @@ class Shop:
         with serial.corrected(request, output, self.journal, self.control) as outcome:
             with replaced_whole(output, outcome.result.text):
                 pass
-        self.programs.append(gcode.read(output))
+        self.programs.append(nc.read(output))
         return outcome
 
     @property
@@ -192,7 +193,7 @@ def test_a_program_corrected_elsewhere_is_refused(tmp_path: Path) -> None:
     shop = Shop(tmp_path)
     shop.next(shop.measure(20))
     request = pipeline.Request(shop.programs[-1], programs.RADIUS, shop.measure(2), shop.nominal, shop.settings)
-    elsewhere = gcode.parse(pipeline.correct(request).text, "elsewhere.nc")
+    elsewhere = nc.parse(pipeline.correct(request).text, "elsewhere.nc")
     with pytest.raises(InputError, match=r"elsewhere\.nc: it carries a correction .* does not know.*--journal OTHER"):
         shop.next(shop.measure(1), program=elsewhere)
     # A new journal begins with what the program carries.
@@ -204,7 +205,7 @@ def test_a_program_corrected_elsewhere_is_refused(tmp_path: Path) -> None:
 def test_other_comments_and_feeds_in_the_program_do_not_matter(tmp_path: Path) -> None:
     shop = Shop(tmp_path, Control(2, 4 * UM))
     shop.next(shop.measure(20))
-    edited = gcode.parse(shop.programs[-1].data.replace(b"F300", b"F280"), "P1.nc")
+    edited = nc.parse(shop.programs[-1].data.replace(b"F300", b"F280"), "P1.nc")
     assert shop.next(shop.measure(3), program=edited).part == 2
 
 
@@ -212,7 +213,7 @@ def test_another_nominal_is_refused(tmp_path: Path) -> None:
     shop = Shop(tmp_path)
     shop.next(shop.measure(20))
     scaled = programs.RECTANGLE.replace("X105", "X105.02").replace("G1 X105.02", "G1 X105.02", 1)
-    shop.nominal = pipeline.nominal_from_program(gcode.parse(scaled), programs.RADIUS, shop.settings, None)
+    shop.nominal = pipeline.nominal_from_program(nc.parse(scaled), programs.RADIUS, shop.settings, None)
     with pytest.raises(InputError, match="the nominal has other contours or lengths"):
         shop.next(shop.measure(1))
 

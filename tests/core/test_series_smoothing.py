@@ -12,22 +12,22 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from millcorr import gcode, pipeline
+from millcorr import nc, pipeline
+from millcorr.production import history, journal, points
+from millcorr.production.form import shared_form
+from millcorr.production.journal import Entry
+from millcorr.production.places import Places
+from millcorr.production.points import Points, together
+from millcorr.production.process_control import Control, weights
+from millcorr.production.smoothing import PARTS, over_parts
 from millcorr.separation import Filter, Observed
 from millcorr.separation.steps import Systematic
-from millcorr.series import history, journal, points
-from millcorr.series.form import shared_form
-from millcorr.series.journal import Entry
-from millcorr.series.places import Places
-from millcorr.series.points import Points, together
-from millcorr.series.process_control import Control, weights
-from millcorr.series.smoothing import PARTS, over_parts
 from tests.core import loop_programs as programs
 from tests.core.sweeps import slow
 from tests.core.test_serial import ROUNDING, UM, Shop
 
 NOMINAL = pipeline.nominal_from_program(
-    gcode.parse(programs.RECTANGLE, "P0.nc"), programs.RADIUS, pipeline.Settings(side="right"), None
+    nc.parse(programs.RECTANGLE, "P0.nc"), programs.RADIUS, pipeline.Settings(side="right"), None
 )
 PLACES = Places.of(NOMINAL)
 NONE, AUTO = Filter("none"), Filter("auto")

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from millcorr.errors import FormatError, MillcorrError, UsageError
-from millcorr.setup_file import Setup, from_dict, load
+from millcorr.process.setup_file import Setup, from_dict, load
 
 SETUPS = Path(__file__).resolve().parents[2] / "resources" / "setups"
 

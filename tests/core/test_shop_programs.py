@@ -6,10 +6,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from millcorr import gcode, pipeline
+from millcorr import nc, pipeline
 from millcorr.errors import FormatError
-from millcorr.measurement import Measurement
-from millcorr.toolpath import Kind
+from millcorr.nc.toolpath import Kind
+from millcorr.readers.measurement import Measurement
 
 
 def part(points: np.ndarray) -> Measurement:
@@ -31,13 +31,13 @@ def rectangle(x0: float, y0: float, x1: float, y1: float) -> np.ndarray:
     return np.concatenate([np.column_stack(edge) for edge in edges])
 
 
-def corrected(text: str, points: np.ndarray, tool: float = 10.0, **settings) -> tuple[gcode.Program, list[str]]:
+def corrected(text: str, points: np.ndarray, tool: float = 10.0, **settings) -> tuple[nc.Program, list[str]]:
     """The corrected program, and its lines without the header."""
-    program = gcode.parse(text, "part.nc")
+    program = nc.parse(text, "part.nc")
     chosen = pipeline.Settings(**({"filter": "none"} | settings))
     result = pipeline.correct(pipeline.Request(program, tool / 2, part(points), None, chosen))
     lines = result.text.decode().splitlines()
-    return gcode.parse(result.text, "out.nc"), [line for line in lines if not line.lower().startswith("(m")]
+    return nc.parse(result.text, "out.nc"), [line for line in lines if not line.lower().startswith("(m")]
 
 
 @pytest.mark.parametrize("code", ["G2", "G3"])
@@ -247,8 +247,10 @@ def test_the_way_back_above_an_open_edge_is_no_part_of_the_contour() -> None:
     assert [line for line in lines if line.startswith("X-")] == ["X-4.98Y-5.F2000.", "X-5.Y-5.F2000."]
 
 
-def test_a_contour_in_a_subprogram_is_refused_at_its_call() -> None:
+def test_a_contour_in_a_subprogram_that_is_not_there_is_refused_at_its_call() -> None:
     """The line that calls it is named, with what to do; not that nothing is there."""
-    text = "O1\nG21G90\nG0X-15.Y-5.\nG1Z-2.F200.\nM98P2\nG90G0Z50.\nM30\nO2\nG1X-5.F400.\nX65.\nY45.\nX-5.\nY-5.\nM99\n"
-    with pytest.raises(FormatError, match="part.nc:5: .*a subprogram is called.*write the moves in place of this line"):
+    text = "O1\nG21G90\nG0X-15.Y-5.\nG1Z-2.F200.\nM98P2\nG90G0Z50.\nM30\n"
+    with pytest.raises(
+        FormatError, match="part.nc:5: .*O2 is called, which is neither.*write the moves in place of this line"
+    ):
         corrected(text, rectangle(0.0, 0.0, 60.0, 40.0))

@@ -13,13 +13,13 @@ import pytest
 import shapely
 
 from millcorr.__main__ import main
-from millcorr.engagement import stock_of
-from millcorr.engagement.stock_region import StockRegion
-from millcorr.footpoint import FootPointSearch, Place
-from millcorr.nurbs import NurbsCurve
-from millcorr.prediction import simulate
-from millcorr.prediction.signals import COLUMNS, Signals
-from millcorr.profile import Contour, Profile
+from millcorr.geometry.footpoint import FootPointSearch, Place
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Contour, Profile
+from millcorr.process.engagement import stock_of
+from millcorr.process.engagement.stock_region import StockRegion
+from millcorr.process.prediction import simulate
+from millcorr.process.prediction.signals import COLUMNS, Signals
 from millcorr.report.simulation_view import stock_rings
 from tests.core.paper_2023 import PROGRAM, SETUP, as_cut, nominal, program, setup
 

@@ -4,13 +4,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from millcorr.deviation import deviations, statistics
+from millcorr.comparison.deviation import deviations, statistics
 from millcorr.errors import InputError, UsageError
-from millcorr.nurbs import NurbsCurve
-from millcorr.profile import Profile, join
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Profile, join
+from millcorr.nc.toolpath import Compensation, Kind, Plane, Toolpath
 from millcorr.readers import read, text
-from millcorr.simulated_machine import ErrorField, SimulatedMachine, reference_contour
-from millcorr.toolpath import Compensation, Kind, Plane, Toolpath
+from millcorr.virtual.simulated_machine import ErrorField, SimulatedMachine, reference_contour
 
 IDEAL = SimulatedMachine()
 RADIUS = 5.0

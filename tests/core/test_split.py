@@ -11,13 +11,13 @@ import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from millcorr import gcode, pipeline
+from millcorr import nc, pipeline
 from millcorr.__main__ import main
+from millcorr.correction.settings import Settings
 from millcorr.errors import InputError, LimitError, UsageError
-from millcorr.footpoint import FootPointSearch
-from millcorr.settings import Settings
-from millcorr.simulated_machine import SimulatedMachine
-from millcorr.split import split
+from millcorr.geometry.footpoint import FootPointSearch
+from millcorr.production.split import split
+from millcorr.virtual.simulated_machine import SimulatedMachine
 from tests.core import loop_programs as programs
 from tests.core.sweeps import examples
 
@@ -25,7 +25,7 @@ RADIUS = 5.0
 
 
 def parsed(text):
-    return gcode.parse(text.encode() if isinstance(text, str) else text, "finish.nc")
+    return nc.parse(text.encode() if isinstance(text, str) else text, "finish.nc")
 
 
 def path_points(toolpath, following):
@@ -51,7 +51,7 @@ def test_first_path_is_the_finishing_path_moved_out(fillet, depth, at):
     fillet, depth, at = round(fillet, 3), round(depth, 3), round(at, 3)
     done = split(parsed(pocket(fillet)), RADIUS, depth, at, settings=Settings(side="left"))
     left = depth * (1 - at)
-    emitted = gcode.parse(done.result.text).toolpath
+    emitted = nc.parse(done.result.text).toolpath
     got = path_points(emitted, done.result.regeneration.following)
     angle = np.linspace(-np.pi / 2, 0, 2000)
     bend = np.column_stack([90 - fillet + fillet * np.cos(angle), fillet + fillet * np.sin(angle)])
@@ -90,7 +90,7 @@ def test_spline_contour_through_its_nominal():
     far = f"X{path[0, 0] + 8:.6f}"
     text = f"G0 {far} Y0\nG1 Z-5 F100\nG1 X{path[0, 0]:.6f} F300\n{moves}\nG1 {far}\nG0 Z9\n"
     done = split(parsed(text), RADIUS, 0.8, 0.25, settings=Settings(side="right"))
-    emitted = gcode.parse(done.result.text).toolpath
+    emitted = nc.parse(done.result.text).toolpath
     got = path_points(emitted, done.result.regeneration.following)
     away = FootPointSearch(done.result.nominal, margin=8).find(got).distance
     np.testing.assert_allclose(away, RADIUS + 0.6, atol=0.001)
@@ -102,7 +102,7 @@ def test_single_piece_from_split_to_second_half():
     program = parsed(programs.ROUNDED)
     done = split(program, RADIUS, depth, 0.5, settings=Settings(side="right"))
     machine = SimulatedMachine(allowance=depth, transfer=ms)
-    first = machine.cut(gcode.parse(done.result.text).toolpath, RADIUS, done.result.nominal, seed=1)
+    first = machine.cut(nc.parse(done.result.text).toolpath, RADIUS, done.result.nominal, seed=1)
     s = np.linspace(0, float(done.result.nominal.total[0]), 400, endpoint=False)
     # Away from corners, where the cutter cuts two walls at once.
     corner = np.concatenate([[t.begin, t.begin + t.length] for t in done.result.nominal.stretches()])
@@ -112,7 +112,7 @@ def test_single_piece_from_split_to_second_half():
     plain = second.cut(program.toolpath, RADIUS, done.result.nominal, seed=2).deviation(0, s)
     chosen = Settings(method="transfer", depth=done.depth, allowance=done.left, side="right")
     result = pipeline.correct(pipeline.Request(program, RADIUS, measurement, settings=chosen))
-    final = second.cut(gcode.parse(result.text).toolpath, RADIUS, done.result.nominal, seed=2).deviation(0, s)
+    final = second.cut(nc.parse(result.text).toolpath, RADIUS, done.result.nominal, seed=2).deviation(0, s)
     assert np.abs(plain).max() > 0.06
     assert np.abs(final).max() < np.abs(plain).max() / 20
 

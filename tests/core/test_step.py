@@ -8,10 +8,10 @@ import re
 import numpy as np
 import pytest
 
-from millcorr import step
-from millcorr.nurbs import NurbsCurve
-from millcorr.profile import Contour, Profile
-from millcorr.simulated_machine import reference_contour
+from millcorr.geometry import step
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Contour, Profile
+from millcorr.virtual.simulated_machine import reference_contour
 
 
 def curves_in(text: str) -> list[NurbsCurve]:

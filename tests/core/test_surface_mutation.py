@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 import shapely
 
-from millcorr import gcode, pipeline
+from millcorr import nc, pipeline
 from millcorr.errors import MillcorrError
+from millcorr.nc.toolpath import Kind
 from millcorr.path import emission
 from millcorr.stages import written
-from millcorr.toolpath import Kind
 from tests.core import loop_programs as programs
 from tests.core.sweeps import slow
 from tests.core.test_pipeline import CASES, nominal_of
@@ -38,7 +38,7 @@ def laid(name: str, drawn: bool) -> tuple[tuple, dict, pipeline.Result]:
 
 def path_of(text: bytes) -> shapely.Geometry:
     """The cutting moves of a text, arcs as fine chords."""
-    moves = gcode.parse(text).toolpath
+    moves = nc.parse(text).toolpath
     known = np.isfinite(moves.position(np.array([0.0, 1.0]))).all(axis=(1, 2))
     moves = moves.take(np.flatnonzero((moves.kind != Kind.RAPID) & known))
     places = moves.position(np.linspace(0, 1, 65))

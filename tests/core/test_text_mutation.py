@@ -11,10 +11,10 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from millcorr import gcode
+from millcorr import nc
 from millcorr.errors import LimitError, MillcorrError
+from millcorr.nc.toolpath import Kind, Toolpath
 from millcorr.path.text_proof import prove_text
-from millcorr.toolpath import Kind, Toolpath
 from tests.core import loop_programs
 from tests.core.nc_programs import Made, displaced, programs
 from tests.core.sweeps import examples, slow
@@ -58,7 +58,7 @@ MOVED = 0.05
 @cache
 def pair(name: str) -> tuple[bytes, bytes, tuple[int, ...]]:
     """Original, written text, and the lines that were to change: plain cutting moves displaced, some divided."""
-    program = gcode.parse(PROGRAMS[name], f"{name}.nc")
+    program = nc.parse(PROGRAMS[name], f"{name}.nc")
     path = program.toolpath
     random = np.random.default_rng(len(name))
     level = ~(np.abs(path.start[:, 2] - path.end[:, 2]) > 1e-9) | (path.kind == Kind.ARC)
@@ -72,8 +72,8 @@ def pair(name: str) -> tuple[bytes, bytes, tuple[int, ...]]:
     divided = halved(wanted, moved & (random.random(len(path)) < 0.4))
     for planned in (divided, wanted):
         try:
-            written = gcode.write(program, planned, header=HEADER)
-        except gcode.FormatError:  # an M code that sets something belongs to one move
+            written = nc.write(program, planned, header=HEADER)
+        except nc.FormatError:  # an M code that sets something belongs to one move
             continue
         return program.data, written, tuple(changed(path, planned))
     raise AssertionError(name)
@@ -100,7 +100,7 @@ def test_what_the_writer_writes_is_proven(name: str) -> None:
     assert set(range(len(lines))) - set(may_change) <= set(proof.source.tolist())
     assert proof.header == sum(b"millcorr" in line or b"gain" in line.lower() for line in written.lower().splitlines())
     assert 0 <= proof.largest_shift <= 2 * MOVED
-    assert len(proof.moves) == len(gcode.parse(written).toolpath)
+    assert len(proof.moves) == len(nc.parse(written).toolpath)
 
 
 @pytest.mark.parametrize("name", PROGRAMS)
@@ -136,7 +136,7 @@ def test_mutants_are_caught(name: str, seed: int, count: int) -> None:
 @settings(max_examples=examples(100), deadline=None)
 @given(programs(max_moves=20), st.integers(0, 2**32 - 1))
 def test_random_programs_are_proven(made: Made, seed: int) -> None:
-    program = gcode.parse(made.text)
+    program = nc.parse(made.text)
     path = program.toolpath
     # Corrections are in the XY plane; arcs in others start where they did.
     assume(not ((path.plane != 17) & (path.kind == Kind.ARC)).any())
@@ -148,7 +148,7 @@ def test_random_programs_are_proven(made: Made, seed: int) -> None:
     wanted = displaced(path, shift)
     wanted = halved(wanted, moved & (wanted.kind != Kind.RAPID) & (random.random(len(path)) < 0.3))
     try:
-        written = gcode.write(program, wanted, header=HEADER)
+        written = nc.write(program, wanted, header=HEADER)
     except MillcorrError:  # an arc that is no arc any more
         assume(False)
     prove_text(program.data, written, changed(path, wanted), header=HEADER, reach=4 * MOVED)

@@ -9,10 +9,10 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.spatial import cKDTree
 
+from millcorr.comparison.theoretical_contour import CutContour, closed_loops, cut_contours, cutting_runs, path_profile
 from millcorr.errors import InputError
-from millcorr.profile import Contour, Profile
-from millcorr.theoretical_contour import CutContour, closed_loops, cut_contours, cutting_runs, path_profile
-from millcorr.toolpath import Compensation, Toolpath
+from millcorr.geometry.profile import Contour, Profile
+from millcorr.nc.toolpath import Compensation, Toolpath
 from tests.core.contours import (
     Element,
     Part,
@@ -103,7 +103,7 @@ def test_rounded_programs_come_back_to_their_rounding(part, mitre, decimals):
     assert distance_to(part.elements, samples(found.contour)).max() < allowed
     profile = Profile.from_contours([found.contour])
     corners = np.array([e.p0 for e in part.elements])
-    from millcorr.footpoint import FootPointSearch
+    from millcorr.geometry.footpoint import FootPointSearch
 
     assert np.abs(FootPointSearch(profile).find(corners).distance).max() < allowed
 
@@ -278,7 +278,7 @@ def test_splines_under_compensation_stay_exact():
         u = np.linspace(0, 1, 4001)[:, None]
         q = [np.array(v, dtype=float) for v in ([0, 0], [10, 20], [20, -10], [30, 10])]
         exact = q[0] * (1 - u) ** 3 + 3 * q[1] * u * (1 - u) ** 2 + 3 * q[2] * u**2 * (1 - u) + q[3] * u**3
-        from millcorr.footpoint import FootPointSearch
+        from millcorr.geometry.footpoint import FootPointSearch
 
         feet = FootPointSearch(Profile.from_contours([found.contour])).find(exact[1:-1])
         assert np.abs(feet.distance).max() < EXACT
@@ -451,3 +451,33 @@ def test_polyline_has_one_curve_for_facets_and_one_per_side_for_corners():
 def test_sharp_spike_with_its_whole_mitre():
     part = Part(np.array([[0.0, 0.0], [60.0, 0.0], [60.0, 8.0]]), (0.0,) * 3)
     check_same(only(path_for(part.path(R, True)).toolpath()).contour, part.elements, within=1e-8)
+
+
+def test_a_loop_that_leaves_nothing_hides_no_contour() -> None:
+    """An arc and its chord on the way onto a lap: inside of them no cutter leaves anything."""
+    path = Path((20.0, 30.0, 0.0)).arc((19.0, 30.0), (19.5, 30.0), np.pi).line(20.0, 30.0)
+    for x, y in ((-20.0, 30.0), (-20.0, -30.0), (20.0, -30.0), (20.0, 30.0)):
+        path.line(x, y)
+    left = [c.contour for c in cut_contours(path.toolpath(), R, False) if c.closed]
+    assert [abs(Profile.from_contours([c]).signed_areas()[0]) for c in left] == pytest.approx([30.0 * 50.0])
+    with pytest.raises(InputError):
+        list(cut_contours(path.toolpath().take(np.arange(2)), R, False))
+
+
+@pytest.mark.parametrize("decimals", [3, 4])
+@pytest.mark.parametrize("seed", range(8))
+def test_facets_whose_rounding_makes_them_parallel(seed: int, decimals: int) -> None:
+    """What vanishes between two parallel facets leaves no gap: the circle comes back to the rounding."""
+    rng = np.random.default_rng(seed)
+    size, steps = 9.0 + R, rng.uniform(0.005, 0.02, 20_000)
+    angle = np.cumsum(steps) / size
+    angle = np.append(angle[angle < 2 * np.pi - 0.005 / size], 2 * np.pi)
+    xy = np.round(size * np.stack([np.cos(angle), np.sin(angle)], axis=1), decimals)
+    path = Path((size, 0.0, 0.0))
+    for x, y in xy:
+        path.line(x, y)
+    found = list(cut_contours(path.toolpath(), R, False, resolution=10.0**-decimals / np.sqrt(2)))
+    closed = [c for c in found if c.closed]
+    assert len(closed) == 1
+    off = np.hypot(*samples(closed[0].contour).T) - 9.0
+    assert np.abs(off).max() < 3.0 * 10.0**-decimals

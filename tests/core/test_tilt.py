@@ -10,17 +10,17 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from millcorr import gcode
-from millcorr.deflection.height_error import WallModel
-from millcorr.deflection.real_path import real_path
-from millcorr.deflection.tilt import mean_shift, remedies
-from millcorr.deflection.tilt_axes import tilted, words
-from millcorr.engagement import stock_of
+from millcorr import nc
 from millcorr.errors import InputError, LimitError, RefusedError
-from millcorr.kinematics import AxisDynamics, Control
-from millcorr.nurbs import NurbsCurve
-from millcorr.profile import Contour, Profile
-from millcorr.setup_file import Tilt, load
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Contour, Profile
+from millcorr.process.deflection.height_error import WallModel
+from millcorr.process.deflection.real_path import real_path
+from millcorr.process.deflection.tilt import mean_shift, remedies
+from millcorr.process.deflection.tilt_axes import tilted, words
+from millcorr.process.engagement import stock_of
+from millcorr.process.kinematics import AxisDynamics, Control
+from millcorr.process.setup_file import Tilt, load
 
 PAPER = load(Path(__file__).resolve().parents[2] / "resources" / "setups" / "dat-2025.toml")
 HEIGHTS = np.array([0.5, 1.0, 1.5, 2.0])
@@ -37,7 +37,7 @@ BOTH = Tilt("AB", tool_centre_point=True)
 
 
 def error_of(text, control=None, heights=HEIGHTS):
-    path = real_path(gcode.parse(text).toolpath, control, spacing=0.1 if control is None else 0.02)
+    path = real_path(nc.parse(text).toolpath, control, spacing=0.1 if control is None else 0.02)
     return WallModel.of(path, PAPER, stock_of(PAPER, HOLLOW)).errors(heights)
 
 
@@ -111,7 +111,7 @@ def test_words_turn_the_tool_along_the_normal(order, direction, lean):
 
 def test_words_in_the_program():
     error = error_of(APART)
-    program = gcode.parse(APART, "apart.nc")
+    program = nc.parse(APART, "apart.nc")
     text = tilted(program, error, remedies(error, HOLLOW), BOTH).decode()
     changed = [(a, b) for a, b in zip(APART.splitlines(), text.splitlines(), strict=True) if a != b]
     # The first wall's normal is +Y: the tool's upper end leans there by turning -A; the second's is -X: -B.
@@ -129,24 +129,24 @@ def test_a_b_axis_alone_tilts_walls_along_y_only():
     second = APART.replace("G1 X-4 (first wall)\n", "")
     error = error_of(second)
     only_b = Tilt("B", b_sign=-1, tool_centre_point=True)
-    text = tilted(gcode.parse(second), error, remedies(error, HOLLOW), only_b).decode()
+    text = tilted(nc.parse(second), error, remedies(error, HOLLOW), only_b).decode()
     assert "G1 Z0 B0.9" in text and " A" not in text
     first = error_of(APART)
     with pytest.raises(RefusedError, match="has no axis A"):
-        tilted(gcode.parse(APART), first, remedies(first, HOLLOW), only_b)
+        tilted(nc.parse(APART), first, remedies(first, HOLLOW), only_b)
 
 
 def test_refusals():
     error = error_of(CORNER)
     remedy = remedies(error, HOLLOW)
     with pytest.raises(RefusedError, match=r"no \[tilt\] table"):
-        tilted(gcode.parse(CORNER), error, remedy, None)
+        tilted(nc.parse(CORNER), error, remedy, None)
     with pytest.raises(RefusedError, match="tool centre point"):
-        tilted(gcode.parse(CORNER), error, remedy, Tilt("AB"))
+        tilted(nc.parse(CORNER), error, remedy, Tilt("AB"))
     with pytest.raises(RefusedError, match="line 5: the tool has to turn before this wall"):
-        tilted(gcode.parse(CORNER), error, remedy, BOTH)
+        tilted(nc.parse(CORNER), error, remedy, BOTH)
     with pytest.raises(RefusedError, match="beyond"):
-        tilted(gcode.parse(CORNER), error, remedy, Tilt("AB", limit_deg=0.5, tool_centre_point=True))
+        tilted(nc.parse(CORNER), error, remedy, Tilt("AB", limit_deg=0.5, tool_centre_point=True))
 
 
 def test_a_wall_that_bends_is_not_tilted():
@@ -163,9 +163,9 @@ def test_a_wall_that_bends_is_not_tilted():
             )
         ]
     )
-    path = real_path(gcode.parse(text).toolpath, spacing=0.1)
+    path = real_path(nc.parse(text).toolpath, spacing=0.1)
     error = WallModel.of(path, PAPER, stock_of(PAPER, round_)).errors(HEIGHTS)
     remedy = remedies(error, round_)
     assert len(remedy.number) == 1 and remedy.worst[0, 2] <= 0.003
     with pytest.raises(RefusedError, match="line 5: a wall that bends"):
-        tilted(gcode.parse(text), error, remedy, BOTH)
+        tilted(nc.parse(text), error, remedy, BOTH)

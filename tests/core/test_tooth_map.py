@@ -7,15 +7,15 @@ import numpy as np
 import pytest
 from scipy.integrate import trapezoid
 
-from millcorr import gcode
-from millcorr.deflection.real_path import real_path
-from millcorr.deflection.tooth_map import cutting_area, tooth_map
-from millcorr.engagement.path_pieces import pieces_of_toolpath
-from millcorr.engagement.stock_region import StockRegion, Swept
+from millcorr import nc
 from millcorr.errors import InputError, UsageError
-from millcorr.nurbs import NurbsCurve
-from millcorr.profile import Contour, Profile
-from millcorr.setup_file import Tool
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Contour, Profile
+from millcorr.process.deflection.real_path import real_path
+from millcorr.process.deflection.tooth_map import cutting_area, tooth_map
+from millcorr.process.engagement.path_pieces import pieces_of_toolpath
+from millcorr.process.engagement.stock_region import StockRegion, Swept
+from millcorr.process.setup_file import Tool
 
 TOOL = Tool(10.0, 2, 2000.0, 30.0)
 CHIP = 5.0 / TOOL.tooth_frequency
@@ -25,7 +25,7 @@ STOCK = StockRegion(WALL, 2.0)
 
 
 def path(text):
-    return real_path(gcode.parse("G90 G17 G21 F300\n" + text).toolpath)
+    return real_path(nc.parse("G90 G17 G21 F300\n" + text).toolpath)
 
 
 STRAIGHT = path("G0 X0 Y0\nG1 X1.2")
@@ -145,6 +145,6 @@ def test_refusals():
         tooth_map(STRAIGHT, TOOL, StockRegion(None, 0.0, (Swept(pieces, 5.0),)), 2.5)
     with pytest.raises(InputError, match="million columns"):
         tooth_map(STRAIGHT, TOOL, STOCK, 2.5, grid=2e-4)
-    no_feed = real_path(gcode.parse("G90 G17 G21\nG0 X0 Y0\nG1 X1").toolpath)
+    no_feed = real_path(nc.parse("G90 G17 G21\nG0 X0 Y0\nG1 X1").toolpath)
     with pytest.raises(UsageError, match="no feed"):
         tooth_map(no_feed, TOOL, STOCK, 2.5)

@@ -10,11 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from millcorr import gcode, pipeline, report
-from millcorr.errors import InputError, RefusedError, UsageError
-from millcorr.simulated_machine import ErrorField, SimulatedMachine, reference_contour
-from millcorr.split import split
-from millcorr.transfer_function import (
+from millcorr import nc, pipeline, report
+from millcorr.correction.transfer_function import (
     LEAST_REMOVED,
     along_axis,
     examine,
@@ -23,6 +20,9 @@ from millcorr.transfer_function import (
     line_over_depth,
     one_value,
 )
+from millcorr.errors import InputError, RefusedError, UsageError
+from millcorr.production.split import split
+from millcorr.virtual.simulated_machine import ErrorField, SimulatedMachine, reference_contour
 from tests.core import loop_programs as programs
 from tests.core.sweeps import slow
 
@@ -233,7 +233,7 @@ LENGTH = float(NOMINAL.total[0])
 S = np.arange(500) * LENGTH / 500
 
 
-def spline_program(radius: float = 5.0, count: int = 1600) -> gcode.Program:
+def spline_program(radius: float = 5.0, count: int = 1600) -> nc.Program:
     s = np.arange(count) * LENGTH / count
     c, n = NOMINAL.at(0, s)
     q = c + radius * n
@@ -241,7 +241,7 @@ def spline_program(radius: float = 5.0, count: int = 1600) -> gcode.Program:
     lines = ["G21 G90", f"G0 X{lead[0]:.5f} Y{lead[1]:.5f}", "G0 Z2", "G1 Z-5 F100"]
     lines += [f"G1 X{x:.5f} Y{y:.5f} F300" for x, y in (*q, q[0])]
     lines += [f"G1 X{lead[0]:.5f} Y{lead[1]:.5f}", "G0 Z20", "M30", ""]
-    return gcode.parse("\n".join(lines), "spline.nc")
+    return nc.parse("\n".join(lines), "spline.nc")
 
 
 PROGRAM = spline_program()
@@ -259,7 +259,7 @@ def loop(machine: SimulatedMachine, next_stock: object = None, seed: int = 1, **
     result = pipeline.correct(pipeline.Request(PROGRAM, 5.0, measurement, NOMINAL, chosen))
     again = machine if next_stock is None else replace(machine, allowance=next_stock)
     before = again.cut(PROGRAM.toolpath, 5.0, NOMINAL, seed=seed + 1).deviation(0, S)
-    after = again.cut(gcode.parse(result.text).toolpath, 5.0, NOMINAL, seed=seed + 1).deviation(0, S)
+    after = again.cut(nc.parse(result.text).toolpath, 5.0, NOMINAL, seed=seed + 1).deviation(0, S)
     return before, after, result
 
 
@@ -330,7 +330,7 @@ def test_correcting_again_does_not_need_to_know_the_history(gain: float) -> None
     _, after, first = loop(machine, method="transfer", depth=0.3, gain=gain)
     share = varying(S) / (1 + varying(S))
     np.testing.assert_allclose(after, (1 - gain) * 0.3 * share, atol=5e-4)
-    program = gcode.parse(first.text, "second.nc")
+    program = nc.parse(first.text, "second.nc")
     measurement = machine.cut(program.toolpath, 5.0, NOMINAL, seed=4).measure(200, seed=4)
     settings = pipeline.Settings(method="transfer", depth=0.3, tolerance=0.0002, output_moves="nurbs")
     second = pipeline.correct(pipeline.Request(program, 5.0, measurement, NOMINAL, settings))
@@ -367,11 +367,11 @@ def test_two_depths_tell_the_offset_from_what_gives_way(taken: str) -> None:
     np.testing.assert_allclose(elastic.transfer.offset, truth, atol=3e-4)
     deep = replace(machine, allowance=0.6)
     before = deep.cut(PROGRAM.toolpath, 5.0, NOMINAL, seed=9).deviation(0, S)
-    after = deep.cut(gcode.parse(result.text).toolpath, 5.0, NOMINAL, seed=9).deviation(0, S)
+    after = deep.cut(nc.parse(result.text).toolpath, 5.0, NOMINAL, seed=9).deviation(0, S)
     assert np.abs(after).max() < np.abs(before).max() / 20
     one_depth = replace(settings, depth=0.15)
     alone = pipeline.correct(pipeline.Request(PROGRAM, 5.0, parts[0], NOMINAL, one_depth))
-    wrong = deep.cut(gcode.parse(alone.text).toolpath, 5.0, NOMINAL, seed=9).deviation(0, S)
+    wrong = deep.cut(nc.parse(alone.text).toolpath, 5.0, NOMINAL, seed=9).deviation(0, S)
     assert np.abs(wrong).max() > 5 * np.abs(after).max()
     assert any("one depth cannot tell" in note for note in alone.advice)
     assert not any("one depth cannot tell" in note for note in result.advice)
@@ -433,7 +433,7 @@ def test_the_second_half_of_an_allowance_is_cut_from_the_real_surface() -> None:
     def finish(**settings: object) -> tuple[np.ndarray, pipeline.Result]:
         chosen = pipeline.Settings(tolerance=0.0002, output_moves="nurbs", allowance=left, **settings)  # type: ignore[arg-type]
         result = pipeline.correct(pipeline.Request(PROGRAM, 5.0, measurement, NOMINAL, chosen))
-        return second.cut(gcode.parse(result.text).toolpath, 5.0, NOMINAL, seed=2).deviation(0, S), result
+        return second.cut(nc.parse(result.text).toolpath, 5.0, NOMINAL, seed=2).deviation(0, S), result
 
     b = varying(S) / (1 + varying(S))
     uncorrected = second.cut(PROGRAM.toolpath, 5.0, NOMINAL, seed=2).deviation(0, S)
@@ -553,13 +553,13 @@ def test_allowance_goes_with_the_uncorrected_program() -> None:
     chosen = pipeline.Settings(method="transfer", depth=0.4, allowance=0.4)
     second = cut_and_measured(0.4, 0.8, seed=2)
     with pytest.raises(InputError, match="a first cut of the uncorrected program"):
-        pipeline.correct(pipeline.Request(gcode.parse(once.text), 5.0, second, NOMINAL, chosen))
+        pipeline.correct(pipeline.Request(nc.parse(once.text), 5.0, second, NOMINAL, chosen))
 
 
 def test_fillet_that_the_first_cut_could_not_reach_is_no_elasticity() -> None:
     """A pocket with fillets of 5.3 mm, a cutter of 5 mm: with 0.4 mm left the first cut stays far off in them."""
     path = "G0 X30 Y20\nG1 Z-5 F100\nG1 X30 Y5 F300\nX54.7\nG3 X55 Y5.3 J0.3\nG1 Y35\nX5\nY5\nX30\nG0 Z20\n"
-    finish, side = gcode.parse(path.encode(), "pocket.nc"), "left"
+    finish, side = nc.parse(path.encode(), "pocket.nc"), "left"
     done = split(finish, 5.0, 0.8, 0.5, settings=pipeline.Settings(side=side))
     nominal = pipeline.nominal_from_program(finish, 5.0, pipeline.Settings(side=side), None)
     ms = 0.06
@@ -569,7 +569,7 @@ def test_fillet_that_the_first_cut_could_not_reach_is_no_elasticity() -> None:
     sharp = np.array([[60.0, 40.0], [0.0, 40.0], [0.0, 0.0]])
     s = s[np.hypot(*(foot[:, None, :] - sharp).T).min(axis=0) > 7.0]
     machine = SimulatedMachine(allowance=0.8, transfer=ms)
-    first = machine.cut(gcode.parse(done.result.text).toolpath, 5.0, nominal, seed=1)
+    first = machine.cut(nc.parse(done.result.text).toolpath, 5.0, nominal, seed=1)
     measurement = first.measure(s=s, seed=1)
     chosen = pipeline.Settings(method="transfer", depth=0.4, allowance=0.4, side=side)
     result = pipeline.correct(pipeline.Request(finish, 5.0, measurement, settings=chosen))

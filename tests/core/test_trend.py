@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from millcorr.series import trend
+from millcorr.production import trend
 
 UM = 1e-3
 

@@ -11,16 +11,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from millcorr import gcode
+from millcorr import nc
 from millcorr.__main__ import main
-from millcorr.deflection.height_error import WallModel
-from millcorr.deflection.real_path import real_path
-from millcorr.deflection.tilt import remedies
-from millcorr.engagement import stock_of
-from millcorr.kinematics import AxisDynamics, Control
-from millcorr.nurbs import NurbsCurve
-from millcorr.profile import Contour, Profile
-from millcorr.setup_file import load
+from millcorr.geometry.nurbs import NurbsCurve
+from millcorr.geometry.profile import Contour, Profile
+from millcorr.process.deflection.height_error import WallModel
+from millcorr.process.deflection.real_path import real_path
+from millcorr.process.deflection.tilt import remedies
+from millcorr.process.engagement import stock_of
+from millcorr.process.kinematics import AxisDynamics, Control
+from millcorr.process.setup_file import load
 
 SETUP = Path(__file__).resolve().parents[2] / "resources" / "setups" / "dat-2025.toml"
 CORNER = "G90 G17 G21 F300\nG0 X-25 Y0 Z5\nG1 Z0\nG1 X0\nG1 Y25\nG0 Z5\n"
@@ -84,7 +84,7 @@ def test_paper_corner_25_um_fall_to_3(report):
 def test_table_is_the_model(report):
     """Every row of wall.csv against the model asked directly; nine digits are written."""
     setup, table = load(SETUP), columns(report)
-    path = real_path(gcode.parse(CORNER).toolpath, spacing=0.1)
+    path = real_path(nc.parse(CORNER).toolpath, spacing=0.1)
     error = WallModel.of(path, setup, stock_of(setup, HOLLOW)).errors([0.5, 1.0, 1.5, 2.0])
     rows = np.flatnonzero(np.isfinite(error.value).any(axis=1))
     assert len(rows) == len(table["s_mm"]) > 400
@@ -122,7 +122,7 @@ def test_with_acceleration_time_and_feed_are_those_of_the_actual_motion(director
     # A linear ramp of 50 ms and the servo's lag of 1/40 s put the end of 50 mm at 5 mm/s off by less than 0.5 s.
     assert (np.diff(table["t_s"]) >= 0).all() and 0.0 < table["t_s"][-1] - table["t_s"][0] - 10.0 < 0.5
     setup = load(slow)
-    path = real_path(gcode.parse(CORNER).toolpath, Control.alike(AxisDynamics(0.05, "linear", 40.0)))
+    path = real_path(nc.parse(CORNER).toolpath, Control.alike(AxisDynamics(0.05, "linear", 40.0)))
     error = WallModel.of(path, setup, stock_of(setup, HOLLOW)).errors([0.5, 1.0, 1.5, 2.0])
     rows = np.flatnonzero(np.isfinite(error.value).any(axis=1))
     assert table["error_at_0.5_mm"] == pytest.approx(error.value[rows, 0], rel=1e-8, abs=1e-12, nan_ok=True)

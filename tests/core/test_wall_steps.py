@@ -14,12 +14,12 @@ import numpy as np
 import pytest
 import shapely
 
-from millcorr import gcode, pipeline
+from millcorr import nc, pipeline
 from millcorr.errors import InputError, LimitError
-from millcorr.measurement import Measurement
-from millcorr.profile import Profile, Sections
-from millcorr.series import production as serial
-from millcorr.series.process_control import Control
+from millcorr.geometry.profile import Profile, Sections
+from millcorr.production import series as serial
+from millcorr.production.process_control import Control
+from millcorr.readers.measurement import Measurement
 from millcorr.whole_file import replaced_whole
 
 R = 4.0
@@ -119,7 +119,7 @@ def points(at: np.ndarray, normal: np.ndarray, over: np.ndarray | float, z: floa
 
 
 def correct(text: str, part: Measurement, **settings) -> tuple[pipeline.Result, str]:
-    request = pipeline.Request(gcode.parse(text, "part.nc"), R, part, settings=pipeline.Settings(**settings))
+    request = pipeline.Request(nc.parse(text, "part.nc"), R, part, settings=pipeline.Settings(**settings))
     result = pipeline.correct(request)
     return result, "\n".join(line for line in result.text.decode().splitlines() if not line.startswith("("))
 
@@ -233,7 +233,7 @@ def test_points_without_a_height_are_refused_and_what_would_tell_is_said() -> No
 def test_a_program_in_steps_is_corrected_again() -> None:
     """What the first correction left goes with the second; the first program says what the steps are."""
     over, more = {0: 0.015, 1: -0.004, 2: 0.020}, {0: 0.002, 1: 0.001, 2: -0.001}
-    first = gcode.parse(program(*draft(*over)), "first.nc")
+    first = nc.parse(program(*draft(*over)), "first.nc")
     one = deviating(over, 25)
     at, normal = plate(25)
     rows = [points(at + STEP * k * normal, normal, d, height(k), 0.0003, 9 + k) for k, d in more.items()]
@@ -241,7 +241,7 @@ def test_a_program_in_steps_is_corrected_again() -> None:
     two = Measurement(xyz, None, 0.0, np.arange(1, len(xyz) + 1), "second.csv", "ef" * 32)
     text = pipeline.correct(pipeline.Request(first, R, one)).text
     nominal = pipeline.nominal_from_program(first, R, pipeline.Settings(), two)
-    request = pipeline.Request(gcode.parse(text, "second.nc"), R, two, nominal, nominal_is_first_program=True)
+    request = pipeline.Request(nc.parse(text, "second.nc"), R, two, nominal, nominal_is_first_program=True)
     new = pipeline.correct(request).text.decode()
     total = {k: over[k] + more[k] for k in over}
     assert_right(new, total, 2 * (TOLERANCE + ESTIMATED))
@@ -249,7 +249,7 @@ def test_a_program_in_steps_is_corrected_again() -> None:
 
 def test_a_draft_is_a_series(tmp_path: Path) -> None:
     """Two parts of one program: the first one within the limit, both together beyond it; each step by their mean."""
-    first, over = gcode.parse(program(*draft(*range(3))), "P0.nc"), {0: 0.015, 1: 0.011, 2: 0.020}
+    first, over = nc.parse(program(*draft(*range(3))), "P0.nc"), {0: 0.015, 1: 0.011, 2: 0.020}
     more = {k: d + 0.010 for k, d in over.items()}
     control, out = Control(2, 0.034), tmp_path / "P1.nc"
     at, normal = plate(25)

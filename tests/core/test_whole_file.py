@@ -81,14 +81,14 @@ def test_outputs_take_no_place_that_is_taken(tmp_path, monkeypatch):
     (tmp_path / "link.nc").symlink_to(source)
     inputs = {"program": source, "setup": None}
     free = tmp_path / "out.nc"
-    refuse_places({"--output": free, "--gcode": None}, inputs, report, ["report.html"])
+    refuse_places({"output": free, "gcode": None}, inputs, report, ["report.html"])
     for outputs, where, why in (
-        ({"--output": tmp_path / "link.nc"}, None, "is the program itself"),
-        ({"--output": free, "--gcode": tmp_path / "rep" / ".." / "out.nc"}, None, "is the file of --output itself"),
-        ({"--output": report}, None, "is a directory"),
-        ({"--output": tmp_path / "no" / "out.nc"}, None, "there is no directory"),
+        ({"output": tmp_path / "link.nc"}, None, "is the program itself"),
+        ({"output": free, "gcode": tmp_path / "rep" / ".." / "out.nc"}, None, "is the file of --output itself"),
+        ({"output": report}, None, "is a directory"),
+        ({"output": tmp_path / "no" / "out.nc"}, None, "there is no directory"),
         ({}, source, "is a file; name a directory"),
-        ({"--output": report / "report.html"}, report, "would replace the file of --output"),
+        ({"output": report / "report.html"}, report, "would replace the file of --output"),
     ):
         with pytest.raises(UsageError, match=why):
             refuse_places(outputs, inputs, where, ["report.html"])

@@ -13,17 +13,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from millcorr import jobs
 from millcorr.app import programs
+from millcorr.cli import jobs
+from millcorr.correction.settings import METHODS, Settings
 from millcorr.errors import FormatError, MillcorrError, UsageError
 from millcorr.gui import batch_run, methods
 from millcorr.gui.figures import NONE
 from millcorr.gui.options import AS_FILE, Expression, call, reading_options, setting_options
 from millcorr.gui.remedies import first_field
 from millcorr.gui.transfer_figures import transfer_figures
-from millcorr.measuring_programs import DIALECTS
+from millcorr.probing.controls import DIALECTS
 from millcorr.readers import Reading
-from millcorr.settings import METHODS, Settings
 
 GUI = Path(batch_run.__file__).parent
 DISC = "G21 G90 G17\nG0 X45 Y0 Z5\nG1 Z-8 F100\nG2 X-45 Y0 I-45 J0 F300\nG2 X45 Y0 I45\nG0 Z5\nM2\n"
@@ -75,7 +75,7 @@ def test_each_method_shows_the_fields_that_the_settings_allow_with_it(method):
             Settings(**said)
             allowed = True
         except UsageError as error:
-            assert name == first_field(str(error)), "a refusal of another field"
+            assert name == first_field(error.message), "a refusal of another field"
             allowed = False
         assert allowed == (name in methods.FIELDS[method])
         values = {"Method": method, name: [value] if name in ("Depth", "Allowance") else value}
@@ -91,7 +91,7 @@ def test_what_a_method_lacks_is_told_beside_its_field(tmp_path):
     def told(function, method, setup=""):
         with pytest.raises(MillcorrError) as caught:
             function()
-        return methods.at_fault(str(caught.value), method, setup)
+        return methods.at_fault(caught.value.message, method, setup)
 
     assert told(lambda: Settings(method="transfer"), "transfer") == "Depth"
     assert told(lambda: Settings(method="combined", iterate=-1.0), "combined") == "Iterate"

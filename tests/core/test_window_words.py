@@ -3,20 +3,23 @@
 
 from __future__ import annotations
 
+import pickle
 import threading
 import time
 
 import numpy as np
 import pytest
 
-from millcorr import distrust, gcode, pipeline
-from millcorr.app.draft import Draft, in_python, lines_to_change, lines_to_create
-from millcorr.errors import MillcorrError
-from millcorr.gui.background import STAGES, Cancelled, Work, stage_of
+from millcorr import nc, pipeline, plausibility, progress
+from millcorr.app.draft import Draft, in_python, lines_to_change, lines_to_create, values_of
+from millcorr.correction.settings import Settings
+from millcorr.errors import DistrustError, FormatError, LimitError, MillcorrError, UsageError
+from millcorr.gui.background import STAGES, Work
 from millcorr.gui.figures import figures_of, length
 from millcorr.gui.remedies import Remedy, accepted_by, first_field, remedies_in, worded
-from millcorr.measurement import Measurement
-from millcorr.settings import Settings
+from millcorr.messages import message, option, remedy
+from millcorr.readers.measurement import Measurement
+from millcorr.whole_file import write_whole
 
 
 def disc(scale=1.0, offset=0.0, ball=0.0, count=90):
@@ -31,7 +34,7 @@ def disc(scale=1.0, offset=0.0, ball=0.0, count=90):
 
 def request(measurement, nominal=False, **settings):
     text = "G21 G90 G17\nG0 X45 Y0 Z5\nG1 Z-8 F100\nG2 X-45 Y0 I-45 J0 F300\nG2 X45 Y0 I45\nG0 Z5\nM2"
-    program, chosen = gcode.parse(text, "disc.nc"), Settings(side="left", **settings)
+    program, chosen = nc.parse(text, "disc.nc"), Settings(side="left", **settings)
     given = pipeline.nominal_from_program(program, 5.0, chosen, None) if nominal else None
     return pipeline.Request(program, 5.0, measurement, given, chosen)
 
@@ -39,7 +42,7 @@ def request(measurement, nominal=False, **settings):
 def refusal(measurement, **settings):
     with pytest.raises(MillcorrError) as raised:
         pipeline.correct(request(measurement, nominal=True, **settings))
-    return str(raised.value)
+    return raised.value.message
 
 
 @pytest.mark.parametrize(
@@ -55,7 +58,7 @@ def refusal(measurement, **settings):
 def test_a_button_for_what_the_file_was_taken_for(measurement, remedy, name):
     message = refusal(measurement)
     assert remedies_in(message)[0] == remedy
-    assert accepted_by(message) == name and name in distrust.NAMES
+    assert accepted_by(message) == name and name in plausibility.NAMES
     assert "--" not in worded(message) and "accept" not in worded(message)
     assert remedy.in_words().startswith("Set ") and str(remedy.value).split(".")[0] in remedy.in_words()
 
@@ -76,17 +79,60 @@ def test_a_button_for_what_the_file_was_taken_for(measurement, remedy, name):
 def test_a_wrong_setting_is_told_beside_its_field(settings, field):
     with pytest.raises(MillcorrError) as raised:
         Settings(**settings)
-    assert first_field(str(raised.value)) == field
+    assert first_field(raised.value.message) == field
 
 
 def test_a_remedy_without_a_value_leads_to_its_field():
-    found = remedies_in("check --tool-diameter, --points, --units, and --points contact")
+    said = message(
+        "check ", option("tool_diameter"), ", ", option("points"), ", ", option("units"), ", and ",
+        remedy("points", "contact"),
+    )  # fmt: skip
+    assert said == "check --tool-diameter, --points, --units, and --points contact"
+    found = remedies_in(said)
     assert found == (Remedy("Points", "contact"), Remedy("ToolDiameter"), Remedy("Unit"))
     assert found[1].in_words() == "Go to Tool diameter"
-    assert worded("check --tool-diameter.") == "check \u201cTool diameter\u201d."
-    assert remedies_in("as --tool 3=16, or --unmeasured SHARE") == (Remedy("Tools"), Remedy("UnmeasuredShare"))
-    assert remedies_in("too little stock; --keep-allowance moves it") == (Remedy("KeepAllowance", True),)
+    assert worded(message("check ", option("tool_diameter"), ".")) == "check \u201cTool diameter\u201d."
+    asked = message("as ", option("tools", of="3=16"), ", or ", option("unmeasured_share", of="SHARE"))
+    assert asked == "as --tool 3=16, or --unmeasured SHARE"
+    assert worded(asked) == "as \u201cTools\u201d, or \u201cUnmeasured share\u201d"
+    assert remedies_in(asked) == (Remedy("Tools"), Remedy("UnmeasuredShare"))
+    moves = message("too little stock; ", remedy("keep_allowance"), " moves it")
+    assert remedies_in(moves) == (Remedy("KeepAllowance", True),)
     assert remedies_in("nothing to do") == () and first_field("nothing") == "" and accepted_by("nothing") == ""
+
+
+def test_the_value_that_something_has_is_no_remedy():
+    """What names the limit as it is only leads to its field."""
+    said = message("more than ", option("limit", 0.5), " mm")
+    assert said == "more than --limit 0.5 mm" and worded(said) == "more than \u201cLimit\u201d 0.5 mm"
+    assert remedies_in(said) == (Remedy("Limit"),)
+
+
+def test_a_message_keeps_its_pieces_wherever_it_goes():
+    said = "part.csv: " + message("in inches: ", remedy("units", "inch"))
+    error = UsageError(said, "; look")
+    assert str(error) == "part.csv: in inches: --units inch; look" and remedies_in(error.message)[0].value == "inch"
+    assert remedies_in(pickle.loads(pickle.dumps(error)).message) == remedies_in(said) == (Remedy("Unit", "inch"),)
+
+
+def test_place_and_figure_are_what_the_text_says():
+    with pytest.raises(LimitError) as raised:
+        pipeline.correct(request(disc(), nominal=True, limit=0.002))
+    error = raised.value
+    x, y = error.place
+    assert f"{error.figure:+.4f} mm is needed at X{x:.3f} Y{y:.3f}" in str(error)
+    # The form is 0.004 cos 2a, material left and undercut alike: the largest is at one of four places on the axes.
+    assert abs(error.figure) == pytest.approx(0.004, abs=1e-5) and min(abs(x), abs(y)) < 1e-6 + 40 * np.sin(np.pi / 45)
+    with pytest.raises(DistrustError) as raised:
+        pipeline.correct(request(disc(offset=1.5, ball=3.0), nominal=True))
+    assert raised.value.finding == "diameter-for-radius" and raised.value.figure == pytest.approx(-1.5, abs=0.01)
+
+
+@pytest.mark.parametrize("name", ["{}.csv", "--points.csv", "a --limit 3", "%s"])
+def test_names_of_files_are_never_taken_for_options(name):
+    error = FormatError("not a number", name, 3)
+    assert error.message.options == () and worded(error.message) == f"{name}:3: not a number"
+    assert error.message.file == name and error.said == "not a number"
 
 
 def test_figures_are_those_of_the_summary():
@@ -144,8 +190,9 @@ def test_cancelled_work_stops():
     begun = threading.Event()
 
     def for_ever():
-        begun.set()
         while True:
+            progress.step()
+            begun.set()
             time.sleep(0.001)
 
     work = Work(for_ever).start()
@@ -154,28 +201,32 @@ def test_cancelled_work_stops():
     assert finished(work).cancelled and work.error is None
 
 
-def test_progress_is_what_the_core_is_at():
-    """Stages come from the modules at work: every one named exists, and a real correction passes through them."""
-    import importlib
+def test_what_is_being_put_in_its_place_is_written_and_said_to_be(tmp_path):
+    begun, go_on = threading.Event(), threading.Event()
 
-    for modules, _, _ in STAGES:
-        for module in modules:
-            importlib.import_module(f"millcorr.{module}")
-    assert stage_of(["threading", "millcorr.pipeline", "millcorr.distrust", "millcorr.separation"])[0] == (
-        "Looking for doubts"
-    )
-    assert stage_of(["threading", "json"]) is None
+    def write():
+        write_whole(tmp_path / "part.nc", "G0 X0")
+        begun.set()
+        assert go_on.wait(10)
+        progress.step()
+        return "written"
+
+    work = Work(write).start()
+    assert begun.wait(10)
+    work.cancel()
+    go_on.set()
+    assert finished(work).value == "written" and not work.cancelled
+
+
+def test_progress_is_what_the_core_is_at():
+    assert set(STAGES) == set(progress.STAGES)
     work, seen = Work(lambda: [pipeline.correct(request(disc(count=20000))) for _ in range(3)]).start(), []
     while not work.done:
         seen.append(work.progress())
         time.sleep(0.001)
     shares = [share for _, share in seen]
     assert shares == sorted(shares) and shares[-1] > 0.2
-    assert {text for text, _ in seen} - {""} <= {text for _, text, _ in STAGES}
-
-
-def test_nobody_catches_a_cancellation_by_mistake():
-    assert not issubclass(Cancelled, Exception)
+    assert {text for text, _ in seen} - {""} <= set(STAGES.values())
 
 
 class Row:
@@ -197,13 +248,14 @@ TABLE = (
     Row("Gain", 1.0),
     Row("Method", ("mirror", "transfer"), "Enumeration"),
     Row("Accept", [], "StringList"),
+    Row("SwitchedOff", [], "LinkList"),
     Row("DeviationMean", 0.0, "Distance", "Result"),
 )
 
 
 def test_a_draft_becomes_lines_that_make_it():
     values = {"Base": Thing("Profile"), "Measurement": Thing("Measurement"), "Gain": 0.5, "Method": "mirror"}
-    draft = Draft("Profile corrected", values | {"Accept": ["outliers"]})
+    draft = Draft("Profile corrected", values | {"Accept": ["outliers"], "SwitchedOff": []})
     assert lines_to_create(draft, TABLE)[1] == (
         "dressup.create(App.ActiveDocument.getObject('Profile'), App.ActiveDocument.getObject('Measurement'), "
         "Gain=0.5, Accept=['outliers'])"
@@ -211,13 +263,23 @@ def test_a_draft_becomes_lines_that_make_it():
 
 
 def test_only_what_differs_is_changed():
-    base = Thing("Profile")
-    obj = Thing("Dressup", Base=base, Measurement=None, Gain=1.0, Method="mirror", Accept=(), DeviationMean=0.004)
-    draft = Draft("x", {"Base": base, "Measurement": None, "Gain": 1.0, "Method": "mirror", "Accept": []})
-    assert lines_to_change(draft, obj, TABLE) == []
+    base, part, new = Thing("Profile"), Thing("Measurement"), Thing("Measurement001")
+    had = {"Base": base, "Measurement": part, "Gain": 1.0, "Method": "mirror", "Accept": [], "SwitchedOff": []}
+    obj = Thing("Dressup", DeviationMean=0.004, **had)
+    assert values_of(obj, TABLE) == had
+    draft = Draft("x", had)
+    assert lines_to_change(draft, obj, had) == []
     assert draft.change("Method", "transfer") and not draft.change("Gain", 1.0)
-    assert lines_to_change(draft, obj, TABLE) == [
-        "App.ActiveDocument.getObject('Dressup').Method = 'transfer'",
+    own = "App.ActiveDocument.getObject('Dressup')"
+    assert lines_to_change(draft, obj, had) == [f"{own}.Method = 'transfer'", "App.ActiveDocument.recompute()"]
+    # A part that is added, and one that is switched off.
+    draft = Draft("x", had | {"Measurement": new, "Gain": 0.5, "SwitchedOff": [part]})
+    assert lines_to_change(draft, obj, had | {"Measurement": new}, new) == [
+        "from millcorr.app import dressup",
+        f"dressup.add({own}, App.ActiveDocument.getObject('Measurement001'), Gain=0.5)",
+        f"dressup.switch({own}, App.ActiveDocument.getObject('Measurement'), False)",
         "App.ActiveDocument.recompute()",
     ]
+    draft = Draft("x", had)
+    assert lines_to_change(draft, obj, had | {"SwitchedOff": [part]})[1].endswith("getObject('Measurement'), True)")
     assert in_python([base, 1.5]) == "[App.ActiveDocument.getObject('Profile'), 1.5]"

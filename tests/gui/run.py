@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Stories of a user in FreeCAD's window, under Xvfb.
 
-    python3 tests/gui/run.py [--root DIR] [--shots DIR] [STORY ...]
+    python3 tests/gui/run.py [--root DIR] [--shots DIR] [--screen 1400x900] [STORY ...]
 
 Makes the demonstration without a window, then plays each story (all of them by default) in a FreeCAD of its own.
 `--root` takes the FreeCAD of a Debian root; pictures go to `--shots` (default build/screenshots).
@@ -20,9 +20,9 @@ sys.path.insert(0, str(HERE.parent))
 
 import freecad_root  # noqa: E402
 
-STORIES = ("saved", "correct", "large", "shop", "tutorial", "language")
+STORIES = ("saved", "correct", "session", "large", "shop", "tutorial", "language", "picture")
 
-REPLAYED = ("correct", "shop")
+REPLAYED = ("correct", "session", "shop")
 """Stories whose recorded lines run without a window afterwards."""
 
 # A modal window that nobody answers hangs the test: the web start page, the unit schema's warning.
@@ -60,8 +60,8 @@ _run()
 class Stage:
     """A work directory with a FreeCAD user, and how FreeCAD is started in it."""
 
-    def __init__(self, work: Path, root: str | None) -> None:
-        self.work, self.root = work, root
+    def __init__(self, work: Path, root: str | None, screen: str) -> None:
+        self.work, self.root, self.screen = work, root, screen
         self.shots = work / "shots"
         self.shots.mkdir()
         user = freecad_root.user_data(work)
@@ -94,7 +94,7 @@ class Stage:
         """Play a story in the window; what it found."""
         answer = self.work / "found.json"
         answer.unlink(missing_ok=True)
-        screen = ["xvfb-run", "-a", "-s", "-screen 0 1400x900x24"]
+        screen = ["xvfb-run", "-a", "-s", f"-screen 0 {self.screen}x24"]
         start = ["freecad", "-u", str(self.settings), str(HERE / f"story_{story}.py")]
         # The script's own directory is not on FreeCAD's path.
         names = {"WORK": str(self.work), "SHOTS": str(self.shots), "STORY": story, "TESTS": str(HERE)}
@@ -111,6 +111,7 @@ def main() -> int:
     parser = argparse.ArgumentParser()
     parser.add_argument("--root")
     parser.add_argument("--shots", default=str(freecad_root.REPOSITORY / "build" / "screenshots"))
+    parser.add_argument("--screen", default="1400x900", help="its size in pixels")
     parser.add_argument("stories", nargs="*", metavar="STORY", help=", ".join(STORIES))
     options = parser.parse_args()
     unknown = sorted(set(options.stories) - set(STORIES))
@@ -120,7 +121,7 @@ def main() -> int:
     shots.mkdir(parents=True, exist_ok=True)
     failed = False
     with tempfile.TemporaryDirectory(prefix="millcorr-gui-") as directory:
-        stage = Stage(Path(directory), options.root)
+        stage = Stage(Path(directory), options.root, options.screen)
         trouble = stage.headless("prepare")
         if trouble:
             print(trouble)

@@ -143,10 +143,12 @@ def settled(panel):
 
 def pictures(name, wanted):
     """Whether the view shows blue, green and red whiskers."""
-    from millcorr.scene import correction as overlay
+    import numpy
+
+    from millcorr.report.scene.scale import Look, Scale
 
     counted = colours(name)
-    _, shades = overlay.scale(0.01, 0.03)
+    shades = Scale.of(Look(), numpy.array([0.03])).shades
     blue = sum(like(counted, shade) for shade in shades[:4])
     green, red = like(counted, shades[4]), sum(like(counted, shade) for shade in shades[5:])
     found["figures"][f"pixels {name}"] = [blue, green, red]
@@ -218,7 +220,7 @@ def preview(document):
 
 def rimmed(name):
     """The nominal, which is nearly black, has a light rim: it stands out on any background."""
-    from millcorr.scene import correction as overlay
+    from millcorr.report.scene import correction as overlay
 
     counted = colours(f"rim-{name}")
     dark, light = like(counted, overlay.NOMINAL), like(counted, 0xF6F6F6FF, 3)
@@ -259,12 +261,12 @@ def picked(made):
     number = drawn.rows.tolist().index(row)
     foot, tip = drawn.whiskers.vertices[2 * number], drawn.whiskers.vertices[2 * number + 1]
     place = on_screen(*((foot + 7 * tip) / 8).tolist())
-    text = made.picture.text_at(view(), *place)
+    text = made.picture.pick_at(view(), *place).text
     line = int(result.request.measurement.lines[result.deviation.index[row]])
     check(text.endswith(f"inch.csv:{line}") and "deviation" in text and "cos" in text, f"picked: {text!r}, line {line}")
-    text = made.picture.text_at(view(), *on_screen(*drawn.rejected.vertices[2].tolist()))
+    text = made.picture.pick_at(view(), *on_screen(*drawn.rejected.vertices[2].tolist())).text
     check(text.startswith("left out: farther than"), f"picked a rejected point: {text!r}")
-    equal(made.picture.text_at(view(), 5, 5), "", "picked in the corner")
+    equal(made.picture.pick_at(view(), 5, 5), None, "picked in the corner")
 
 
 def accepted(document):
@@ -354,7 +356,35 @@ def taken_out(document, obj):
     finally:
         QtGui.QFileDialog.getExistingDirectory = ask
     check(os.path.exists(path("exported/report.html")), "no report is exported")
+    told_of(path("exported"))
+    # A directory that cannot be made is told otherwise, and in no panel.
+    QtGui.QFileDialog.getExistingDirectory = staticmethod(lambda *given: path("demo.nc"))
+    try:
+        FreeCADGui.runCommand("Millcorr_Report", 0)
+    finally:
+        QtGui.QFileDialog.getExistingDirectory = ask
+    from millcorr.gui import told
+
+    equal(told._box[0].icon(), QtGui.QMessageBox.Critical, "icon of a failure")
+    shot("export-failed")
+    told._box[0].close()
+    recorded[:] = [line for line in recorded if "demo.nc" not in line]
     equal(document.UndoCount, undone + 1, "undo after the report")
+
+
+def told_of(place):
+    """It is said where it was written, with a button that opens it."""
+    from millcorr.gui import told
+
+    box = told._box[0]
+    equal([box.icon(), box.text()], [QtGui.QMessageBox.Information, place], "what is said of the report")
+    opened = []
+    real, told.QtGui.QDesktopServices.openUrl = told.QtGui.QDesktopServices.openUrl, opened.append
+    try:
+        box.findChild(QtGui.QPushButton, "Open exported").click()
+    finally:
+        told.QtGui.QDesktopServices.openUrl = real
+    check(opened and opened[0].toLocalFile().endswith("report.html"), f"opened: {opened}")
 
 
 def kept(document, obj):

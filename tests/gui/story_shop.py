@@ -51,7 +51,7 @@ def record():
 
 def dialog(kind):
     """The open window of a task."""
-    found_ = [w for w in QtGui.QApplication.topLevelWidgets() if w.objectName() == f"Millcorr{kind}" and w.isVisible()]
+    found_ = [w for w in QtGui.QApplication.allWidgets() if w.objectName() == f"Millcorr{kind}" and w.isVisible()]
     check(found_, f"no window {kind}")
     return found_[0]
 
@@ -140,6 +140,13 @@ def measuring(document):
     equal(task.wrong, "", "what is wrong with the measuring program")
     check("G38" in task.text.toPlainText(), "no measuring program")
     check(task.picture.shown, "touches are not drawn")
+    equal((task.fields["Z"].value, task.fields["SafeZ"].value > 12), (6.0, True), "heights from the model")
+    task.fields["Z"].widget.setValue(-0.5)
+    until(lambda: not task.busy, "refusal of a height")
+    check("--z" in task.wrong and not task.picture.shown, f"a touch below the part is planned: {task.wrong}")
+    task.fields["Z"].widget.setValue(6.0)
+    until(lambda: not task.busy, "plan of touches")
+    equal(task.wrong, "", "what is wrong with the measuring program")
     shot("measuring")
     put(task, Dialect="fanuc")
     until(lambda: not task.busy, "plan for Fanuc")
@@ -393,10 +400,9 @@ def leave_lines(program):
     """For a FreeCAD without a window to run again; a journal would refuse the same part."""
     files = {
         name: open(path(name), encoding="utf-8").read()
-        for name in ("demo-corrected.nc", "demo-combined.nc", "probe.ngc")
+        for name in ("demo-corrected.nc", "demo-combined.nc", "probe.ngc", "probe-macro.ngc")
     }
-    # A macro of a button asks in the window.
-    lines = [line for line in recorded if "jobs.run" not in line and ".FCMacro" not in line]
+    lines = [line for line in recorded if "jobs.run" not in line]
     with open(path("shop.json"), "w", encoding="utf-8") as stream:
         json.dump({"lines": lines, "files": files, "path": program}, stream)
 
@@ -433,6 +439,11 @@ def macros():
     finally:
         QtGui.QFileDialog.getSaveFileName = ask
     check(os.path.exists(here), "the macro has written no measuring program")
+    check("asked" not in "".join(recorded) and "FCMacro" not in "".join(recorded), "a recorded macro asks")
+    from millcorr.gui import told
+
+    equal(told._box[0].text(), here, "what is said of the measuring program")
+    told._box[0].close()
 
 
 def story():

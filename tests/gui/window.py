@@ -10,6 +10,7 @@ import os
 import sys
 import time
 import traceback
+from pathlib import Path
 
 import FreeCAD
 import FreeCADGui
@@ -19,25 +20,7 @@ WORK = os.environ["MILLCORR_WORK"]
 SHOTS = os.environ["MILLCORR_SHOTS"]
 STORY = os.environ["MILLCORR_STORY"]
 VERSION = ".".join(FreeCAD.Version()[:2])
-SETUP = """
-[tool]
-diameter_mm = 10.0
-flutes = 4
-spindle_rpm = 6000.0
-youngs_modulus_gpa = 600.0
-overhang_mm = 40.0
-[material]
-name = "steel"
-ktc_n_per_mm2 = 1800.0
-krc_n_per_mm2 = 600.0
-origin = "textbook values"
-[machine]
-kx_n_per_mm = 1500.0
-ky_n_per_mm = 2500.0
-[stock]
-allowance_mm = 0.5
-axial_depth_mm = 12.0
-"""
+SETUP = (Path(__file__).resolve().parents[2] / "resources" / "setups" / "demonstration.toml").read_text("utf-8")
 """A setup of the demonstration's cutter."""
 
 found = {"version": VERSION, "wrong": [], "figures": {}}

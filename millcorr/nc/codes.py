@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the G and M codes of NC programs do, as tables; codes are ten times their number: G90.1 is 901."""
+
+from __future__ import annotations
+
+from millcorr.nc.toolpath import Compensation
+
+INCH = 25.4
+UNSTATED = -1
+"""Motion of a line before any motion code."""
+
+# Siemens' words that do what G codes do, as numbers that no G code has.
+CIRCLE_BY_POINT, TANGENT_CIRCLE = 9876.1, 9876.2
+SHIFT, SHIFT_MORE, NEW_FRAME, OTHER_FRAME = 9876.3, 9876.4, 9876.5, 9876.6
+
+SIEMENS_ARCS = (round(10 * CIRCLE_BY_POINT), round(10 * TANGENT_CIRCLE))
+SHIFTS = (round(10 * SHIFT), round(10 * SHIFT_MORE), round(10 * NEW_FRAME))
+
+PATHS = (0, 10, 20, 30, 50)
+CYCLES = (730, 740, 760, 810, 820, 830, 840, 850, 860, 870, 880, 890)
+CANCEL_CYCLE = 800
+OFFSETS = (*range(540, 600), 1540, *range(1100, 1300, 10), 5000, *range(5050, 6000, 10))
+LENGTH_OFFSETS = (430, 431, 432, 440, 490)
+EXTENDED_OFFSETS = (541, 1540)
+# Okuma: G15 Hn chooses the work offset, G54 to G59 with H the tool length.
+OKUMA_OFFSET = 150
+OKUMA_LENGTHS = range(540, 600, 10)
+HOMING = (280, 300)
+
+GROUPS: dict[str, dict[int, int]] = {
+    "motion": {code: code for code in (*PATHS, *SIEMENS_ARCS, *CYCLES, CANCEL_CYCLE)},
+    "plane": {170: 17, 180: 18, 190: 19},
+    "distance": {900: 90, 910: 91},
+    "arc distance": {901: 90, 911: 91},
+    "unit": {200: 20, 210: 21, 700: 20, 710: 21, 7000: 20, 7100: 21},
+    "compensation": {
+        400: Compensation.OFF,
+        410: Compensation.LEFT,
+        411: Compensation.LEFT,
+        420: Compensation.RIGHT,
+        421: Compensation.RIGHT,
+    },
+    "feed mode": {930: 93, 940: 94, 950: 95},
+    "cycle return": {980: 98, 990: 99},
+}
+INITIAL = {
+    "motion": UNSTATED,
+    "plane": 17,
+    "distance": 90,
+    "arc distance": 91,
+    "unit": 21,
+    "compensation": 0,
+    "feed mode": 94,
+    "cycle return": 98,
+}
+
+FRAME_ON = {
+    920: "G92 shifts the frame",
+    520: "G52 shifts the frame",
+    100: "G10 may change a work offset",
+    680: "G68 rotates the frame",
+    681: "G68.1 rotates the frame",
+    682: "G68.2 tilts the plane",
+    510: "G51 scales the frame",
+    511: "G51.1 mirrors the frame",
+    1010: "G101 mirrors the frame",
+    160: "G16 states polar coordinates",
+    121: "G12.1 interpolates in polar coordinates",
+    1120: "G112 interpolates in polar coordinates",
+    71: "G7.1 interpolates on a cylinder",
+    1070: "G107 interpolates on a cylinder",
+    70: "G7 states diameters",
+    434: "G43.4 controls the tool centre point",
+    435: "G43.5 controls the tool centre point",
+    2340: "G234 controls the tool centre point",
+    660: "G66 calls a macro at every move",
+    930: "G93 states the feed as inverse time",
+    round(10 * OTHER_FRAME): "ROT, MIRROR or SCALE changes the frame",
+}
+FRAME_OFF: dict[int, tuple[int, ...]] = {
+    921: (920,),
+    922: (920,),
+    110: (100,),
+    690: (680, 681, 682),
+    691: (680, 681, 682),
+    500: (510,),
+    501: (511,),
+    1000: (1010,),
+    150: (160,),
+    131: (121,),
+    1130: (1120,),
+    80: (70,),
+    430: (434, 435),
+    490: (434, 435),
+    2350: (2340,),
+    670: (660,),
+    940: (930,),
+    950: (930,),
+    SHIFTS[0]: (round(10 * OTHER_FRAME),),
+    SHIFTS[2]: (round(10 * OTHER_FRAME),),
+    **{code: (100,) for code in OFFSETS},
+}
+POSITION_SURVIVES = (930, 70)
+CALL_CODES = {650: "G65 calls a macro"}
+PROGRAM_ENDS = (2, 30, 99)
+
+# The axis words of a line with one of these are not the target of a move.
+NOT_A_TARGET = frozenset(
+    [40, 100, 281, 301, 520, 920, 921, 922, 923, 500, 501, 510, 511, 650, 660, 680, 682, 71, 1070, *SHIFTS]
+)
+HARMLESS = frozenset(
+    [code for group in GROUPS.values() for code in group]
+    + [*FRAME_ON, *FRAME_OFF, *OFFSETS, *LENGTH_OFFSETS, *HOMING, *CALL_CODES, *NOT_A_TARGET, 530]
+    + [51, 90, 600, 601, 610, 611, 620, 630, 640, 960, 970, 1030, 1870, 4500, 4510]
+    + [6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450]
+)

@@ -1,0 +1,258 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Lines, arcs and cubics in place of an exact curve, within a tolerance, as few as it needs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from typing import Protocol
+
+import numpy as np
+
+from millcorr.arrays import Bools, Floats, Ints
+from millcorr.errors import FitError
+from millcorr.nc.toolpath import Kind, Plane, Toolpath
+
+PROBES = (np.arange(15) + 1) / 16
+LARGEST_RADIUS = 5000.0
+"""An arc of larger radius, in mm, is written as a line where the tolerance allows: controls refuse or round it."""
+
+ROUNDS = 24
+"""A stretch is halved as often at most: a metre is then shorter than 0.1 um."""
+
+
+class ExactPath(Protocol):
+    """A path made of pieces, each a function of one parameter."""
+
+    def evaluate(self, piece: Ints, sigma: Floats, /) -> tuple[Floats, Floats, Floats]:
+        """Points (n, 2) in mm, unit normals to the right of growing sigma, and length per unit of sigma."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Intervals:
+    """Pieces of exact path to be replaced by moves; one row a piece.
+
+    Parameters
+    ----------
+    owner : (e,) int64
+        What the resulting moves belong to.
+    piece : (e,) int64
+        Piece of the path.
+    sigma0, sigma1 : (e,) float64
+        Parameter of the piece at start and end, mm.
+    start, end : (e, 2) float64
+        Ends that the moves must meet exactly, mm.
+    z0, z1 : (e,) float64
+        Heights at the ends, mm.
+    kind : (e,) int64
+        `Kind` to use.
+    whole : (e,) bool
+        True where the interval is a full turn, ending where it starts.
+    """
+
+    owner: Ints
+    piece: Ints
+    sigma0: Floats
+    sigma1: Floats
+    start: Floats
+    end: Floats
+    z0: Floats
+    z1: Floats
+    kind: Ints
+    whole: Bools
+
+    def take(self, index: Ints | Bools) -> Intervals:
+        """Rows chosen by index or mask."""
+        return Intervals(**{f.name: getattr(self, f.name)[index] for f in fields(self)})
+
+
+def fit_moves(intervals: Intervals, path: ExactPath, tolerance: float) -> tuple[Toolpath, Ints, float]:
+    """Replace intervals of the exact path by moves.
+
+    Parameters
+    ----------
+    intervals : Intervals
+    path : ExactPath
+    tolerance : float
+        Largest distance in mm between moves and exact path.
+
+    Returns
+    -------
+    moves : Toolpath
+        In the order of the owners, and along the path within one.
+    owner : (m,) int64
+    error : float
+        Largest distance found between moves and exact path, mm.
+
+    Raises
+    ------
+    FitError
+        If the tolerance cannot be reached.
+    """
+    moves: list[tuple[Ints, Floats, Toolpath]] = []
+    largest = 0.0
+    rest = intervals
+    for _ in range(ROUNDS):
+        if not len(rest.owner):
+            break
+        probes = _probe(rest, path)
+        done = np.zeros(len(rest.owner), dtype=bool)
+        for kind, attempt in ((Kind.LINE, _lines), (Kind.ARC, _arcs), (Kind.CUBIC, _cubics)):
+            rows = np.flatnonzero(rest.kind == kind)
+            if len(rows):
+                error, found = attempt(rest.take(rows), probes[rows], tolerance, path)
+                ok = error <= tolerance
+                done[rows[ok]] = True
+                largest = max(largest, float(error[ok].max(initial=0.0)))
+                moves += found
+        rest = _halves(rest.take(~done), path)
+    if len(rest.owner):
+        x, y = rest.start[0]
+        raise FitError(f"the corrected path near X{x:.3f} Y{y:.3f} cannot be written within {tolerance:g} mm")
+    if not moves:
+        empty = np.zeros((0, 2))
+        return _moves(empty, empty, np.zeros(0), np.zeros(0), Kind.LINE), np.zeros(0, dtype=np.int64), 0.0
+    owner = np.concatenate([m[0] for m in moves])
+    place = np.concatenate([m[1] for m in moves])
+    order = np.lexsort((place, owner))
+    return Toolpath.concatenate([m[2] for m in moves]).take(order), owner[order], largest
+
+
+def _moves(start: Floats, end: Floats, z0: Floats, z1: Floats, kind: Kind, **more: Floats) -> Toolpath:
+    n = len(start)
+    centre = np.full((n, 3), np.nan)
+    if "centre" in more:
+        centre[:, :2] = more["centre"]
+        centre[:, 2] = z0
+    return Toolpath(
+        kind=np.full(n, int(kind)),
+        start=np.column_stack([start, z0]),
+        end=np.column_stack([end, z1]),
+        centre=centre,
+        sweep=more.get("sweep", np.zeros(n)),
+        control=more.get("control", np.full((n, 4), np.nan)),
+        plane=np.full(n, int(Plane.XY)),
+        feed=np.full(n, np.nan),
+        source=np.zeros(n, dtype=np.int64),
+        compensation=np.zeros(n, dtype=np.int64),
+        tool=np.zeros(n, dtype=np.int64),
+    )
+
+
+def _place(rows: Intervals) -> Floats:
+    """Key that orders the moves of one owner along its path."""
+    out: Floats = rows.sigma0 * np.sign(rows.sigma1 - rows.sigma0)
+    return out
+
+
+def _probe(rows: Intervals, path: ExactPath) -> Floats:
+    """Points of the exact path within each interval, (e, 15, 2)."""
+    sigma = rows.sigma0[:, None] + (rows.sigma1 - rows.sigma0)[:, None] * PROBES
+    piece = np.repeat(rows.piece, len(PROBES))
+    return path.evaluate(piece, sigma.ravel())[0].reshape(-1, len(PROBES), 2)
+
+
+def _lines(
+    rows: Intervals, probes: Floats, tolerance: float, path: ExactPath
+) -> tuple[Floats, list[tuple[Ints, Floats, Toolpath]]]:
+    error = np.where(rows.whole, np.inf, _off_chord(rows, probes))
+    good = rows.take(error <= tolerance)
+    moves = _moves(good.start, good.end, good.z0, good.z1, Kind.LINE)
+    return error, [(good.owner, _place(good), moves)]
+
+
+def _off_chord(rows: Intervals, probes: Floats) -> Floats:
+    chord = rows.end - rows.start
+    size = np.maximum(np.hypot(*chord.T), 1e-12)
+    away = probes - rows.start[:, None]
+    across = away[:, :, 0] * chord[:, None, 1] - away[:, :, 1] * chord[:, None, 0]
+    out: Floats = np.abs(across).max(axis=1) / size
+    return out
+
+
+def _arcs(
+    rows: Intervals, probes: Floats, tolerance: float, path: ExactPath
+) -> tuple[Floats, list[tuple[Ints, Floats, Toolpath]]]:
+    """One arc through the ends and the middle; a line where that is as good and the radius is huge."""
+    middle = len(PROBES) // 2
+    second = np.where(rows.whole[:, None], probes[:, 2 * len(PROBES) // 3], rows.end)
+    first = np.where(rows.whole[:, None], probes[:, len(PROBES) // 3], probes[:, middle])
+    centre, r = _circle(rows.start, first, second)
+    error = np.abs(np.hypot(probes[:, :, 0] - centre[:, None, 0], probes[:, :, 1] - centre[:, None, 1]) - r[:, None])
+    round_error = np.where(r <= LARGEST_RADIUS, error.max(axis=1), np.inf)
+    fits = round_error <= tolerance
+    sweep = _sweep(rows.start, first, second, centre, rows.whole)
+    flat_error = np.where(rows.whole, np.inf, _off_chord(rows, probes))
+    # A line is taken before an arc only where the path is straight to a hundredth of the tolerance.
+    straight = (flat_error <= tolerance) & (~fits | (flat_error <= 0.01 * tolerance))
+    arc = fits & ~straight
+    a, b = rows.take(arc), rows.take(straight)
+    found = [
+        (a.owner, _place(a), _moves(a.start, a.end, a.z0, a.z1, Kind.ARC, centre=centre[arc], sweep=sweep[arc])),
+        (b.owner, _place(b), _moves(b.start, b.end, b.z0, b.z1, Kind.LINE)),
+    ]
+    return np.where(straight, flat_error, round_error), found
+
+
+def _circle(a: Floats, b: Floats, c: Floats) -> tuple[Floats, Floats]:
+    """Centre and radius of the circle through three points; a huge radius where they are in line."""
+    u, v = b - a, c - a
+    det = 2 * (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
+    det = np.where(np.abs(det) < 1e-300, 1e-300, det)
+    uu, vv = (u * u).sum(axis=1), (v * v).sum(axis=1)
+    rel = np.stack([v[:, 1] * uu - u[:, 1] * vv, u[:, 0] * vv - v[:, 0] * uu], axis=1) / det[:, None]
+    return a + rel, np.hypot(*rel.T)
+
+
+def _sweep(start: Floats, middle: Floats, end: Floats, centre: Floats, whole: Bools) -> Floats:
+    """Signed angle of the arcs from start through middle to end, or of the whole circle that runs this way."""
+    angle = [np.arctan2(p[:, 1] - centre[:, 1], p[:, 0] - centre[:, 0]) for p in (start, middle, end)]
+    half = np.mod(angle[1] - angle[0], 2 * np.pi)
+    turn = np.mod(angle[2] - angle[0], 2 * np.pi)
+    left = half <= turn
+    return np.where(left, np.where(whole, 2 * np.pi, turn), np.where(whole, 0.0, turn) - 2 * np.pi)
+
+
+def _cubics(
+    rows: Intervals, probes: Floats, tolerance: float, path: ExactPath
+) -> tuple[Floats, list[tuple[Ints, Floats, Toolpath]]]:
+    """One Bezier cubic with the path's tangents at its ends."""
+    step = (rows.sigma1 - rows.sigma0)[:, None] / 3
+    # Just inside: where the curvature jumps, each side has its own speed.
+    inside = 1e-6 * (rows.sigma1 - rows.sigma0)
+    _, n0, f0 = path.evaluate(rows.piece, rows.sigma0 + inside)
+    _, n1, f1 = path.evaluate(rows.piece, rows.sigma1 - inside)
+    p1 = rows.start + step * np.stack([-n0[:, 1], n0[:, 0]], 1) * f0[:, None]
+    p2 = rows.end - step * np.stack([-n1[:, 1], n1[:, 0]], 1) * f1[:, None]
+    u = PROBES[None, :, None]
+    curve = (
+        rows.start[:, None] * (1 - u) ** 3
+        + 3 * p1[:, None] * u * (1 - u) ** 2
+        + 3 * p2[:, None] * u**2 * (1 - u)
+        + rows.end[:, None] * u**3
+    )
+    sigma = rows.sigma0[:, None] + (rows.sigma1 - rows.sigma0)[:, None] * PROBES
+    _, normal, _ = path.evaluate(np.repeat(rows.piece, len(PROBES)), sigma.ravel())
+    gap = curve - probes
+    across = np.abs((gap * normal.reshape(gap.shape)).sum(axis=2)).max(axis=1)
+    # Running ahead along the path costs only its square over the radius of curvature.
+    ahead = np.hypot(gap[:, :, 0], gap[:, :, 1]).max(axis=1)
+    error = np.where(rows.whole | (ahead > 0.05 * np.abs(rows.sigma1 - rows.sigma0)), np.inf, across)
+    ok = error <= tolerance
+    good = rows.take(ok)
+    moves = _moves(good.start, good.end, good.z0, good.z1, Kind.CUBIC, control=np.column_stack([p1[ok], p2[ok]]))
+    return error, [(good.owner, _place(good), moves)]
+
+
+def _halves(rows: Intervals, path: ExactPath) -> Intervals:
+    """Each interval cut in the middle of its arc length."""
+    if not len(rows.owner):
+        return rows
+    middle = (rows.sigma0 + rows.sigma1) / 2
+    point = path.evaluate(rows.piece, middle)[0]
+    height = (rows.z0 + rows.z1) / 2
+    none = np.zeros(len(rows.owner), dtype=bool)
+    first = {f.name: getattr(rows, f.name) for f in fields(rows)}
+    second = dict(first)
+    first.update(sigma1=middle, end=point, z1=height, whole=none)
+    second.update(sigma0=middle, start=point, z0=height, whole=none)
+    return Intervals(**{name: np.concatenate([first[name], second[name]]) for name in first})

@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Proof of a corrected plain-language program: as of ISO code, with block numbers, CC blocks and leads of its own kind.
+
+Block numbers count on where blocks were inserted. A CC holds nothing but a place; what arcs and polar blocks make of
+it is compared. Where an approach (APPR) begins and a departure (DEP) ends, the control computes anew from the moved
+contour: there the words are compared, and the surface, but no place.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+
+import numpy as np
+
+from millcorr.arrays import Bools, Ints
+from millcorr.errors import LimitError
+from millcorr.nc.toolpath import Kind
+
+from .klartext_reading import plain_language, read, without_numbers
+from .reading import line_starts
+from .text_proof import Content, Language, Text, TextProof, prove_text
+
+_OPENING = re.compile(rb"[ \t%]*(?:BEGIN[ \t]+PGM[^\r\n]*)?[ \t]*", re.IGNORECASE)
+_COMMENT = re.compile(rb"[ \t]*;[^\r\n]*")
+_BLOCK = re.compile(
+    r"[ \t]*(/?)[ \t]*(APPR[ \t]+P?[LCNT]+|DEP[ \t]+P?[LCNT]+|CTP|CT|CP|CR|CC|C|LP|L|RND|CHF)(?![A-Z])", re.IGNORECASE
+)
+_AXIS_FIRST = re.compile(r"[ \t]*(/?)[ \t]*(?=I?[XYZ][ \t]*[-+]?[\dQ.,])", re.IGNORECASE)
+_NUMBER = r"[ \t]*[-+]?[ \t]*(?:Q[LR]?\d+|\d+[.,]?\d*|[.,]\d+)"
+_PIECE = re.compile(
+    rf"(?P<comment>;.*)|(?P<place>I?(?:X|Y|PR|PA){_NUMBER}|DR[-+])|I?Z(?P<height>{_NUMBER})|(?P<radius>R{_NUMBER})"
+    rf"|(?P<word>F[ \t]*(?:MAX|AUTO)|R0(?![\d.,])|RL|RR|[A-Z]+(?:{_NUMBER})?|[^ \t])",
+    re.IGNORECASE,
+)
+_FEED = re.compile(rb"F[\d.,]+")
+
+
+def prove(
+    original: bytes,
+    written: bytes,
+    may_change: Ints,
+    *,
+    header: Sequence[str] = (),
+    reach: float = math.inf,
+    tolerance: float = 0.001,
+    beside: Sequence[tuple[str, bytes]] = (),
+) -> TextProof:
+    """Prove that a written plain-language program keeps everything of its original but places; see `prove_text`.
+
+    Parameters
+    ----------
+    original, written : bytes
+    may_change : sorted indices
+        Lines whose places may change; blocks of CC, APPR and DEP are added to them.
+    header : sequence of str
+    reach, tolerance : float
+        mm.
+    beside : sequence of (str, bytes)
+        Not looked at.
+
+    Returns
+    -------
+    TextProof
+
+    Raises
+    ------
+    LimitError
+        If anything else differs; names the line of the written text and what differs.
+    """
+    if original == written:
+        return prove_text(original, written, may_change, language=KLARTEXT)
+    (old, was), (new, now) = without_numbers(original), without_numbers(written)
+    _refuse_numbers(was, now)
+    led = led_lines(original)
+    free = led.copy()
+    free[may_change] = True
+    starts = line_starts(old)
+    poles = [
+        i for i in range(len(free)) if re.match(rb"[ \t]*CC(?![A-Z])", old[starts[i] : starts[i + 1]], re.IGNORECASE)
+    ]
+    free[poles] = True
+    return prove_text(old, new, free, header=header, reach=reach, tolerance=tolerance, language=KLARTEXT, unplaced=led)
+
+
+def led_lines(data: bytes) -> Bools:
+    """Lines of a plain-language program whose place the control computes: leads, and what follows a departure.
+
+    Returns
+    -------
+    (lines,) bool
+    """
+    starts = line_starts(data)
+    out = np.zeros(len(starts) - 1, np.bool_)
+    if not plain_language(data):
+        return out
+    adrift: set[str] = set()
+    for i in range(len(out)):
+        text = data[starts[i] : starts[i + 1]].decode("latin-1").split(";")[0].upper()
+        found = re.match(r"[ \t]*/?[ \t]*(?:\d+[ \t]+)?(APPR|DEP)[ \t]+(\w+)", text)
+        if found is not None:
+            out[i] = True
+            adrift = {"X", "Y"} if found[1] == "DEP" and "LCT" not in found[2] else set()
+        elif adrift and re.match(r"[ \t]*/?[ \t]*(?:\d+[ \t]+)?[LC]", text):
+            out[i] = True
+            adrift -= set(re.findall(r"(?<![IA-Z])([XY])[ \t]*[-+\dQ]", text))
+    return out
+
+
+def _refuse_numbers(was: list[int], now: list[int]) -> None:
+    """LimitError where blocks that counted on by one do so no more, or others have other numbers."""
+    if was and was == list(range(was[0], was[0] + len(was))):
+        fits = now == list(range(was[0], was[0] + len(now)))
+    else:
+        rest = iter(was)
+        fits = all(number in rest for number in now)
+    if not fits:
+        raise LimitError("the written program differs where it must not: its block numbers do not follow one another")
+
+
+def _content(text: Text, i: int) -> Content:
+    line = text.line(i).decode("latin-1").rstrip("\r\n\x1a")
+    found = _BLOCK.match(line) or _AXIS_FIRST.match(line)
+    if found is None:
+        bare = line.strip()
+        return Content((bare,) if bare else (), None, None, None, "", False)
+    rest: list[str] = []
+    height = None
+    kind = found[2].upper() if found.re is _BLOCK else ""
+    led = kind.startswith(("APPR", "DEP"))
+    if led:
+        rest.append(re.sub(r"[ \t]+P?", " ", kind))
+    for piece in _PIECE.finditer(line, found.end()):
+        word = re.sub(r"[ \t]", "", piece.group()).upper()
+        if piece["comment"]:
+            rest.append(piece.group().strip())
+        elif piece["height"]:
+            height = word
+        elif piece["place"] or (piece["radius"] and not led) or re.match(r"F[\d.,Q]", word):
+            continue
+        elif kind == "CHF" and re.fullmatch(r"[-+]?[\dQ.,]+", word):
+            continue
+        elif kind == "CHF" and not piece["radius"] and re.fullmatch(r"[\d.,+-]", word):
+            continue
+        else:
+            rest.append(word)
+    return Content(tuple(rest), _feed(text, i), height, None, found[1], False)
+
+
+def _feed(text: Text, i: int) -> str | None:
+    """Feed of a line's moves, where it is another one than that of the feed move before."""
+    m, first = text.moves, text.first
+    rows = np.arange(first[i], first[i + 1])
+    if not len(rows) or (m.kind[rows] == Kind.RAPID).all():
+        return None
+    word = float(text.reading.feed_word[i])
+    row = int(first[i]) - 1
+    while row >= 0 and m.kind[row] == Kind.RAPID:
+        row -= 1
+    before = float(text.reading.feed_word[m.line[row]]) if row >= 0 else math.nan
+    if word == before or (math.isnan(word) and math.isnan(before)):
+        return None
+    return f"{word:.9g}" if not math.isnan(word) else "nan"
+
+
+def _feed_restated(old: bytes, new: bytes) -> bool:
+    bare = re.split(rb"[;\"]", new)[0]
+    return any(bare[: m.start()] + bare[m.end() :] + new[len(bare) :] == old for m in _FEED.finditer(bare))
+
+
+KLARTEXT = Language(read=read, content=_content, restated=_feed_restated, opening=_OPENING, comment=_COMMENT)
