@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import hashlib
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import ClassVar
 
@@ -49,6 +49,8 @@ class Program:
         one line; where every line runs once the index of a block is that of its line.
     leaning : (k,) int64
         Blocks whose words take their meaning from the moves around them: corners, tangent arcs.
+    led : (k,) int64
+        Blocks whose way the control computes from the contour beside them: none of their moves can become several.
     beside : tuple of (str, bytes)
         Files of subprograms beside the program: their lines count on behind those of the program.
     folder : Path, optional
@@ -66,6 +68,7 @@ class Program:
     leaning: Ints
     beside: tuple[tuple[str, bytes], ...] = ()
     folder: Path | None = None
+    led: Ints = field(default_factory=lambda: np.zeros(0, np.int64))
 
     plain_moves: ClassVar[str] = "plain G0 to G3 moves"
     """What can always be corrected, in the words of the program's language."""

@@ -131,6 +131,7 @@ def displace(
     tolerance: float = 0.001,
     output_moves: str = "keep",
     original_error: float = 0.0,
+    undivided: Bools | None = None,
 ) -> Regeneration:
     """Move the following moves of a toolpath by as much as the wanted surface has moved.
 
@@ -156,6 +157,8 @@ def displace(
     output_moves : {'keep', 'lines', 'arcs', 'nurbs'}
     original_error : float
         How far the moves are off what they follow so far, mm, for `Regeneration`.
+    undivided : (n,) bool, optional
+        Moves of which only the ends can be moved, as the control computes what is between them; none by default.
 
     Returns
     -------
@@ -187,6 +190,8 @@ def displace(
     given = np.zeros(len(toolpath), dtype=bool)
     given[rows] = True
     carry_along(toolpath, given, own_work(toolpath, given), shift0, shift1, _turns(path, given))
+    if undivided is not None:
+        moved &= ~undivided[rows]
     pick = np.flatnonzero(moved)
     intervals = _intervals(toolpath, path, pick, output_moves)
     fitted, owner, fit_error = fit_moves(intervals, path, FIT_SHARE * tolerance)

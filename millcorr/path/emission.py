@@ -138,6 +138,7 @@ def emit(
         tolerance=settings.tolerance,
         output_moves=settings.output_moves,
         original_error=original_error,
+        undivided=np.isin(toolpath.source, program.led),
     )
     reach = regeneration.largest_shift + settings.tolerance
     if settings.depth_along != "normal" and not any(c.closed for c in nominal.contours):

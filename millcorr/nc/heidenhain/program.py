@@ -20,7 +20,7 @@ from millcorr.nc.style import Style
 from millcorr.nc.toolpath import Toolpath, named_tool
 from millcorr.nc.words import Words, line_starts
 
-from .blocks import CORNERS, MOTIONS, Block, blocks_of
+from .blocks import APPROACHES, CORNERS, DEPARTURES, MOTIONS, Block, blocks_of
 from .machine import ENDS, Machine, Row
 
 _BEGIN = re.compile(rb"(?:\xef\xbb\xbf)?[\s%]*(?:\d+[ \t]+)?BEGIN[ \t]+PGM\b", re.IGNORECASE)
@@ -53,7 +53,8 @@ class KlartextProgram(Program):
     Parameters
     ----------
     tangents : (k,) int64
-        Blocks whose arc takes its direction from the move before it: CT, CTP. `leaning` are corners: RND, CHF.
+        Blocks whose arc takes its direction from the move before it: CT, CTP. `leaning` are corners: RND, CHF; `led`
+        are approaches and departures: APPR, DEP.
     """
 
     tangents: Ints = field(default_factory=lambda: np.zeros(0, np.int64))
@@ -168,6 +169,7 @@ def parse(data: bytes, name: str) -> KlartextProgram:
         tuple(followed.stretches),
         Run(followed.lines(), NO_WORDS, (), count, {}, {}),
         np.array(followed.corners, np.int64),
+        led=np.array(followed.led, np.int64),
         tangents=np.array(followed.tangents, np.int64),
     )
 
@@ -198,6 +200,7 @@ class Follower:
         """Index of every block as it runs."""
         self.corners: list[int] = []
         self.tangents: list[int] = []
+        self.led: list[int] = []
         self.all_lines = lines
         self._returns: list[int] = []
         self._left: dict[int, int] = {}
@@ -258,6 +261,8 @@ class Follower:
             self.corners.append(at)
         elif block.kind in ("CT", "CTP"):
             self.tangents.append(at)
+        elif block.kind in (*APPROACHES, *DEPARTURES):
+            self.led.append(at)
         last = at + block.last - block.first
         self.feed_words[at : last + 1] = [machine.feed_word] * (last + 1 - at)
         for reason in dict.fromkeys(machine.reasons):
