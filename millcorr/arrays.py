@@ -30,6 +30,15 @@ class ReadOnlyArrays:
                 value.flags.writeable = False
 
 
+@dataclass(frozen=True, eq=False, slots=True)
+class CompactColumns:
+    """Base of a frozen dataclass of columns of one length: each of them `compact`."""
+
+    def __post_init__(self) -> None:
+        for item in fields(self):
+            object.__setattr__(self, item.name, compact(getattr(self, item.name)))
+
+
 def compact(column: NDArray[Any]) -> NDArray[Any]:
     """The same values; a long column of one value over and over takes the memory of one.
 

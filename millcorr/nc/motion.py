@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from millcorr import progress
-from millcorr.arrays import Bools, Floats, Ints, compact
+from millcorr.arrays import Bools, CompactColumns, Floats, Ints
 from millcorr.errors import FormatError
 from millcorr.nc.toolpath import Kind, Plane, Toolpath
 
@@ -47,7 +47,7 @@ from .words import Words
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Modal:
+class Modal(CompactColumns):
     """Modal state after each block of a program, arrays of shape (blocks,).
 
     Parameters
@@ -69,10 +69,6 @@ class Modal:
     unit: Ints
     feed_word: Floats
     shift: Floats
-
-    def __post_init__(self) -> None:
-        for name in self.__slots__:
-            object.__setattr__(self, name, compact(getattr(self, name)))
 
 
 @dataclass(frozen=True, slots=True)

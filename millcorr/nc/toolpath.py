@@ -10,7 +10,7 @@ from enum import IntEnum
 import numpy as np
 from numpy.typing import NDArray
 
-from millcorr.arrays import Bools, Floats, Ints, compact
+from millcorr.arrays import Bools, CompactColumns, Floats, Ints
 from millcorr.errors import InputError
 
 
@@ -66,7 +66,7 @@ def named_tool(name: bytes) -> int:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Toolpath:
+class Toolpath(CompactColumns):
     """Moves of a program in order, one row a move.
 
     Parameters
@@ -115,10 +115,9 @@ class Toolpath:
     def __post_init__(self) -> None:
         n = len(self.kind)
         for name in self.__slots__:
-            array = getattr(self, name)
-            if len(array) != n:
-                raise InputError(f"toolpath: {name} has {len(array)} rows, expected {n}")
-            object.__setattr__(self, name, compact(array))
+            if (rows := len(getattr(self, name))) != n:
+                raise InputError(f"toolpath: {name} has {rows} rows, expected {n}")
+        CompactColumns.__post_init__(self)
 
     def __len__(self) -> int:
         return len(self.kind)

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from millcorr import progress
-from millcorr.arrays import Bools, Bytes, Floats, Ints, ReadOnlyArrays, compact
+from millcorr.arrays import Bools, Bytes, CompactColumns, Floats, Ints, ReadOnlyArrays
 from millcorr.nc.toolpath import Kind, Plane, Toolpath, named_tool
 from millcorr.tolerances import ARITHMETIC
 
@@ -62,7 +62,7 @@ _POWERS = 10.0 ** np.arange(_EXACT_DIGITS + 1)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class PlainMoves:
+class PlainMoves(CompactColumns):
     """Moves of a program's text in their order, up to its end (M2, M30, M99).
 
     Parameters
@@ -104,10 +104,6 @@ class PlainMoves:
     compensation: Ints
     offset: Ints
     line: Ints
-
-    def __post_init__(self) -> None:
-        for name in self.__slots__:
-            object.__setattr__(self, name, compact(getattr(self, name)))
 
     def __len__(self) -> int:
         return len(self.kind)
