@@ -22,8 +22,6 @@ from millcorr.errors import UsageError
 from millcorr.geometry.profile import Profile
 from millcorr.messages import option
 from millcorr.nc import Program
-from millcorr.probing import TouchProbe
-from millcorr.probing import controls as measuring_programs
 from millcorr.probing.controls import MeasuringProgram
 from millcorr.probing.heights import Cleared
 from millcorr.probing.workpiece import Workpiece
@@ -77,23 +75,6 @@ def workpiece_of(operation: Any) -> Workpiece | None:
     models = [] if job is None else list(job.Model.Group)
     solids = [solid for model in models for solid in compat.shape_in_document(model).Solids]
     return Workpiece(np.concatenate([convert.facets_of(solid, FACETS) for solid in solids]), FACETS) if solids else None
-
-
-def suggested_heights(
-    operation: Any, probe: Mapping[str, Any], placement: Mapping[str, Any] | None = None, nominal: Any = None
-) -> tuple[float | None, float | None]:
-    """Height to measure at and safe height that model and path suggest, mm; None where they show none.
-
-    The parameters are those of `prepared`.
-    """
-    profile, program, radius = contour_of(operation, nominal)
-    return measuring_programs.heights(
-        profile,
-        measuring_task.wanted_at(placement or {}),
-        TouchProbe(**probe),
-        Cleared(program.toolpath, radius, True),
-        workpiece_of(operation),
-    )
 
 
 def prepared(
