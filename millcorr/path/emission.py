@@ -27,13 +27,11 @@ from millcorr.path.reconstruction import CompensatedContour
 from millcorr.path.verification import Verification
 from millcorr.tolerances import ARITHMETIC
 
-from . import klartext_proof
 from .displacement import displace
-from .klartext_reading import plain_language
 from .neighbours import refuse_cut_neighbours
 from .repeated_leads import leads_alike
+from .second_reader import prove
 from .surface_proof import prove_surface
-from .text_proof import prove_text
 from .wanted_surface import WantedSurface
 
 
@@ -151,7 +149,6 @@ def emit(
     # Of a first cut's vanishing fillets the lines go, and their neighbours' ends with them.
     lines = np.unique(program.toolpath.source) if settings.leave_stock else regeneration.lines
     lines = np.unique(program.lines_of(program.written_out(lines)))
-    prove = klartext_proof.prove if plain_language(program.data) else prove_text
     proven = prove(program.data, text, lines, header=header, reach=reach, beside=program.beside)
     emitted = proven.moves.toolpath()
     progress.step()
@@ -161,8 +158,8 @@ def emit(
     if len(emitted) != len(planned):
         raise LimitError(f"the written program reads back with {len(emitted)} moves in place of {len(planned)}")
     compared = regeneration.lines
-    if plain_language(program.data):
-        compared = compared[~klartext_proof.led_lines(program.data)[program.lines_of(compared)]]
+    if proven.unplaced is not None:
+        compared = compared[~proven.unplaced[program.lines_of(compared)]]
     _refuse_other_moves(planned, emitted, compared, settings.tolerance)
     progress.step()
     original = CommandedSurface(toolpath, cutters)

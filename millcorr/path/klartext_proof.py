@@ -18,7 +18,7 @@ from millcorr.arrays import Bools, Ints
 from millcorr.errors import LimitError
 from millcorr.nc.toolpath import Kind
 
-from .klartext_reading import plain_language, read, without_numbers
+from .klartext_reading import read, without_numbers
 from .reading import line_starts
 from .text_proof import Content, Language, Text, TextProof, prove_text
 
@@ -69,11 +69,11 @@ def prove(
     LimitError
         If anything else differs; names the line of the written text and what differs.
     """
+    led = led_lines(original)
     if original == written:
-        return prove_text(original, written, may_change, language=KLARTEXT)
+        return prove_text(original, written, may_change, language=KLARTEXT, unplaced=led)
     (old, was), (new, now) = without_numbers(original), without_numbers(written)
     _refuse_numbers(was, now)
-    led = led_lines(original)
     free = led.copy()
     free[may_change] = True
     starts = line_starts(old)
@@ -93,8 +93,6 @@ def led_lines(data: bytes) -> Bools:
     """
     starts = line_starts(data)
     out = np.zeros(len(starts) - 1, np.bool_)
-    if not plain_language(data):
-        return out
     adrift: set[str] = set()
     for i in range(len(out)):
         text = data[starts[i] : starts[i + 1]].decode("latin-1").split(";")[0].upper()

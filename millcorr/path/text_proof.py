@@ -71,6 +71,8 @@ class TextProof(ReadOnlyArrays):
         Largest distance in the plane, in mm, between the place of a line with more than a place and a number on it
         (a height, a feed, a code) before and after; 0 without any. The place is where its move starts; where an M code
         may act at its end, its moves may have come before it.
+    unplaced : (lines of the original,) bool, or None
+        Lines whose place the control computes: `largest_shift` leaves them out. None where there are no such lines.
     """
 
     moves: PlainMoves
@@ -78,6 +80,7 @@ class TextProof(ReadOnlyArrays):
     untouched: Bools
     header: int
     largest_shift: float
+    unplaced: Bools | None = None
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -159,7 +162,7 @@ def prove_text(
     if original == written:
         same = language.read(written, beside)
         everything = np.arange(len(same.line))
-        return TextProof(same.moves, everything, np.ones(len(everything), np.bool_), 0, 0.0)
+        return TextProof(same.moves, everything, np.ones(len(everything), np.bool_), 0, 0.0, unplaced)
     mark = b"\xef\xbb\xbf"
     if original.startswith(mark) and written.startswith(mark):
         original, written = original[len(mark) :], written[len(mark) :]
@@ -175,7 +178,7 @@ def prove_text(
     source: Ints = np.insert(prover.source, top, np.full(added, -1))
     fixed: Bools = np.insert(prover.fixed, top, np.zeros(added, np.bool_))
     moves = replace(moves, line=moves.line + np.where(moves.line >= top, added, 0))
-    return TextProof(moves, source, fixed, added, shift)
+    return TextProof(moves, source, fixed, added, shift, unplaced)
 
 
 @dataclass(frozen=True, slots=True)
