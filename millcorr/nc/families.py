@@ -59,6 +59,10 @@ def parse(data: bytes | str, name: str = "program", *, folder: Path | None = Non
     """
     if isinstance(data, str):
         data = data.encode("utf-8", "surrogatepass")
+    if not data.strip():
+        raise FormatError("the file is empty", name)
+    if b"\0" in data:
+        raise FormatError("this is a binary file or UTF-16 text: save the program as plain text", name)
     if heidenhain.recognises(data):
         return heidenhain.parse(data, name)
     return program.parse(data, name, folder=folder)
@@ -80,7 +84,7 @@ def write(
         The program as read.
     toolpath : Toolpath
         Changed copy of `program.toolpath`. `source` names the line of every move and does not decrease;
-        further moves of a line become inserted lines behind it.
+        further moves of a line become inserted lines behind it, without an N word.
     decimals : int, optional
         Digits behind the decimal point of changed numbers, in the program's unit. By default the program's
         own, or as many more as keep the rounding of a point in the plane within half the tolerance.

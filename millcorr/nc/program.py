@@ -12,7 +12,7 @@ import numpy as np
 
 from millcorr import progress
 from millcorr.arrays import Bools, Ints
-from millcorr.errors import FormatError
+from millcorr.errors import FormatError, InputError
 from millcorr.nc.toolpath import Toolpath
 
 from .angles import straightened
@@ -166,6 +166,18 @@ class Program:
         out: Bools = np.cumsum(blocks)[self.toolpath.source] > 0
         return out | (self.lines_of(self.toolpath.source) >= len(self))
 
+    def require_fits(self, toolpath: Toolpath) -> None:
+        """Refuse moves that are none of this program's.
+
+        Raises
+        ------
+        InputError
+            If a move has no block of the program, or the blocks are not in their order.
+        """
+        source = toolpath.source
+        if len(source) and (source[0] < 0 or source[-1] >= self.run.blocks or (np.diff(source) < 0).any()):
+            raise InputError("toolpath: its lines are not those of the program, in their order")
+
     def require_plain(self, moves: Bools) -> None:
         """Refuse moves that cannot be corrected.
 
@@ -210,30 +222,7 @@ class Program:
 
 
 def parse(data: bytes, name: str = "program", *, folder: Path | None = None) -> Program:
-    """Read a program in ISO code from its text.
-
-    Parameters
-    ----------
-    data : bytes
-        The program.
-    name : str
-        Its name, for messages.
-    folder : Path, optional
-        Where subprograms are looked for that the program calls and does not hold.
-
-    Returns
-    -------
-    Program
-
-    Raises
-    ------
-    FormatError
-        If a word is malformed, an arc is impossible, or the data is no text.
-    """
-    if not data.strip():
-        raise FormatError("the file is empty", name)
-    if b"\0" in data:
-        raise FormatError("this is a binary file or UTF-16 text: save the program as plain text", name)
+    """Read a program in ISO code from its text; see `millcorr.nc.parse`."""
     starts = line_starts(data)
     progress.step()
     words, statements = take_apart(data, starts, name)

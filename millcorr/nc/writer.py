@@ -16,7 +16,7 @@ import numpy as np
 
 from millcorr import progress
 from millcorr.arrays import Bools, Floats, Ints
-from millcorr.errors import FormatError, InputError
+from millcorr.errors import FormatError
 from millcorr.nc.toolpath import Kind, Toolpath
 
 from .codes import CYCLES, INCH
@@ -43,36 +43,8 @@ def write(
     tolerance: float = 0.001,
     header: Sequence[str] = (),
 ) -> bytes:
-    """Write a changed toolpath back into its program.
-
-    Parameters
-    ----------
-    program : Program
-        The program as read.
-    toolpath : Toolpath
-        Changed copy of `program.toolpath`. `source` names the line of every move and does not decrease;
-        further moves of a line become inserted lines behind it. Inserted lines carry no N word.
-    decimals : int, optional
-        Digits behind the decimal point of changed numbers, in the program's unit. By default the program's
-        own, or as many more as keep the rounding of a point in the plane within half the tolerance.
-    tolerance : float
-        Allowed path error in mm.
-    header : sequence of str
-        Comment lines inserted at the top, behind `%` and the program number.
-
-    Returns
-    -------
-    bytes
-        The program; the very bytes of `program` where nothing changes.
-
-    Raises
-    ------
-    FormatError
-        If a move has changed that cannot be rewritten; names its line.
-    InputError
-        If the toolpath is not continuous or does not fit the program.
-    """
-    _check(program, toolpath)
+    """Write a changed toolpath back into its program in ISO code; see `millcorr.nc.write`."""
+    program.require_fits(toolpath)
     repeated = program.run.line is not None
     if repeated and toolpath is not program.toolpath:
         toolpath = agreed(program, toolpath, tolerance)
@@ -89,13 +61,6 @@ def write(
     pieces.append(program.data[copied:])
     body = b"".join(pieces)
     return _with_header(body, program.style, header) if header else body
-
-
-def _check(program: Program, toolpath: Toolpath) -> None:
-    progress.step()
-    source = toolpath.source
-    if len(source) and (source[0] < 0 or source[-1] >= program.run.blocks or (np.diff(source) < 0).any()):
-        raise InputError("toolpath: its lines are not those of the program, in their order")
 
 
 def _same(a: Floats, b: Floats) -> Bools:

@@ -141,8 +141,6 @@ def parse(data: bytes, name: str) -> KlartextProgram:
     >>> parse(text, "A.H").toolpath.end[:, :2].tolist()
     [[0.0, 0.0], [4.0, 0.0], [5.0, 1.0], [5.0, 4.0]]
     """
-    if b"\0" in data:
-        raise FormatError("this is a binary file or UTF-16 text: save the program as plain text", name)
     if not _BEGIN.match(data):
         message = "a plain-language program without BEGIN PGM: its first block names it and states MM or INCH"
         raise FormatError(message, name, 1)

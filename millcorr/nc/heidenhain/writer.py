@@ -49,9 +49,7 @@ def write(
     header: Sequence[str] = (),
 ) -> bytes:
     """Write a changed toolpath back into its program; see `millcorr.nc.write`."""
-    source = toolpath.source
-    if len(source) and (source[0] < 0 or source[-1] >= program.run.blocks or (np.diff(source) < 0).any()):
-        raise InputError("toolpath: its lines are not those of the program, in their order")
+    program.require_fits(toolpath)
     if program.run.line is not None and toolpath is not program.toolpath:
         toolpath = agreed(program, toolpath, tolerance)
     lines = _Writer(program, toolpath, decimals, tolerance).lines()
