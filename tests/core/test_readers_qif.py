@@ -311,6 +311,12 @@ def test_spoilt_locations(qif_file, location, says):
         readers.read(qif_file(text))
 
 
+def test_an_element_where_text_belongs(qif_file):
+    with pytest.raises(FormatError, match="'b' stands where the text of an element was expected") as caught:
+        readers.read(qif_file(files.qif(PART).replace("<ProbeRadius>1.5", "<ProbeRadius>1<b/>.5")))
+    assert caught.value.line
+
+
 def test_deep_nesting_is_no_measurement(qif_file):
     with pytest.raises(FormatError, match="nested"):
         readers.read(qif_file("<QIFDocument>" + "<a>" * 100_000))
