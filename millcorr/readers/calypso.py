@@ -12,9 +12,9 @@ from __future__ import annotations
 
 import math
 import re
+import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple
 
 import numpy as np
 
@@ -28,9 +28,10 @@ from .source import Source, shown
 
 _ALWAYS = {"planid", "partnb"}
 _NEEDED = ("partnb", "idsymbol", "actual", "nominal", "featureid")
+_OTHERS = ("deviation", "unit")
 _OF_FEATURES = ("partnb", "id", "idsymbol", "x", "y", "z")
 _POINTS = ("point", "spacepoint")
-_VECTORS = (("x", "y", "z"), ("x_nom", "y_nom", "z_nom"), ("nx", "ny", "nz"))
+_VECTORS = ("x_nom", "y_nom", "z_nom", "nx", "ny", "nz")
 _UNKNOWN = [math.nan] * 3
 _THREE = re.compile(r"-?\d{1,8}\.\d+(?:\t-?\d{1,8}\.\d+){2}", re.ASCII)
 """As nearly all are written; the others are looked at one by one."""
@@ -89,9 +90,9 @@ def read(source: Source) -> Measurement:
     number, head = next(lines, (1, ""))
     names = [name.strip().lower() for name in head.split("\t")]
     place = {name: k for k, name in enumerate(names) if name}
-    for needed, table in ((_NEEDED, _characteristics), (_OF_FEATURES, _features)):
+    for needed, others, table in ((_NEEDED, _OTHERS, _characteristics), (_OF_FEATURES, _VECTORS, _features)):
         if all(names.count(name) == 1 for name in needed):
-            return table(source, _rows(source, lines, place, needed))
+            return table(source, _rows(source, lines, place, needed, (*needed, *others)))
     missing = next(name for name in _NEEDED if names.count(name) != 1)
     raise source.error(
         message(
@@ -104,31 +105,25 @@ def read(source: Source) -> Measurement:
     )
 
 
-class _Row(NamedTuple):
-    """Cells of a line, by the column's name."""
-
-    line: int
-    cells: list[str]
-    place: dict[str, int]
-
-    def cell(self, name: str) -> str:
-        """Text of a column, "" where the row ends before it."""
-        at = self.place.get(name)
-        return self.cells[at].strip() if at is not None and at < len(self.cells) else ""
+_Rows = Iterator[tuple[int, list[str]]]
+"""Line number and cells of the columns that are read, "" where there is no such column or the row ends before it."""
 
 
 def _rows(
-    source: Source, lines: Iterator[tuple[int, str]], place: dict[str, int], needed: tuple[str, ...]
-) -> Iterator[_Row]:
+    source: Source, lines: Iterator[tuple[int, str]], place: dict[str, int], needed: tuple[str, ...],
+    columns: tuple[str, ...],
+) -> _Rows:  # fmt: skip
     """Rows below the header, which may be shorter than it."""
     last = max(place[name] for name in needed)
+    at = [place.get(name, sys.maxsize) for name in columns]
     for number, line in lines:
         cells = line.split("\t")
+        width = len(cells)
         if cells[0].strip().upper() == "END" and not any(cell.strip() for cell in cells[1:]):
             continue
-        if len(cells) <= last:
-            raise source.error(f"{len(cells)} columns: the row is incomplete; {shown(line)}", number)
-        yield _Row(number, cells, place)
+        if width <= last:
+            raise source.error(f"{width} columns: the row is incomplete; {shown(line)}", number)
+        yield number, [cells[k].strip() if k < width else "" for k in at]
 
 
 def _number(source: Source, number: int, text: str, axis: str) -> float:
@@ -139,13 +134,10 @@ def _number(source: Source, number: int, text: str, axis: str) -> float:
     return value
 
 
-def _vector(source: Source, number: int, texts: list[str], columns: tuple[str, ...]) -> Sequence[float]:
-    """Three numbers; NaN where one is missing of those that a table need not have."""
-    if not all(texts) and columns != _VECTORS[0]:
-        return _UNKNOWN
+def _vector(source: Source, number: int, texts: list[str]) -> Sequence[float]:
     if _THREE.fullmatch("\t".join(texts)):
         return list(map(float, texts))
-    return [_number(source, number, text, column) for text, column in zip(texts, columns, strict=True)]
+    return [_number(source, number, text, axis) for text, axis in zip(texts, "XYZ", strict=True)]
 
 
 def _of_part(source: Source, parts: dict[str, dict[str, int]]) -> str:
@@ -156,29 +148,27 @@ def _of_part(source: Source, parts: dict[str, dict[str, int]]) -> str:
     return list(parts)[chosen_part(source, titles)]
 
 
-def _features(source: Source, rows: Iterator[_Row]) -> Measurement:
+def _features(source: Source, rows: _Rows) -> Measurement:
     """Points of a table of features."""
     parts: dict[str, dict[str, int]] = {}
     found: dict[str, list[list[float]]] = {}
     others: dict[str, dict[str, int]] = {}
     unmeasured: dict[str, int] = {}
-    for row in rows:
-        part, name, kind = row.cell("partnb"), row.cell("id"), row.cell("idsymbol")
+    for number, (part, name, kind, *texts) in rows:
         if kind.lower() not in _POINTS:
             left = others.setdefault(part, {})
             left[kind] = left.get(kind, 0) + 1
             continue
         lines = parts.setdefault(part, {})
         if name in lines:
-            raise source.error(f"feature {shown(name)} is there twice, first in line {lines[name]}", row.line)
-        texts = [[row.cell(column) for column in vector] for vector in _VECTORS]
-        if not any(texts[0]):
+            raise source.error(f"feature {shown(name)} is there twice, first in line {lines[name]}", number)
+        if not any(texts[:3]):
             unmeasured[part] = unmeasured.get(part, 0) + 1
             continue
-        lines[name] = row.line
-        found.setdefault(part, []).append(
-            [v for vector, own in zip(_VECTORS, texts, strict=True) for v in _vector(source, row.line, own, vector)]
-        )
+        lines[name] = number
+        place = _vector(source, number, texts[:3])
+        others_of = [_vector(source, number, own) if all(own) else _UNKNOWN for own in (texts[3:6], texts[6:])]
+        found.setdefault(part, []).append([*place, *others_of[0], *others_of[1]])
     if not found:
         kinds = sorted({shown(kind) for left in others.values() for kind in left})
         raise source.error(f"no row of the kind Point or SpacePoint, only {', '.join(kinds[:5]) or 'a header'}")
@@ -199,7 +189,7 @@ def _features(source: Source, rows: Iterator[_Row]) -> Measurement:
     )  # fmt: skip
 
 
-def _characteristics(source: Source, rows: Iterator[_Row]) -> Measurement:
+def _characteristics(source: Source, rows: _Rows) -> Measurement:
     """Points of a table of characteristics."""
     table = _Table(source, rows)
     features = table.of_part()
@@ -230,18 +220,19 @@ def _characteristics(source: Source, rows: Iterator[_Row]) -> Measurement:
 class _Table:
     """Features of every part, put together from the rows of their characteristics."""
 
-    def __init__(self, source: Source, rows: Iterator[_Row]) -> None:
+    def __init__(self, source: Source, rows: _Rows) -> None:
         self.source = source
         self.units: dict[str, int] = {}
         self.parts: dict[str, dict[str, _Feature]] = {}
-        for row in rows:
-            self._row(row)
+        for number, cells in rows:
+            self._row(number, *cells)
 
-    def _row(self, row: _Row) -> None:
-        number, kind, name = row.line, row.cell("idsymbol"), row.cell("featureid")
+    def _row(
+        self, number: int, part: str, kind: str, actual: str, nominal: str, name: str, deviation: str, unit: str
+    ) -> None:
         if not name:
             return
-        own = self.parts.setdefault(row.cell("partnb"), {})
+        own = self.parts.setdefault(part, {})
         feature = own.get(name)
         if feature is None:
             feature = own[name] = _Feature(name, number)
@@ -251,20 +242,20 @@ class _Table:
                 feature.others += (kind,)
             return
         letter = "XYZ"[axis]
-        nominal = _number(self.source, number, row.cell("nominal"), letter)
-        actual = _number(self.source, number, row.cell("actual"), letter) if row.cell("actual") else None
-        if feature.axes[axis] not in (None, (nominal, actual)):
+        wanted = _number(self.source, number, nominal, letter)
+        value = _number(self.source, number, actual, letter) if actual else None
+        if feature.axes[axis] not in (None, (wanted, value)):
             raise self.source.error(f"{letter} of {shown(name)} is there twice, first from line {feature.line}", number)
-        if actual is not None and row.cell("deviation"):
-            deviation = _number(self.source, number, row.cell("deviation"), letter)
-            texts = [row.cell(c).replace(",", ".") for c in ("nominal", "actual", "deviation")]
+        if value is not None and deviation:
+            stated = _number(self.source, number, deviation, letter)
+            texts = [text.replace(",", ".") for text in (nominal, actual, deviation)]
             rounding = sum(10.0 ** -len(text.partition(".")[2]) for text in texts) / 2
-            if abs(actual - nominal - deviation) > _BESIDES * rounding:
+            if abs(value - wanted - stated) > _BESIDES * rounding:
                 raise self.source.error(
                     f"{letter}: deviation is not actual less nominal, export the table again", number
                 )
-        feature.axes[axis] = nominal, actual
-        self.units.setdefault(row.cell("unit").lower(), number)
+        feature.axes[axis] = wanted, value
+        self.units.setdefault(unit.lower(), number)
 
     def unit(self) -> str | None:
         """Unit that the table states for its coordinates; None where it states none."""
