@@ -69,9 +69,12 @@ def read(source: Source) -> Measurement:
         If the caller contradicts the file, or does not say what the file leaves open or which of several parts.
     """
     document = Document(source)
-    parse(source, "QIFDocument", document.root)
-    _keep_part(source, document)
-    return _Joined(source, document).measurement()
+    try:
+        parse(source, "QIFDocument", document.root)
+        _keep_part(source, document)
+        return _Joined(source, document).measurement()
+    finally:
+        document.forget()
 
 
 def _keep_part(source: Source, document: Document) -> None:

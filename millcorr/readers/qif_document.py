@@ -155,13 +155,20 @@ class Document:
         """Which points of a set a reference means, as it stands there."""
         self.root = Element(self._anywhere)
 
+    def forget(self) -> None:
+        """Let go of all records, once they are not needed: else they stay until Python looks for cycles.
+
+        The elements refer to the document, and the document to them.
+        """
+        vars(self).clear()
+
     # Where elements stand: what is done with those inside an element, by their names.
 
     def _anywhere(self, name: str) -> Element:
         """Elements that open a record, wherever they stand outside one."""
         role = _FEATURE.fullmatch(name)
         if role and role[1] and (role[1] in POINTS or role[2] in ("Measurement", "Actual")):
-            return self._feature(role[1], {"Nominal": self.nominals, "Item": self.items}.get(role[2], self.measured))
+            return self._feature(role[1], {"Nominal": "nominals", "Item": "items"}.get(role[2], "measured"))
         if name == "MeasuredPointSet":
             fields = {name: self._set_field(key, name) for key, names in _SAID.items() for name in names}
             fields |= {name: self._foreign(name) for name in _FOREIGN_FRAMES}
@@ -194,16 +201,16 @@ class Document:
         units = Element(inside)
         return units
 
-    def _feature(self, kind: str, group: dict[str, Feature]) -> Element:
+    def _feature(self, kind: str, name: str) -> Element:
         def begin(attributes: dict[str, str], line: int) -> None:
             self.feature = Feature(kind, self._id(attributes, line), line, self.result)
 
         def end() -> None:
-            feature = self.feature
+            feature, group = self.feature, getattr(self, name)
             self._once(feature.id, group, feature.line)
             group[feature.id] = feature
             if self.own:
-                if group is self.measured:
+                if name == "measured":
                     self._add_touches(feature)
                 self.own.clear()
 
@@ -219,10 +226,13 @@ class Document:
         def refers(name: str) -> Element | None:
             return referred if name.endswith("PointSetId") else None
 
-        touch = Element(
-            {field: self._touch_field(field) for field in ("Point", "Normal", "Compensated", "ProbeRadius")}.get,
-            begin=lambda _, line: self.own.append(Touch(line)),
-        )
+        touched = {
+            "Point": Element(text=self._take_touch),
+            "Normal": Element(text=self._take_direction),
+            "Compensated": Element(text=self._take_touch_flag),
+            "ProbeRadius": Element(text=self._take_touch_radius),
+        }
+        touch = Element(touched.get, begin=lambda _, line: self.own.append(Touch(line)))
         fields["PointList"] = Element(lambda name: touch if name == "MeasurePoint" else refers(name))
         others = Element(refers)
         return Element(lambda name: fields.get(name, others), begin=begin, end=end)
@@ -297,23 +307,22 @@ class Document:
             self._refuse(f"{shown(self.span)} is no range of points of set {label}", line)
         return Reference(label, line, int(ends[0]), int(ends[-1]))
 
-    def _touch_field(self, name: str) -> Element:
-        """A child of a MeasurePoint, in which documents of 2.x give every touch of a feature."""
+    # Children of a MeasurePoint, in which documents of 2.x give every touch of a feature.
 
-        def take(content: str, line: int) -> None:
-            touch, label = self.own[-1], self.feature.id
-            if name == "Compensated":
-                if content.strip() not in ("true", "1", "false", "0"):
-                    self._refuse(f"feature {label}: Compensated {shown(content)} is not true or false", line)
-                touch.compensated = content.strip() in ("true", "1")
-            elif name == "ProbeRadius":
-                touch.radius = self._number(content, label, line)
-            elif name == "Point":
-                touch.point = self._three(content, label, line)
-            else:
-                touch.normal = self._three(content, label, line)
+    def _take_touch(self, content: str, line: int) -> None:
+        self.own[-1].point = self._three(content, self.feature.id, line)
 
-        return Element(text=take)
+    def _take_direction(self, content: str, line: int) -> None:
+        self.own[-1].normal = self._three(content, self.feature.id, line)
+
+    def _take_touch_radius(self, content: str, line: int) -> None:
+        self.own[-1].radius = self._number(content, self.feature.id, line)
+
+    def _take_touch_flag(self, content: str, line: int) -> None:
+        flag = _FLAGS.get(content.strip())
+        if flag is None:
+            self._refuse(f"feature {self.feature.id}: Compensated {shown(content)} is not true or false", line)
+        self.own[-1].compensated = flag > 0
 
     def _add_touches(self, feature: Feature) -> None:
         """Put the touches that stand in a feature among the point sets, and refer to them."""
@@ -375,24 +384,32 @@ class Document:
         return Element(begin=refuse)
 
     def _set_field(self, key: str, name: str) -> Element:
-        def take(content: str, line: int) -> None:
-            n, label = self.set.count, self.set.id
-            if name.startswith("Binary"):
-                numbers = self._binary(name, content, line, n if key in ("Compensated", "ProbeRadius") else 3 * n)
-            elif key == "Compensated":
-                words = content.split()
-                if not words or not _FLAGS.keys() >= set(words) or len(words) not in (1, n):
-                    self._refuse(f"point set {label}: {name} {shown(content)} is not true or false", line)
-                numbers = array("d", [_FLAGS[word] for word in words])
-            elif name == "ProbeRadius":
-                numbers = array("d", (self._number(content, label, line),))
-            elif n == 1 and name != "ProbeRadii":
-                numbers = array("d", self._three(content, label, line))
-            else:
-                numbers = self._numbers(content, label, line, n if name == "ProbeRadii" else 3 * n)
-            self.said[key] = numbers
+        said = self.said
+        width = 1 if key in ("Compensated", "ProbeRadius") else 3
 
-        return Element(text=take)
+        def take_binary(content: str, line: int) -> None:
+            said[key] = self._binary(name, content, line, width * self.set.count)
+
+        def take_flags(content: str, line: int) -> None:
+            words = content.split()
+            if not words or not _FLAGS.keys() >= set(words) or len(words) not in (1, self.set.count):
+                self._refuse(f"point set {self.set.id}: {name} {shown(content)} is not true or false", line)
+            said[key] = array("d", [_FLAGS[word] for word in words])
+
+        def take_radius(content: str, line: int) -> None:
+            said[key] = array("d", (self._number(content, self.set.id, line),))
+
+        def take_numbers(content: str, line: int) -> None:
+            n, label = width * self.set.count, self.set.id
+            said[key] = array("d", self._three(content, label, line)) if n == 3 == width else self._numbers(
+                content, label, line, n
+            )  # fmt: skip
+
+        if name.startswith("Binary"):
+            return Element(text=take_binary)
+        if key == "Compensated":
+            return Element(text=take_flags)
+        return Element(text=take_radius if name == "ProbeRadius" else take_numbers)
 
     def _binary(self, name: str, content: str, line: int, width: int) -> array[float]:
         n, label = self.set.count, self.set.id

@@ -18,6 +18,8 @@ from .source import Source, shown
 DEEPEST = 200
 """No element of a measurement file is nested deeper."""
 
+_DECLARATIONS = ("StartDoctypeDeclHandler", "EntityDeclHandler", "ExternalEntityRefHandler")
+
 Opened = Callable[[dict[str, str], int], None]
 Content = Callable[[str, int], None]
 
@@ -90,9 +92,8 @@ def parse(source: Source, root: str, element: Element) -> None:
             parser.CurrentLineNumber,
         )
 
-    parser.StartDoctypeDeclHandler = refuse
-    parser.EntityDeclHandler = refuse
-    parser.ExternalEntityRefHandler = refuse
+    for declaration in _DECLARATIONS:
+        setattr(parser, declaration, refuse)
     try:
         # In one piece: the parser goes over a long token once only.
         parser.Parse(source.data, True)
@@ -103,6 +104,10 @@ def parse(source: Source, root: str, element: Element) -> None:
         raise source.error(f"not well-formed XML ({reason}): the file is damaged or cut off", error.lineno) from error
     except (ValueError, LookupError) as error:
         raise source.error(f"XML in an unknown encoding ({shown(str(error))}): save it as UTF-8") from error
+    finally:
+        # They refer to the parser: file and buffers would stay until Python looks for cycles.
+        for handler in (*_DECLARATIONS, "StartElementHandler", "EndElementHandler", "CharacterDataHandler"):
+            setattr(parser, handler, None)
 
 
 def _handlers(
@@ -143,7 +148,7 @@ def _handlers(
         nonlocal place
         if place.text is not None:
             parser.CharacterDataHandler = None
-            content = chunks[0] if len(chunks) == 1 else "".join(chunks)
+            content = chunks.pop() if len(chunks) == 1 else "".join(chunks)
             chunks.clear()
             place.text(content, begun)
         if place.end is not None:
