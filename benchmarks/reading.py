@@ -132,6 +132,8 @@ PLAIN = {
     "ptx": r"\s+",
 }
 """Separator by which pandas takes each text format apart, into words or numbers, knowing nothing of their meaning."""
+LONG = 1000
+"""Characters of an element in which numbers are parsed, and not only found."""
 FIELDS = 40
 """No line of these files has more."""
 
@@ -141,7 +143,11 @@ def plain_parse(format: str, data: bytes) -> None:
     if format == "qif":
         from lxml import etree  # type: ignore[import-not-found,import-untyped,unused-ignore]
 
-        etree.fromstring(data)
+        root = etree.fromstring(data)
+        # The numbers of a scan are text to an XML library.
+        for points in root.iter("{*}Points", "{*}Normals"):
+            if len(points.text) > LONG:
+                np.array(points.text.split(), dtype=np.float64)
         return
     import pandas  # type: ignore[import-not-found,import-untyped,unused-ignore]
 

@@ -394,3 +394,22 @@ def post(job: DocumentObject, arguments: str | None = None) -> str:
     if len(texts) > 1:
         raise InputError(f"{job.Label}: FreeCAD's post processor made {len(texts)} programs; clear SplitOutput")
     return str(texts[0])
+
+
+FEM_FORCE = "Fem::ConstraintForce"
+_FEM_LOADS = (
+    FEM_FORCE, "Fem::ConstraintPressure", "Fem::ConstraintBearing", "Fem::ConstraintTemperature",
+    "Fem::ConstraintSelfWeight", "Fem::ConstraintCentrif",
+)  # fmt: skip
+
+
+def is_fem_load(member: DocumentObject) -> bool:
+    """Whether a member of an analysis of FEM loads it."""
+    kind = getattr(getattr(member, "Proxy", None), "Type", member.TypeId)
+    return kind in _FEM_LOADS
+
+
+def newtons(force: DocumentObject) -> float:
+    """How large the force of a FEM constraint is, in N."""
+    # A quantity since FreeCAD 0.21, a number before.
+    return float(force.Force.getValueAs("N")) if hasattr(force.Force, "getValueAs") else float(force.Force)

@@ -1,15 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Calypso's table of characteristics (``_chr.txt``): a row a characteristic, X and Y of a feature in rows of their own.
+"""Calypso's tables of characteristics (``_chr.txt``) and of features (``_fet.txt``).
 
-Rows of one ``featureid`` with ``xValue`` and ``yValue`` (and ``zValue``, in all or in none) are a point. A feature that
-has any other characteristic, a diameter above all, is a circle or something else and left out. The table of features
-and the head of a plan (``_fet.txt``, ``_hdr.txt``) begin with the same columns and are refused by name.
+Characteristics are a row each, X and Y of a feature in rows of their own: rows of one ``featureid`` with ``xValue`` and
+``yValue`` (and ``zValue``, in all or in none) are a point. A feature that has any other characteristic, a diameter
+above all, is a circle or something else and left out. Features are a row each and name their kind: points and space
+points are read, with the nominal and the normal that stand beside them. The head of a plan (``_hdr.txt``) begins with
+the same columns and holds no point.
 """
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Iterator
+import sys
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -24,7 +28,14 @@ from .source import Source, shown
 
 _ALWAYS = {"planid", "partnb"}
 _NEEDED = ("partnb", "idsymbol", "actual", "nominal", "featureid")
-_AXES = {"xvalue": "X", "yvalue": "Y", "zvalue": "Z"}
+_OTHERS = ("deviation", "unit")
+_OF_FEATURES = ("partnb", "id", "idsymbol", "x", "y", "z")
+_POINTS = ("point", "spacepoint")
+_VECTORS = ("x_nom", "y_nom", "z_nom", "nx", "ny", "nz")
+_UNKNOWN = [math.nan] * 3
+_THREE = re.compile(r"-?\d{1,8}\.\d+(?:\t-?\d{1,8}\.\d+){2}", re.ASCII)
+"""As nearly all are written; the others are looked at one by one."""
+_AXES = {"xvalue": 0, "yvalue": 1, "zvalue": 2}
 _UNITS = {"mm": "mm", "inch": "inch", "in": "inch"}
 _LARGEST = 1e9
 _BESIDES = 1.07
@@ -37,12 +48,16 @@ class _Feature:
 
     name: str
     line: int
-    axes: dict[str, tuple[float, float | None]] = field(default_factory=dict)
-    others: set[str] = field(default_factory=set)
+    axes: list[tuple[float, float | None] | None] = field(default_factory=lambda: [None] * 3)
+    others: tuple[str, ...] = ()
 
     @property
     def is_point(self) -> bool:
-        return not self.others and {"X", "Y"} <= self.axes.keys()
+        return not self.others and None not in self.axes[:2]
+
+    @property
+    def is_measured(self) -> bool:
+        return all(axis is None or axis[1] is not None for axis in self.axes)
 
 
 def recognises(data: bytes) -> bool:
@@ -71,12 +86,117 @@ def read(source: Source) -> Measurement:
     UsageError
         If the caller contradicts the file, does not say what the points are, or which of several parts.
     """
-    table = _Table(source)
+    lines = ((number, line) for number, line in source.lines() if line.strip())
+    number, head = next(lines, (1, ""))
+    names = [name.strip().lower() for name in head.split("\t")]
+    place = {name: k for k, name in enumerate(names) if name}
+    for needed, others, table in ((_NEEDED, _OTHERS, _characteristics), (_OF_FEATURES, _VECTORS, _features)):
+        if all(names.count(name) == 1 for name in needed):
+            return table(source, _rows(source, lines, place, needed, (*needed, *others)))
+    missing = next(name for name in _NEEDED if names.count(name) != 1)
+    raise source.error(
+        message(
+            f"no single column {missing}: not Calypso's table of characteristics or features; give the file that ends ",
+            "in _chr.txt or _fet.txt, or say by ",
+            option("mapping", of="FILE.toml"),
+            " what the columns are and which rows are points",
+        ),
+        number,
+    )
+
+
+_Rows = Iterator[tuple[int, list[str]]]
+"""Line number and cells of the columns that are read, "" where there is no such column or the row ends before it."""
+
+
+def _rows(
+    source: Source, lines: Iterator[tuple[int, str]], place: dict[str, int], needed: tuple[str, ...],
+    columns: tuple[str, ...],
+) -> _Rows:  # fmt: skip
+    """Rows below the header, which may be shorter than it."""
+    last = max(place[name] for name in needed)
+    at = [place.get(name, sys.maxsize) for name in columns]
+    for number, line in lines:
+        cells = line.split("\t")
+        width = len(cells)
+        if cells[0].strip().upper() == "END" and not any(cell.strip() for cell in cells[1:]):
+            continue
+        if width <= last:
+            raise source.error(f"{width} columns: the row is incomplete; {shown(line)}", number)
+        yield number, [cells[k].strip() if k < width else "" for k in at]
+
+
+def _number(source: Source, number: int, text: str, axis: str) -> float:
+    plain = text.replace(",", ".") if "," in text and COMMA_NUMBER.fullmatch(text) else text
+    value = float(plain) if NUMBER.fullmatch(plain) else math.inf
+    if not abs(value) < _LARGEST:
+        raise source.error(f"{shown(text)} of axis {axis} is no coordinate", number)
+    return value
+
+
+def _vector(source: Source, number: int, texts: list[str]) -> Sequence[float]:
+    if _THREE.fullmatch("\t".join(texts)):
+        return list(map(float, texts))
+    return [_number(source, number, text, axis) for text, axis in zip(texts, "XYZ", strict=True)]
+
+
+def _of_part(source: Source, parts: dict[str, dict[str, int]]) -> str:
+    """Part number that the caller wants; `parts` are the lines of each part's features, by their names."""
+    if not parts:
+        raise source.error("no rows below the header")
+    titles = [f"part {shown(n)}, {titled(np.array(list(own.values())))}" for n, own in parts.items()]
+    return list(parts)[chosen_part(source, titles)]
+
+
+def _features(source: Source, rows: _Rows) -> Measurement:
+    """Points of a table of features."""
+    parts: dict[str, dict[str, int]] = {}
+    found: dict[str, list[list[float]]] = {}
+    others: dict[str, dict[str, int]] = {}
+    unmeasured: dict[str, int] = {}
+    for number, (part, name, kind, *texts) in rows:
+        if kind.lower() not in _POINTS:
+            left = others.setdefault(part, {})
+            left[kind] = left.get(kind, 0) + 1
+            continue
+        lines = parts.setdefault(part, {})
+        if name in lines:
+            raise source.error(f"feature {shown(name)} is there twice, first in line {lines[name]}", number)
+        if not any(texts[:3]):
+            unmeasured[part] = unmeasured.get(part, 0) + 1
+            continue
+        lines[name] = number
+        place = _vector(source, number, texts[:3])
+        others_of = [_vector(source, number, own) if all(own) else _UNKNOWN for own in (texts[3:6], texts[6:])]
+        found.setdefault(part, []).append([*place, *others_of[0], *others_of[1]])
+    if not found:
+        kinds = sorted({shown(kind) for left in others.values() for kind in left})
+        raise source.error(f"no row of the kind Point or SpacePoint, only {', '.join(kinds[:5]) or 'a header'}")
+    part = _of_part(source, {part: parts[part] for part in found})
+    points, nominal, normals = np.array(found[part]).reshape(-1, 3, 3).swapaxes(0, 1)
+    # A direction that the table does not know is written as zeros.
+    without = int((np.isnan(normals).any(axis=1) | ~normals.any(axis=1)).sum())
+    notes = [f"{unmeasured[part]} points were not measured"] if part in unmeasured else []
+    if part in others:
+        kinds = sorted(others[part])
+        notes.append(f"{sum(others[part].values())} other features left out: {', '.join(kinds[:5])}")
+    if 0 < without < len(points):
+        notes.append(f"{without} of {len(points)} points have no normal: normals are not used")
+    return source.measurement(
+        "calypso", points, list(parts[part].values()), ball_radius=source.ball_radius(), unit=source.unit(None),
+        nominal=None if np.isnan(nominal).all() else nominal, normals=None if without else normals,
+        elements=list(parts[part]), notes=notes,
+    )  # fmt: skip
+
+
+def _characteristics(source: Source, rows: _Rows) -> Measurement:
+    """Points of a table of characteristics."""
+    table = _Table(source, rows)
     features = table.of_part()
-    points = [f for f in features if f.is_point and None not in (actual for _, actual in f.axes.values())]
+    points = [f for f in features if f.is_point and f.is_measured]
     if not points:
         raise source.error(f"none of {len(features)} features has xValue and yValue and no other characteristic")
-    heights = ["Z" in f.axes for f in points]
+    heights = [f.axes[2] is not None for f in points]
     if any(heights) and not all(heights):
         flat = points[heights.index(False)]
         raise source.error(f"{shown(flat.name)} has no zValue, others have", flat.line)
@@ -90,77 +210,52 @@ def read(source: Source) -> Measurement:
         told = f": {', '.join(kinds[:5])}" if kinds else ""
         notes.append(f"{len(features) - len(points) - spoilt} other features left out{told}")
     ball = source.ball_radius()
-    rows = np.array([[f.axes.get(axis, (0.0, 0.0)) for axis in "XYZ"] for f in points], dtype=np.float64)
+    values = np.array([[axis or (0.0, 0.0) for axis in f.axes] for f in points], dtype=np.float64)
     return source.measurement(
-        "calypso", rows[:, :, 1], [f.line for f in points], ball_radius=ball, unit=source.unit(table.unit()),
-        nominal=rows[:, :, 0], elements=[f.name for f in points], has_z=all(heights), notes=notes,
+        "calypso", values[:, :, 1], [f.line for f in points], ball_radius=ball, unit=source.unit(table.unit()),
+        nominal=values[:, :, 0], elements=[f.name for f in points], has_z=all(heights), notes=notes,
     )  # fmt: skip
 
 
 class _Table:
-    """Features of every part, put together from the rows."""
+    """Features of every part, put together from the rows of their characteristics."""
 
-    def __init__(self, source: Source) -> None:
+    def __init__(self, source: Source, rows: _Rows) -> None:
         self.source = source
         self.units: dict[str, int] = {}
         self.parts: dict[str, dict[str, _Feature]] = {}
-        lines = ((number, line) for number, line in source.lines() if line.strip())
-        number, head = next(lines, (1, ""))
-        names = [name.strip().lower() for name in head.split("\t")]
-        for needed in _NEEDED:
-            if names.count(needed) != 1:
-                raise source.error(
-                    message(
-                        f"no single column {needed}: not Calypso's table of characteristics; give the file that ends ",
-                        "in _chr.txt, or say by ",
-                        option("mapping", of="FILE.toml"),
-                        " what the columns are and which rows are points",
-                    ),
-                    number,
-                )
-        self.place = {name: k for k, name in enumerate(names) if name}
-        self._rows(lines)
+        for number, cells in rows:
+            self._row(number, *cells)
 
-    def _rows(self, lines: Iterator[tuple[int, str]]) -> None:
-        for number, line in lines:
-            cells = line.split("\t")
-            if cells[0].strip().upper() == "END" and not any(cell.strip() for cell in cells[1:]):
-                continue
-            if len(cells) <= max(self.place[name] for name in _NEEDED):
-                raise self.source.error(f"{len(cells)} columns: the row is incomplete; {shown(line)}", number)
-            self._row(number, cells)
-
-    def _row(self, number: int, cells: list[str]) -> None:
-        def cell(name: str) -> str:
-            at = self.place.get(name, len(cells))
-            return cells[at].strip() if at < len(cells) else ""
-
-        kind, name = cell("idsymbol"), cell("featureid")
+    def _row(
+        self, number: int, part: str, kind: str, actual: str, nominal: str, name: str, deviation: str, unit: str
+    ) -> None:
         if not name:
             return
-        feature = self.parts.setdefault(cell("partnb"), {}).setdefault(name, _Feature(name, number))
+        own = self.parts.setdefault(part, {})
+        feature = own.get(name)
+        if feature is None:
+            feature = own[name] = _Feature(name, number)
         axis = _AXES.get(kind.lower())
         if axis is None:
-            feature.others.add(kind)
+            if kind not in feature.others:
+                feature.others += (kind,)
             return
-        nominal = self._number(number, cell("nominal"), axis)
-        actual = self._number(number, cell("actual"), axis) if cell("actual") else None
-        if axis in feature.axes and feature.axes[axis] != (nominal, actual):
-            raise self.source.error(f"{axis} of {shown(name)} is there twice, first from line {feature.line}", number)
-        if actual is not None and cell("deviation"):
-            deviation = self._number(number, cell("deviation"), axis)
-            texts = [cell(c).replace(",", ".") for c in ("nominal", "actual", "deviation")]
+        letter = "XYZ"[axis]
+        wanted = _number(self.source, number, nominal, letter)
+        value = _number(self.source, number, actual, letter) if actual else None
+        if feature.axes[axis] not in (None, (wanted, value)):
+            raise self.source.error(f"{letter} of {shown(name)} is there twice, first from line {feature.line}", number)
+        if value is not None and deviation:
+            stated = _number(self.source, number, deviation, letter)
+            texts = [text.replace(",", ".") for text in (nominal, actual, deviation)]
             rounding = sum(10.0 ** -len(text.partition(".")[2]) for text in texts) / 2
-            if abs(actual - nominal - deviation) > _BESIDES * rounding:
-                raise self.source.error(f"{axis}: deviation is not actual less nominal, export the table again", number)
-        feature.axes[axis] = nominal, actual
-        self.units.setdefault(cell("unit").lower(), number)
-
-    def _number(self, number: int, text: str, axis: str) -> float:
-        plain = text.replace(",", ".") if COMMA_NUMBER.fullmatch(text) else text
-        if not NUMBER.fullmatch(plain) or not abs(float(plain)) < _LARGEST:
-            raise self.source.error(f"{shown(text)} of axis {axis} is no coordinate", number)
-        return float(plain)
+            if abs(value - wanted - stated) > _BESIDES * rounding:
+                raise self.source.error(
+                    f"{letter}: deviation is not actual less nominal, export the table again", number
+                )
+        feature.axes[axis] = wanted, value
+        self.units.setdefault(unit.lower(), number)
 
     def unit(self) -> str | None:
         """Unit that the table states for its coordinates; None where it states none."""
@@ -173,9 +268,5 @@ class _Table:
 
     def of_part(self) -> list[_Feature]:
         """Features of the part number that the caller wants."""
-        if not self.parts:
-            raise self.source.error("no characteristics below the header")
-        titles = [
-            f"part {shown(n)}, {titled(np.array([f.line for f in own.values()]))}" for n, own in self.parts.items()
-        ]
-        return list(list(self.parts.values())[chosen_part(self.source, titles)].values())
+        lines = {part: {f.name: f.line for f in own.values()} for part, own in self.parts.items()}
+        return list(self.parts[_of_part(self.source, lines)].values())

@@ -21,7 +21,7 @@ from .decimal_columns import decimal_columns
 from .decoding import beginning
 from .fields import NUMBER
 from .source import Source, shown
-from .xml_events import parse
+from .xml_events import Element, parse
 
 NOTE = "a height map, touched along Z: it shows the height of a surface and nothing of a contour"
 
@@ -69,7 +69,7 @@ def read(source: Source) -> Measurement:
     lines: Sequence[int]
     if _ROOT.search(beginning(source.data, 4096)):
         document = _Map(source)
-        parse(source, document, "heightmap")
+        parse(source, "heightmap", document.root)
         points = np.array(document.points).reshape(-1, 3)
         lines, announced = document.lines, document.size[0] * document.size[1]
     else:
@@ -136,7 +136,7 @@ def _on_grid(source: Source, table: Floats, lines: Sequence[int]) -> tuple[Float
 
 
 class _Map:
-    """OpenCNCPilot's document; a `millcorr.readers.xml_events.Handler`."""
+    """OpenCNCPilot's document; `root` says what is done with its elements."""
 
     def __init__(self, source: Source) -> None:
         self.source = source
@@ -146,30 +146,25 @@ class _Map:
         self.corners = (0.0, 0.0, 0.0, 0.0)
         self.place = (0, 0)
         self.seen: set[tuple[int, int]] = set()
+        point = Element(begin=self._open_point, text=self._take_height)
+        others = Element(lambda name: point if name == "point" else others)
+        self.root = Element(others.inside, begin=self._open_map)
 
-    def begin(self, path: Sequence[str], attributes: dict[str, str], line: int) -> bool:
-        """Take the grid from the root, and the place from a point."""
-        if len(path) == 1:
-            numbers = [_number(self.source, attributes.get(name, ""), line) for name in _SIZES]
-            self.size = _counts(self.source, numbers[4:], line)
-            self.corners = (numbers[0], numbers[1], numbers[2], numbers[3])
-            return False
-        if path[-1] != "point":
-            return False
+    def _open_map(self, attributes: dict[str, str], line: int) -> None:
+        numbers = [_number(self.source, attributes.get(name, ""), line) for name in _SIZES]
+        self.size = _counts(self.source, numbers[4:], line)
+        self.corners = (numbers[0], numbers[1], numbers[2], numbers[3])
+
+    def _open_point(self, attributes: dict[str, str], line: int) -> None:
         i, j = (_number(self.source, attributes.get(name, ""), line) for name in "XY")
         self.place = int(i), int(j)
         if (i, j) != self.place or not (0 <= i < self.size[0] and 0 <= j < self.size[1]) or self.place in self.seen:
             raise self.source.error(f"point {i:g}, {j:g} is not on the grid, or there twice", line)
         self.seen.add(self.place)
-        return True
 
-    def text(self, path: Sequence[str], content: str, line: int) -> None:
-        """Take the height of a point."""
+    def _take_height(self, content: str, line: int) -> None:
         left, low, right, high = self.corners
         x = left + (right - left) * self.place[0] / (self.size[0] - 1)
         y = low + (high - low) * self.place[1] / (self.size[1] - 1)
         self.points.extend((x, y, _number(self.source, content, line)))
         self.lines.append(line)
-
-    def end(self, path: Sequence[str]) -> None:
-        """Nothing is left to do."""

@@ -14,6 +14,7 @@ import numpy as np
 
 from millcorr.readers.measurement import Measurement
 
+from .decimal_columns import decimal_columns
 from .decoding import beginning
 from .parts import parts_by_place, rows_of_part
 from .source import MM_PER_INCH, Source, shown
@@ -54,25 +55,21 @@ def read(source: Source) -> Measurement:
         If the radius is missing, the caller says that the points are contact points, or several parts were logged to
         the file (PROBEOPEN begins it anew, LOGAPPEND does not) and none is chosen.
     """
-    lines = source.text().split("\n")
-    filled = [k for k, line in enumerate(lines, 1) if line.strip()]
-    try:
-        values = np.loadtxt(lines, comments=None, ndmin=2)
-    except (ValueError, OverflowError):
-        values = np.zeros((0, 0))
-    if values.shape != (len(filled), 9) or not np.isfinite(values).all():
-        _name_the_wrong(source, lines)
+    whole = decimal_columns(source.text(), None, 9, range(9))
+    if whole is None or not np.isfinite(whole[0]).all():
+        _name_the_wrong(source)
         raise source.error("a number is too large, or not nine in a row")
+    values, lines_of = whole
     # What the format says of its points holds only if the file is one.
     ball = source.ball_radius(centres=True)
     others = np.ptp(values[:, 3:], axis=0)
     if (others > _STILL).any():
         axis = _COLUMNS[3 + int(others.argmax())]
         row = int(np.abs(values[:, 3 + int(others.argmax())] - values[0, 3 + int(others.argmax())]).argmax())
-        raise source.error(f"axis {axis} moved between the touches: probe with X, Y and Z only", filled[row])
+        raise source.error(f"axis {axis} moved between the touches: probe with X, Y and Z only", int(lines_of[row]))
     away = [f"{c}{v:g}" for c, v in zip(_COLUMNS[3:], values[0, 3:], strict=True) if abs(v) > _STILL]
     notes = [f"other axes stood at {' '.join(away)}"] if away else []
-    unit, lines_of = source.unit(None), np.array(filled)
+    unit = source.unit(None)
     factor = MM_PER_INCH if unit == "inch" else 1.0
     slow = slow_touches(values[:, :3] * factor)
     points, lines_of = values[slow, :3], lines_of[slow]
@@ -81,9 +78,9 @@ def read(source: Source) -> Measurement:
     return source.measurement("linuxcnc", points[chosen], lines_of[chosen], ball_radius=ball, unit=unit, notes=notes)
 
 
-def _name_the_wrong(source: Source, lines: list[str]) -> None:
+def _name_the_wrong(source: Source) -> None:
     """FormatError for the first row that has not nine numbers, if there is one."""
-    for number, line in enumerate(lines, 1):
+    for number, line in source.lines():
         fields = line.split()
         if fields and len(fields) != 9:
             raise source.error(

@@ -9,6 +9,8 @@ and only where the file has no point, curve or surface features of its own.
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from millcorr.arrays import Bools, Floats, Ints
@@ -17,7 +19,7 @@ from millcorr.messages import message, option, remedy
 from millcorr.readers.measurement import Basis, Measurement
 
 from .parts import chosen_part
-from .qif_document import POINTS, Document, Feature, PointSet, Reference
+from .qif_document import NO_VECTOR, POINTS, Document, Feature, PointSet, Reference
 from .source import MM_PER_INCH, Source, shown
 from .xml_events import parse
 
@@ -67,9 +69,12 @@ def read(source: Source) -> Measurement:
         If the caller contradicts the file, or does not say what the file leaves open or which of several parts.
     """
     document = Document(source)
-    parse(source, document, "QIFDocument")
-    _keep_part(source, document)
-    return _Joined(source, document).measurement()
+    try:
+        parse(source, "QIFDocument", document.root)
+        _keep_part(source, document)
+        return _Joined(source, document).measurement()
+    finally:
+        document.forget()
 
 
 def _keep_part(source: Source, document: Document) -> None:
@@ -107,6 +112,15 @@ def _keep_part(source: Source, document: Document) -> None:
     wanted = {-1, *parts[chosen_part(source, titles)]}
     document.measured = {label: m for label, m in document.measured.items() if m.result in wanted}
     document.sets = {label: s for label, s in document.sets.items() if s.result in wanted}
+
+
+class _Rows(NamedTuple):
+    """Points of all sets in mm and their normals, (n, 3), radii as above and lines."""
+
+    points: Floats
+    normals: Floats
+    radii: Floats
+    lines: Ints
 
 
 class _Joined:
@@ -157,10 +171,11 @@ class _Joined:
         if not features and not sets:
             raise source.error(f"no measured points; {len(document.measured)} measured features without any")
         self.factors, self.factor = self._units()
+        self.rows = self._touches()
         parts = []
         if features:
             parts.append(self._of_features(features))
-        parts += [self._of_set(s) for s in sets]
+        parts += [self._of_set(s, rows) for s, rows in sets]
         points, nominal, normals, radii, stated = (
             np.concatenate(column) for column in zip(*(p[0] for p in parts), strict=True)
         )
@@ -188,18 +203,31 @@ class _Joined:
             elements=names, notes=self.notes, unit=unit, factor=1.0,
         )  # fmt: skip
 
-    def _own_sets(self, features: list[Feature]) -> list[PointSet]:
-        """Sets of curve and surface features; all sets where there are neither these nor point features."""
+    def _touches(self) -> _Rows:
+        """Points of all sets in mm, with what their sets say of them."""
+        sets, table = self.document.sets.values(), self.document.touches
+        factors = np.ones(len(table))
+        for s in sets if any(s.unit for s in sets) else ():
+            factors[s.first : s.first + s.count] = self._factor(s.unit, s.line) / self.factor
+        factors *= self.factor
+        compensated, radii = np.array(table.compensated), np.array(table.radius) * factors
+        radii = np.where(compensated > 0, _CONTACT, np.where(np.isnan(compensated), _UNKNOWN, radii))
+        with np.errstate(over="ignore"):
+            points = np.array(table.points).reshape(-1, 3) * factors[:, None]
+        return _Rows(points, np.array(table.normals).reshape(-1, 3), radii, np.array(table.lines, dtype=np.int64))
+
+    def _own_sets(self, features: list[Feature]) -> list[tuple[PointSet, Ints]]:
+        """Sets of curve and surface features with the rows wanted of them; all where these and points are absent."""
         document = self.document
         wanted: dict[str, Bools] = {}
         for m in document.measured.values():
             for of in m.sets if m.kind in _CURVES else ():
                 if of.id in document.sets:
                     rows = wanted.setdefault(of.id, np.zeros(document.sets[of.id].count, dtype=np.bool_))
-                    rows[self._rows(of)] = True
-        chosen = [s.only(wanted[label]) for label, s in document.sets.items() if label in wanted]
+                    rows[self._span(of)] = True
+        chosen = [(s, s.first + np.flatnonzero(wanted[s.id])) for s in document.sets.values() if s.id in wanted]
         if not chosen and not features:
-            return list(document.sets.values())
+            return [(s, np.arange(s.first, s.first + s.count)) for s in document.sets.values()]
         used = {of.id for m in features for of in m.sets} | wanted.keys()
         kinds: dict[str, int] = {}
         for m in document.measured.values():
@@ -212,37 +240,36 @@ class _Joined:
         return chosen
 
     def _of_features(self, features: list[Feature]) -> tuple[tuple[Floats, ...], Ints, list[str]]:
-        document = self.document
-        n = len(features)
-        points, nominal, normals = np.full((n, 3), np.nan), np.full((n, 3), np.nan), np.full((n, 3), np.nan)
-        stated, radii = np.full(n, np.nan), np.full(n, _UNKNOWN)
-        names = []
-        values = self._stated()
-        at_point = {
-            tuple((s.points[0] * self._factor(s.unit, s.line)).tolist()): s
-            for s in document.sets.values()
-            if s.points is not None and s.count == 1
-        }
-        for row, m in enumerate(features):
-            item, ideal = self._ideal(m)
+        document, rows = self.document, self.rows
+        names, wanted, normals = [], [], []
+        for m in features:
             if m.location is None:
                 raise self.source.error(f"measured point {m.id} has no Location", m.line)
-            points[row] = np.array(m.location) * self._factor(m.unit, m.line)
-            if ideal is not None and ideal.location is not None:
-                nominal[row] = np.array(ideal.location) * self._factor(ideal.unit, ideal.line)
-            normal = (ideal.normal if ideal is not None else None) or m.normal
-            if normal is not None:
-                normals[row] = normal
-            stated[row] = values.get(m.id, np.nan)
+            item, ideal = self._ideal(m)
             names.append((item.name if item is not None else "") or m.id)
-            own = next((document.sets[of.id].only(self._rows(of)) for of in m.sets if of.id in document.sets), None)
-            same = at_point.get(tuple(points[row].tolist()))
-            radii[row] = self._radius(points[row], own, same)
-        self._decide(radii, points, nominal, normals, stated)
+            normals.append((ideal.normal if ideal is not None else None) or m.normal or NO_VECTOR)
+            wanted.append(m if ideal is None or ideal.location is None else ideal)
+        points, nominal = self._places(features), self._places(wanted)
+        nominal[[m is w for m, w in zip(features, wanted, strict=True)]] = np.nan
+        single = np.array([s.first for s in document.sets.values() if s.count == 1], dtype=np.int64)
+        at_point = dict(zip(map(tuple, rows.points[single].tolist()), rows.radii[single].tolist(), strict=True))
+        radii = np.array([at_point.get(tuple(p), np.nan) for p in points.tolist()])
+        for row in np.flatnonzero(np.isnan(radii)).tolist():
+            radii[row] = self._radius(points[row], features[row])
+        stated = np.array([document.values.get(m.id, np.nan) for m in features]) * self.factor
+        directions = np.array(normals)
+        self._decide(radii, points, nominal, directions, stated)
         lines = np.array([m.line for m in features], dtype=np.int64)
-        return (points, nominal, normals, radii, stated), lines, names
+        return (points, nominal, directions, radii, stated), lines, names
 
-    def _rows(self, of: Reference) -> slice:
+    def _places(self, features: list[Feature]) -> Floats:
+        """Locations in mm, (n, 3)."""
+        places: Floats = np.array([m.location for m in features], dtype=np.float64)
+        factors: Floats = np.array([self._factor(m.unit, m.line) for m in features])
+        places *= factors[:, None]
+        return places
+
+    def _span(self, of: Reference) -> slice:
         """Which points of its set a reference means."""
         count = self.document.sets[of.id].count
         last = of.last or count
@@ -271,52 +298,32 @@ class _Joined:
             )
         return item, document.nominals[item.reference]
 
-    def _stated(self) -> dict[str, float]:
-        """Stored profile value of each feature measurement in mm: the farthest from 0 where there are several."""
-        out: dict[str, float] = {}
-        for v in self.document.values:
-            for label in v.features:
-                if v.value is not None and abs(v.value) >= abs(out.get(label, 0.0)):
-                    out[label] = v.value
-        return {label: value * self.factor for label, value in out.items()}
-
-    def _radius(self, point: Floats, own: PointSet | None, same: PointSet | None) -> float:
+    def _radius(self, point: Floats, m: Feature) -> float:
         """Radius between a feature's location and the surface by what its point set says of it."""
-        if same is not None:
-            return float(self._radii(same)[0])
-        if own is None or not own.count:
+        document, rows = self.document, self.rows
+        of = next((of for of in m.sets if of.id in document.sets), None)
+        if of is None or not document.sets[of.id].count:
             return _UNKNOWN
-        radii = self._radii(own)
+        first = document.sets[of.id].first
+        span = self._span(of)
+        own = slice(first + span.start, first + span.stop)
+        radii = rows.radii[own]
         if (radii == _CONTACT).all():
             return _CONTACT
-        assert own.points is not None
         with np.errstate(over="ignore", invalid="ignore"):
-            away = np.linalg.norm(own.points * self._factor(own.unit, own.line) - point, axis=1)
+            away = np.linalg.norm(rows.points[own] - point, axis=1)
         nearest = int(away.argmin())
         if away[nearest] <= 1e-9:
             return float(radii[nearest])
         # The location is the centre moved by the radius: it was compensated after the touch.
-        return _CONTACT if own.count == 1 and abs(away[0] - radii[0]) <= 1e-3 else _UNKNOWN
-
-    def _radii(self, s: PointSet) -> Floats:
-        """Radius a point between a set's points and the surface, in mm."""
-        if s.compensated is None:
-            return np.full(s.count, _UNKNOWN)
-        if s.count == 1 and s.radius is not None:
-            radius = s.radius * self._factor(s.unit, s.line)
-            return radius if s.compensated[0] == 0 else np.zeros(1)
-        out = np.full(s.count, np.nan)
-        if s.radius is not None:
-            out = np.broadcast_to(s.radius * self._factor(s.unit, s.line), (s.count,)).copy()
-        out[np.broadcast_to(s.compensated, (s.count,)) > 0] = _CONTACT
-        return out
+        return _CONTACT if len(away) == 1 and abs(away[0] - radii[0]) <= 1e-3 else _UNKNOWN
 
     def _decide(self, radii: Floats, points: Floats, nominal: Floats, normals: Floats, stated: Floats) -> None:
         """What stored profile values show of locations that no set explains, and of the rest of the file. In place."""
         with np.errstate(over="ignore", invalid="ignore"):
             along = ((points - nominal) * normals).sum(axis=1)
         open_before = radii == _UNKNOWN
-        balls = {float(r) for s in self.document.sets.values() for r in self._radii(s)[:1] if r > 0}
+        balls = set(self.rows.radii[self.rows.radii > 0].tolist())
         for radius in (_CONTACT, *sorted(balls)):
             shows = (radii == _UNKNOWN) & (np.abs(along - radius - stated) <= STATED_TOLERANCE)
             radii[shows] = radius
@@ -334,15 +341,10 @@ class _Joined:
         if worst > 1e-4:
             self.notes.append(f"stored profile values differ from (P - N) . n - r by up to {worst:.4f} mm")
 
-    def _of_set(self, s: PointSet) -> tuple[tuple[Floats, ...], Ints, list[str]]:
-        assert s.points is not None
-        nothing = np.full((s.count, 3), np.nan)
-        normals = nothing if s.normals is None else s.normals
-        with np.errstate(over="ignore"):
-            points = s.points * self._factor(s.unit, s.line)
-        columns = (points, nothing, normals, self._radii(s), np.full(s.count, np.nan))
-        lines = np.full(s.count, s.line, dtype=np.int64) if s.lines is None else s.lines
-        return columns, lines, [f"{s.id}.{k}" for k in range(1, s.count + 1)]
+    def _of_set(self, s: PointSet, of: Ints) -> tuple[tuple[Floats, ...], Ints, list[str]]:
+        rows, n = self.rows, len(of)
+        columns = (rows.points[of], np.full((n, 3), np.nan), rows.normals[of], rows.radii[of], np.full(n, np.nan))
+        return columns, rows.lines[of], [f"{s.id}.{k}" for k in range(1, n + 1)]
 
     def _ball(self, radii: Floats) -> float | Floats:
         """Radius in mm, one for all or one a point, with what the caller says about rows the file leaves open."""

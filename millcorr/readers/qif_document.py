@@ -5,37 +5,43 @@ from __future__ import annotations
 
 import base64
 import binascii
+import math
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
-from functools import lru_cache
+from array import array
+from dataclasses import dataclass
 from typing import NoReturn
 
 import numpy as np
 
-from millcorr.arrays import Bools, Floats, Ints
+from millcorr.arrays import Floats
 
 from .fields import NUMBER
 from .source import Source, shown
+from .xml_events import Element
 
 POINTS = frozenset({"Point", "EdgePoint"})
 """Kinds of features whose location is a point that was measured."""
 
 _FEATURE = re.compile(r"(\w*?)Feature(Nominal|Item|Measurement|Actual)", re.ASCII)
 _PROFILE_VALUE = re.compile(r"PointProfileCharacteristic(?:Measurement|Actual)", re.ASCII)
-_FEATURE_FIELDS = {"Location", "Normal", "FeatureNominalId", "FeatureItemId", "FeatureName"}
-_SET_FIELDS = {
-    "Points", "BinaryPoints", "Normals", "BinaryNormals", "Compensated", "Compensations", "BinaryCompensated",
-    "ProbeRadius", "ProbeRadii", "BinaryProbeRadii",
-}  # fmt: skip
-_TOUCH_FIELDS = {"Point", "Normal", "Compensated", "ProbeRadius"}
-"""Children of a MeasurePoint, in which documents of 2.x give every touch of a feature."""
+_SAID = {
+    "Points": ("Points", "BinaryPoints"),
+    "Normals": ("Normals", "BinaryNormals"),
+    "Compensated": ("Compensated", "Compensations", "BinaryCompensated"),
+    "ProbeRadius": ("ProbeRadius", "ProbeRadii", "BinaryProbeRadii"),
+}
+"""Children of a point set, by what they say."""
+_FLAGS = {"true": 1.0, "1": 1.0, "false": 0.0, "0": 0.0}
+_UNSAID = array("d", [math.nan])
 _FOREIGN_FRAMES = ("CoordinateSystemId", "TransformId", "TranformId", "Units")
 """Children of a point set that give it a frame or unit of its own; the schema of 3.0 has the third, misspelt."""
 
 _NUMBER_CHARACTERS = str.maketrans("", "", "0123456789+-.eE \t\n\r")
 _BLOCK = 1 << 20
 _LARGEST = 1e9
+
+Vector = tuple[float, float, float]
+NO_VECTOR = (math.nan, math.nan, math.nan)
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,8 +59,8 @@ class Touch:
     """MeasurePoint of a feature; None is what it does not say."""
 
     line: int
-    point: tuple[float, float, float] | None = None
-    normal: tuple[float, float, float] | None = None
+    point: Vector | None = None
+    normal: Vector | None = None
     compensated: bool | None = None
     radius: float | None = None
 
@@ -66,71 +72,63 @@ class Feature:
     kind: str
     id: str
     line: int
-    location: tuple[float, float, float] | None = None
-    normal: tuple[float, float, float] | None = None
+    result: int
+    """Which of the document's results holds it; -1 for none."""
+    location: Vector | None = None
+    normal: Vector | None = None
     reference: str = ""
     name: str = ""
-    sets: list[Reference] = field(default_factory=list)
-    touches: list[Touch] = field(default_factory=list)
+    sets: tuple[Reference, ...] = ()
     unit: str = ""
-    result: int = -1
-    """Which of the document's results holds it; -1 for none."""
 
 
 @dataclass(slots=True)
 class PointSet:
-    """Measured point set; `compensated` and `radius` are one for all points or one a point, None if not said.
-
-    A radius is NaN where only other points say theirs.
-    """
+    """Measured point set: `count` rows from `first` of the document's `Touches`."""
 
     id: str
     line: int
     count: int
-    points: Floats | None = None
-    normals: Floats | None = None
-    compensated: Floats | None = None
-    radius: Floats | None = None
-    unit: str = ""
-    result: int = -1
-    lines: Ints | None = None
-    """Line of each point where it has one of its own."""
-
-    def only(self, rows: slice | Bools) -> PointSet:
-        """Some points of the set."""
-        assert self.points is not None
-
-        def kept(values: Floats | None) -> Floats | None:
-            return values if values is None or len(values) != self.count else values[rows]
-
-        points = self.points[rows]
-        return replace(
-            self, count=len(points), points=points, normals=kept(self.normals), compensated=kept(self.compensated),
-            radius=kept(self.radius), lines=None if self.lines is None else self.lines[rows],
-        )  # fmt: skip
+    unit: str
+    result: int
+    first: int
 
 
-@dataclass(slots=True)
-class ProfileValue:
-    """Stored value of a point profile, and the feature measurement it belongs to."""
+class Touches:
+    """Points of all sets, one after another, as they stand in the file.
 
-    line: int
-    features: list[str] = field(default_factory=list)
-    value: float | None = None
+    Attributes
+    ----------
+    points, normals : array of float
+        Three a point; NaN for a normal that is not said.
+    compensated : array of float
+        1 or 0, NaN where it is not said.
+    radius : array of float
+        NaN where it is not said.
+    lines : array of int
+    """
+
+    def __init__(self) -> None:
+        self.points, self.normals = array("d"), array("d")
+        self.compensated, self.radius = array("d"), array("d")
+        self.lines = array("q")
+
+    def __len__(self) -> int:
+        return len(self.lines)
 
 
 @dataclass(slots=True)
 class Unit:
     """Unit of length: its name, and its factor to metres."""
 
+    line: int
+    primary: bool
     name: str = ""
     factor: float = 1.0
-    primary: bool = True
-    line: int = 0
 
 
 class Document:
-    """Collects from the stream of elements the few that matter; a `millcorr.readers.xml_events.Handler`."""
+    """Collects from the stream of elements the few that matter: `root` says what is done with which."""
 
     def __init__(self, source: Source) -> None:
         self.source = source
@@ -138,128 +136,164 @@ class Document:
         self.items: dict[str, Feature] = {}
         self.measured: dict[str, Feature] = {}
         self.sets: dict[str, PointSet] = {}
-        self.values: list[ProfileValue] = []
+        self.touches = Touches()
+        self.values: dict[str, float] = {}
+        """Stored profile value by the feature measurement: the farthest from 0 where there are several."""
         self.units: list[Unit] = []
         self.results: list[tuple[str, int]] = []
         """Id and line of every MeasurementResults."""
-        self.record: Feature | PointSet | ProfileValue | Unit | None = None
-        self.depth = 0
+        self.result = -1
+        self.feature = Feature("", "", 0, -1)
+        self.own: list[Touch] = []
+        """Touches that stand in the feature that is open."""
+        self.set = PointSet("", 0, 0, "", -1, 0)
+        self.said: dict[str, array[float]] = {}
+        """What the point set that is open has said."""
+        self.valued: list[str] = []
+        self.value: float | None = None
         self.span = ""
         """Which points of a set a reference means, as it stands there."""
+        self.root = Element(self._anywhere)
 
-    def begin(self, path: Sequence[str], attributes: dict[str, str], line: int) -> bool:
-        """Open a record, or say whether the text of this element is wanted."""
-        name = path[-1]
-        if self.record is None:
-            if name == "MeasurementResults":
-                self.results.append((attributes.get("id", "").strip()[:40], line))
-            self.record = self._opened(path, attributes, line)
-            self.depth = len(path)
-            return False
-        below = len(path) - self.depth
-        if isinstance(self.record, PointSet):
-            if below == 1 and name in _FOREIGN_FRAMES:
-                self._refuse(
-                    f"point set {self.record.id} has its own {name}: export the points in the common frame and unit",
-                    line,
-                )
-            return below == 1 and name in _SET_FIELDS
-        if isinstance(self.record, Feature):
-            if below == 1 and name == "Location" and "linearUnit" in attributes:
-                self.record.unit = attributes["linearUnit"]
-            if below == 2 and name.endswith("PointSetId"):
-                self.span = attributes.get("range", attributes.get("index", ""))
-                return True
-            if below == 2 and name == "MeasurePoint" and path[-2] == "PointList":
-                self.record.touches.append(Touch(line))
-            if below == 3:
-                return path[-2] == "MeasurePoint" and bool(self.record.touches) and name in _TOUCH_FIELDS
-            return below == 1 and name in _FEATURE_FIELDS
-        if isinstance(self.record, Unit):
-            return name in ("UnitName", "Factor")
-        return (below == 1 and name == "Value") or (below == 2 and name == "Id" and path[-2].startswith("Feature"))
+    def forget(self) -> None:
+        """Let go of all records, once they are not needed: else they stay until Python looks for cycles.
 
-    def text(self, path: Sequence[str], content: str, line: int) -> None:
-        """Put the text of a wanted element where it belongs."""
-        name, record = path[-1], self.record
-        if isinstance(record, PointSet):
-            self._set_field(record, name, content, line)
-        elif isinstance(record, Feature):
-            if path[-2] == "MeasurePoint":
-                self._touch_field(record, record.touches[-1], name, content, line)
-            elif name in ("Location", "Normal"):
-                vector = self._three(content, record.id, line)
-                if name == "Location":
-                    record.location = vector
-                else:
-                    record.normal = vector
-            elif name == "FeatureName":
-                record.name = content.strip()
-            elif name.endswith("PointSetId"):
-                record.sets.append(self._referred(content.strip(), line))
-            else:
-                record.reference = content.strip()
-        elif isinstance(record, ProfileValue):
-            if name == "Id":
-                record.features.append(content.strip())
-            else:
-                record.value = float(self._numbers(content, "", line, 1)[0])
-        elif isinstance(record, Unit):
-            if name == "UnitName":
-                record.name = content.strip()
-            else:
-                record.factor = float(self._numbers(content, "", line, 1)[0])
-                if not 1e-9 <= record.factor <= 1e3:
-                    self._refuse(f"{record.factor:g} m is no unit of length", line)
+        The elements refer to the document, and the document to them.
+        """
+        vars(self).clear()
 
-    def end(self, path: Sequence[str]) -> None:
-        """Close the record whose element ends."""
-        if self.record is None or len(path) != self.depth:
-            return
-        record, self.record = self.record, None
-        if isinstance(record, Feature):
-            role = _role(path[-1])
-            assert role is not None
-            group = {"Nominal": self.nominals, "Item": self.items}.get(role[2], self.measured)
-            self._once(record.id, group, record.line)
-            group[record.id] = record
-            if record.touches and group is self.measured:
-                self._add_touches(record)
-        elif isinstance(record, PointSet):
-            self._once(record.id, self.sets, record.line)
-            self._check_set(record)
-            self.sets[record.id] = record
-        elif isinstance(record, ProfileValue):
-            self.values.append(record)
-        else:
-            self.units.append(record)
+    # Where elements stand: what is done with those inside an element, by their names.
 
-    def _opened(
-        self, path: Sequence[str], attributes: dict[str, str], line: int
-    ) -> Feature | PointSet | ProfileValue | Unit | None:
-        name = path[-1]
-        found = _role(name)
-        if found and found[1] and (found[1] in POINTS or found[2] in ("Measurement", "Actual")):
-            return Feature(found[1], self._id(name, attributes, line), line, result=self._result(path))
+    def _anywhere(self, name: str) -> Element:
+        """Elements that open a record, wherever they stand outside one."""
+        role = _FEATURE.fullmatch(name)
+        if role and role[1] and (role[1] in POINTS or role[2] in ("Measurement", "Actual")):
+            return self._feature(role[1], {"Nominal": "nominals", "Item": "items"}.get(role[2], "measured"))
         if name == "MeasuredPointSet":
-            label = self._id(name, attributes, line)
-            count = attributes.get("count", "")
-            if not re.fullmatch(r"\d{1,9}", count, re.ASCII):
-                self._refuse(f"point set {label} has no count", line)
-            return PointSet(label, line, int(count), unit=attributes.get("linearUnit", ""), result=self._result(path))
+            fields = {name: self._set_field(key, name) for key, names in _SAID.items() for name in names}
+            fields |= {name: self._foreign(name) for name in _FOREIGN_FRAMES}
+            return Element(fields.get, begin=self._open_set, end=self._close_set)
         if _PROFILE_VALUE.fullmatch(name):
-            return ProfileValue(line)
-        if name == "LinearUnit" and "FileUnits" in path:
-            return Unit(primary="PrimaryUnits" in path, line=line)
-        return None
+            ids = Element({"Id": Element(text=lambda content, _: self.valued.append(content.strip()))}.get)
+            value = Element(text=self._take_value)
+            return Element(
+                lambda name: value if name == "Value" else ids if name.startswith("Feature") else None,
+                begin=self._open_value, end=self._close_value,
+            )  # fmt: skip
+        if name == "FileUnits":
+            return self._units(primary=False)
+        if name == "MeasurementResults":
+            return Element(self._anywhere, begin=self._open_result, end=self._close_result)
+        return self.root
 
-    def _result(self, path: Sequence[str]) -> int:
-        return len(self.results) - 1 if "MeasurementResults" in path else -1
+    def _units(self, *, primary: bool) -> Element:
+        """FileUnits, or the PrimaryUnits among them."""
+        fields = {"UnitName": Element(text=self._take_unit_name), "Factor": Element(text=self._take_factor)}
+        unit = Element(lambda name: fields.get(name, unit_part))
+        unit_part = Element(unit.inside)
+        unit.begin, unit.idle = lambda _, line: self.units.append(Unit(line, primary)), False
 
-    def _id(self, name: str, attributes: dict[str, str], line: int) -> str:
-        if not attributes.get("id", "").strip():
-            self._refuse(f"{shown(name)} has no id", line)
-        return attributes["id"].strip()[:40]
+        def inside(name: str) -> Element:
+            if name == "LinearUnit":
+                return unit
+            return self._units(primary=True) if name == "PrimaryUnits" else units
+
+        units = Element(inside)
+        return units
+
+    def _feature(self, kind: str, name: str) -> Element:
+        def begin(attributes: dict[str, str], line: int) -> None:
+            self.feature = Feature(kind, self._id(attributes, line), line, self.result)
+
+        def end() -> None:
+            feature, group = self.feature, getattr(self, name)
+            self._once(feature.id, group, feature.line)
+            group[feature.id] = feature
+            if self.own:
+                if name == "measured":
+                    self._add_touches(feature)
+                self.own.clear()
+
+        fields = {
+            "Location": Element(begin=self._open_location, text=self._take_location),
+            "Normal": Element(text=self._take_normal),
+            "FeatureNominalId": Element(text=self._take_reference),
+            "FeatureItemId": Element(text=self._take_reference),
+            "FeatureName": Element(text=self._take_name),
+        }
+        referred = Element(begin=self._open_reference, text=self._take_set)
+
+        def refers(name: str) -> Element | None:
+            return referred if name.endswith("PointSetId") else None
+
+        touched = {
+            "Point": Element(text=self._take_touch),
+            "Normal": Element(text=self._take_direction),
+            "Compensated": Element(text=self._take_touch_flag),
+            "ProbeRadius": Element(text=self._take_touch_radius),
+        }
+        touch = Element(touched.get, begin=lambda _, line: self.own.append(Touch(line)))
+        fields["PointList"] = Element(lambda name: touch if name == "MeasurePoint" else refers(name))
+        others = Element(refers)
+        return Element(lambda name: fields.get(name, others), begin=begin, end=end)
+
+    # What is done with elements.
+
+    def _open_result(self, attributes: dict[str, str], line: int) -> None:
+        self.results.append((attributes.get("id", "").strip()[:40], line))
+        self.result = len(self.results) - 1
+
+    def _close_result(self) -> None:
+        self.result = -1
+
+    def _open_location(self, attributes: dict[str, str], _: int) -> None:
+        if "linearUnit" in attributes:
+            self.feature.unit = attributes["linearUnit"]
+
+    def _take_location(self, content: str, line: int) -> None:
+        self.feature.location = self._three(content, self.feature.id, line)
+
+    def _take_normal(self, content: str, line: int) -> None:
+        self.feature.normal = self._three(content, self.feature.id, line)
+
+    def _take_reference(self, content: str, _: int) -> None:
+        self.feature.reference = content.strip()
+
+    def _take_name(self, content: str, _: int) -> None:
+        self.feature.name = content.strip()
+
+    def _open_reference(self, attributes: dict[str, str], _: int) -> None:
+        self.span = attributes.get("range", attributes.get("index", ""))
+
+    def _take_set(self, content: str, line: int) -> None:
+        self.feature.sets += (self._referred(content.strip(), line),)
+
+    def _open_value(self, *_: object) -> None:
+        self.valued.clear()
+        self.value = None
+
+    def _take_value(self, content: str, line: int) -> None:
+        self.value = self._number(content, "", line)
+
+    def _close_value(self) -> None:
+        if self.value is not None:
+            for label in self.valued:
+                if abs(self.value) >= abs(self.values.get(label, 0.0)):
+                    self.values[label] = self.value
+
+    def _take_unit_name(self, content: str, _: int) -> None:
+        self.units[-1].name = content.strip()
+
+    def _take_factor(self, content: str, line: int) -> None:
+        factor = self.units[-1].factor = self._number(content, "", line)
+        if not 1e-9 <= factor <= 1e3:
+            self._refuse(f"{factor:g} m is no unit of length", line)
+
+    def _id(self, attributes: dict[str, str], line: int) -> str:
+        label = attributes.get("id", "").strip()
+        if not label:
+            self._refuse("a feature or point set has no id", line)
+        return label[:40]
 
     def _once(self, label: str, group: dict[str, Feature] | dict[str, PointSet], line: int) -> None:
         if label in group:
@@ -273,100 +307,130 @@ class Document:
             self._refuse(f"{shown(self.span)} is no range of points of set {label}", line)
         return Reference(label, line, int(ends[0]), int(ends[-1]))
 
-    def _touch_field(self, record: Feature, touch: Touch, name: str, content: str, line: int) -> None:
-        if name == "Compensated":
-            if content.strip() not in ("true", "1", "false", "0"):
-                self._refuse(f"feature {record.id}: Compensated {shown(content)} is not true or false", line)
-            touch.compensated = content.strip() in ("true", "1")
-        elif name == "ProbeRadius":
-            touch.radius = float(self._numbers(content, record.id, line, 1)[0])
-        else:
-            vector = self._three(content, record.id, line)
-            if name == "Point":
-                touch.point = vector
-            else:
-                touch.normal = vector
+    # Children of a MeasurePoint, in which documents of 2.x give every touch of a feature.
 
-    def _add_touches(self, record: Feature) -> None:
+    def _take_touch(self, content: str, line: int) -> None:
+        self.own[-1].point = self._three(content, self.feature.id, line)
+
+    def _take_direction(self, content: str, line: int) -> None:
+        self.own[-1].normal = self._three(content, self.feature.id, line)
+
+    def _take_touch_radius(self, content: str, line: int) -> None:
+        self.own[-1].radius = self._number(content, self.feature.id, line)
+
+    def _take_touch_flag(self, content: str, line: int) -> None:
+        flag = _FLAGS.get(content.strip())
+        if flag is None:
+            self._refuse(f"feature {self.feature.id}: Compensated {shown(content)} is not true or false", line)
+        self.own[-1].compensated = flag > 0
+
+    def _add_touches(self, feature: Feature) -> None:
         """Put the touches that stand in a feature among the point sets, and refer to them."""
-        touches, label = record.touches, f"of feature {record.id}"
-        for t in touches:
+        own, label = self.own, f"of feature {feature.id}"
+        self.set = PointSet(label, feature.line, len(own), feature.unit, feature.result, len(self.touches))
+        points, normals, compensated, radius = (self.said.setdefault(key, array("d")) for key in _SAID)
+        for t in own:
             if t.point is None:
-                self._refuse(f"a MeasurePoint of feature {record.id} has no Point", t.line)
-            if t.compensated is not touches[0].compensated and None in (t.compensated, touches[0].compensated):
-                self._refuse(f"a MeasurePoint of feature {record.id} lacks Compensated, or all others do", t.line)
-        normals = [t.normal for t in touches if t.normal is not None]
-        radii = np.array([np.nan if t.radius is None else t.radius for t in touches])
-        found = PointSet(
-            label, record.line, len(touches), np.array([t.point for t in touches]),
-            np.array(normals) if len(normals) == len(touches) else None,
-            None if touches[0].compensated is None else np.array([float(bool(t.compensated)) for t in touches]),
-            None if np.isnan(radii).all() else radii, record.unit, record.result,
-            np.array([t.line for t in touches], dtype=np.int64),
+                self._refuse(f"a MeasurePoint of feature {feature.id} has no Point", t.line)
+            if t.compensated is not own[0].compensated and None in (t.compensated, own[0].compensated):
+                self._refuse(f"a MeasurePoint of feature {feature.id} lacks Compensated, or all others do", t.line)
+            points.extend(t.point)
+            normals.extend(NO_VECTOR if t.normal is None else t.normal)
+            compensated.append(math.nan if t.compensated is None else t.compensated)
+            radius.append(math.nan if t.radius is None else t.radius)
+            self.touches.lines.append(t.line)
+        self._add_set()
+        feature.sets += (Reference(label, feature.line),)
+
+    def _open_set(self, attributes: dict[str, str], line: int) -> None:
+        label, count = self._id(attributes, line), attributes.get("count", "")
+        if not count.isdecimal() or not count.isascii() or len(count) > 9:
+            self._refuse(f"point set {label} has no count", line)
+        self.set = PointSet(
+            label, line, int(count), attributes.get("linearUnit", ""), self.result, len(self.touches)
         )  # fmt: skip
-        self._check_set(found)
-        self.sets[label] = found
-        record.sets.append(Reference(label, record.line))
-        record.touches = []
+        self.said.clear()
 
-    def _set_field(self, record: PointSet, name: str, content: str, line: int) -> None:
-        n = record.count
-        if name in ("Compensated", "Compensations"):
+    def _close_set(self) -> None:
+        found = self.set
+        self._once(found.id, self.sets, found.line)
+        if "Points" not in self.said:
+            self._refuse(f"point set {found.id} has no Points", found.line)
+        self.touches.lines.extend([found.line] * found.count)
+        self._add_set()
+
+    def _add_set(self) -> None:
+        """Put what the set that is open has said among the touches."""
+        found, said = self.set, self.said
+        compensated, radius = said.get("Compensated", _UNSAID), said.get("ProbeRadius", _UNSAID)
+        if not all(compensated) or compensated is _UNSAID:
+            for r in radius:
+                if r <= 0:
+                    self._refuse(f"point set {found.id}: its ProbeRadius is not positive", found.line)
+        table, n = self.touches, found.count
+        table.points.extend(said["Points"])
+        table.normals.extend(said["Normals"] if "Normals" in said else NO_VECTOR * n)
+        table.compensated.extend(compensated if len(compensated) == n else compensated * n)
+        table.radius.extend(radius if len(radius) == n else radius * n)
+        self.sets[found.id] = found
+        said.clear()
+
+    def _foreign(self, name: str) -> Element:
+        def refuse(_: dict[str, str], line: int) -> None:
+            self._refuse(
+                f"point set {self.set.id} has its own {name}: export the points in the common frame and unit", line
+            )
+
+        return Element(begin=refuse)
+
+    def _set_field(self, key: str, name: str) -> Element:
+        said = self.said
+        width = 1 if key in ("Compensated", "ProbeRadius") else 3
+
+        def take_binary(content: str, line: int) -> None:
+            said[key] = self._binary(name, content, line, width * self.set.count)
+
+        def take_flags(content: str, line: int) -> None:
             words = content.split()
-            if not words or not {"true", "false", "1", "0"}.issuperset(words) or len(words) not in (1, n):
-                self._refuse(f"point set {record.id}: {name} {shown(content)} is not true or false", line)
-            record.compensated = np.array([w in ("true", "1") for w in words], dtype=np.float64)
-        elif name in ("ProbeRadius", "ProbeRadii"):
-            record.radius = self._numbers(content, record.id, line, 1 if name == "ProbeRadius" else n)
-        elif name.startswith("Binary"):
-            self._binary_field(record, name, content, line)
-        else:
-            vectors = self._numbers(content, record.id, line, 3 * n).reshape(n, 3)
-            if name == "Points":
-                record.points = vectors
-            else:
-                record.normals = vectors
+            if not words or not _FLAGS.keys() >= set(words) or len(words) not in (1, self.set.count):
+                self._refuse(f"point set {self.set.id}: {name} {shown(content)} is not true or false", line)
+            said[key] = array("d", [_FLAGS[word] for word in words])
 
-    def _binary_field(self, record: PointSet, name: str, content: str, line: int) -> None:
-        n = record.count
+        def take_radius(content: str, line: int) -> None:
+            said[key] = array("d", (self._number(content, self.set.id, line),))
+
+        def take_numbers(content: str, line: int) -> None:
+            n, label = width * self.set.count, self.set.id
+            said[key] = array("d", self._three(content, label, line)) if n == 3 == width else self._numbers(
+                content, label, line, n
+            )  # fmt: skip
+
+        if name.startswith("Binary"):
+            return Element(text=take_binary)
+        if key == "Compensated":
+            return Element(text=take_flags)
+        return Element(text=take_radius if name == "ProbeRadius" else take_numbers)
+
+    def _binary(self, name: str, content: str, line: int, width: int) -> array[float]:
+        n, label = self.set.count, self.set.id
         try:
             data = base64.b64decode("".join(content.split()), validate=True)
         except (binascii.Error, ValueError):
-            self._refuse(f"point set {record.id}: {name} is no base64", line)
+            self._refuse(f"point set {label}: {name} is no base64", line)
         if name == "BinaryCompensated":
             if len(data) != n:
-                self._refuse(f"point set {record.id}: {name} has {len(data)} bytes for {n} points", line)
-            record.compensated = (np.frombuffer(data, np.uint8) != 0).astype(np.float64)
-            return
-        width = n if name == "BinaryProbeRadii" else 3 * n
+                self._refuse(f"point set {label}: {name} has {len(data)} bytes for {n} points", line)
+            return array("d", (np.frombuffer(data, np.uint8) != 0).astype(np.float64).tobytes())
         if not width or len(data) not in (4 * width, 8 * width):
-            self._refuse(f"point set {record.id}: {name} has {len(data)} bytes for {n} points", line)
+            self._refuse(f"point set {label}: {name} has {len(data)} bytes for {n} points", line)
         numbers = np.frombuffer(data, "<f8" if len(data) == 8 * width else "<f4").astype(np.float64)
-        self._refuse_absurd(numbers, f"point set {record.id}: ", line)
-        if name == "BinaryProbeRadii":
-            record.radius = numbers
-        elif name == "BinaryPoints":
-            record.points = numbers.reshape(n, 3)
-        else:
-            record.normals = numbers.reshape(n, 3)
+        self._refuse_absurd(numbers, f"point set {label}: ", line)
+        return array("d", numbers.tobytes())
 
-    def _check_set(self, record: PointSet) -> None:
-        if record.points is None:
-            self._refuse(f"point set {record.id} has no Points", record.line)
-        if record.radius is not None and (record.radius <= 0).any() and not self._all_compensated(record):
-            self._refuse(f"point set {record.id}: its ProbeRadius is not positive", record.line)
-
-    @staticmethod
-    def _all_compensated(record: PointSet) -> bool:
-        return record.compensated is not None and bool(record.compensated.all())
-
-    def _numbers(self, text: str, label: str, line: int, count: int) -> Floats:
+    def _numbers(self, text: str, label: str, line: int, count: int) -> array[float]:
         """Exactly `count` numbers; long lists by the block, for the memory's sake."""
         owner = f"element {label}: " if label else ""
-        few = self._few(text, count) if count <= 3 else None
-        if few is not None:
-            return np.array(few)
-        blocks = []
+        out = array("d")
         position = 0
         while position < len(text):
             end = position + _BLOCK
@@ -376,30 +440,39 @@ class Document:
             position = end
             spoilt = block.translate(_NUMBER_CHARACTERS)
             try:
-                blocks.append(np.array(block.split(), dtype=np.float64) if not spoilt else np.zeros(0))
+                numbers = np.array(block.split(), dtype=np.float64) if not spoilt else np.zeros(0)
             except ValueError:
                 spoilt = block
             if spoilt:
                 word = next((w for w in block.split() if not _is_number(w)), spoilt)
                 self._refuse(f"{owner}{shown(word)} is no number", line)
-        numbers = np.concatenate(blocks) if blocks else np.zeros(0)
-        if len(numbers) != count:
-            self._refuse(f"{owner}{len(numbers)} numbers where {count} were expected", line)
-        self._refuse_absurd(numbers, owner, line)
-        return numbers
+            self._refuse_absurd(numbers, owner, line)
+            out.frombytes(numbers.tobytes())
+        if len(out) != count:
+            self._refuse(f"{owner}{len(out)} numbers where {count} were expected", line)
+        return out
 
-    def _few(self, text: str, count: int) -> list[float] | None:
-        """So few numbers that most documents hold nothing else; None where they are not so many, or are none."""
-        if text.translate(_NUMBER_CHARACTERS):
-            return None
+    def _number(self, text: str, label: str, line: int) -> float:
         try:
-            numbers = list(map(float, text.split()))
+            number = float(text)
         except ValueError:
-            return None
-        return numbers if len(numbers) == count and max(map(abs, numbers)) <= _LARGEST else None
+            number = math.inf
+        if -_LARGEST <= number <= _LARGEST and text.isascii() and "_" not in text:
+            return number
+        return self._numbers(text, label, line, 1)[0]
 
-    def _three(self, text: str, label: str, line: int) -> tuple[float, float, float]:
-        x, y, z = self._few(text, 3) or self._numbers(text, label, line, 3).tolist()
+    def _three(self, text: str, label: str, line: int) -> Vector:
+        """Most documents hold nothing but these, by the hundred thousand."""
+        try:
+            x, y, z = map(float, text.split())
+        except ValueError:
+            x = y = z = math.inf
+        if (
+            -_LARGEST <= x <= _LARGEST and -_LARGEST <= y <= _LARGEST and -_LARGEST <= z <= _LARGEST
+            and text.isascii() and "_" not in text
+        ):  # fmt: skip
+            return x, y, z
+        x, y, z = self._numbers(text, label, line, 3)
         return x, y, z
 
     def _refuse_absurd(self, numbers: Floats, owner: str, line: int) -> None:
@@ -409,12 +482,6 @@ class Document:
 
     def _refuse(self, message: str, line: int) -> NoReturn:
         raise self.source.error(message, line)
-
-
-@lru_cache(maxsize=1024)
-def _role(name: str) -> re.Match[str] | None:
-    """Kind and role of a feature's element; None of another element."""
-    return _FEATURE.fullmatch(name)
 
 
 def _is_number(word: str) -> bool:

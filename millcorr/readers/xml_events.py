@@ -2,13 +2,13 @@
 """XML as a stream of elements, without entities: neither bombs nor files from elsewhere.
 
 Any document type declaration is refused before the parser sees an entity. The tree is never built, so that memory
-follows what is wanted of the file.
+follows what is wanted of the file. What is done with an element is looked up once per name and place, not once per
+element: large documents hold millions of elements of a few dozen names.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Protocol
+from collections.abc import Callable
 from xml.parsers import expat
 
 from millcorr.errors import FormatError
@@ -18,44 +18,82 @@ from .source import Source, shown
 DEEPEST = 200
 """No element of a measurement file is nested deeper."""
 
+_DECLARATIONS = ("StartDoctypeDeclHandler", "EntityDeclHandler", "ExternalEntityRefHandler")
 
-class Handler(Protocol):
-    """What is done with the elements of a document; `path` holds their names from the root, without namespaces."""
-
-    def begin(self, path: Sequence[str], attributes: dict[str, str], line: int) -> bool:
-        """An element begins; True if its text is wanted."""
-
-    def text(self, path: Sequence[str], content: str, line: int) -> None:
-        """Text of a wanted element that has just ended, comments left out; `line` is where it began."""
-
-    def end(self, path: Sequence[str]) -> None:
-        """An element ends."""
+Opened = Callable[[dict[str, str], int], None]
+Content = Callable[[str, int], None]
 
 
-def parse(source: Source, handler: Handler, root: str) -> None:
-    """Pass the elements of an XML file to a handler.
+class Element(dict[str, "Element"]):
+    """What is done with an element in its place; as a mapping, what is done with those inside it, by name.
+
+    Parameters
+    ----------
+    inside : callable, optional
+        What is done with an element inside this one, by its name without prefix; None for nothing, as by default.
+    begin : callable, optional
+        Called with an element's attributes and line when it begins.
+    text : callable, optional
+        Called with its text, comments left out, and the line where it began, when it ends. Elements inside are refused.
+    end : callable, optional
+        Called when it ends, after `text`.
+    """
+
+    __slots__ = ("begin", "end", "idle", "inside", "text")
+
+    def __init__(
+        self,
+        inside: Callable[[str], Element | None] | None = None,
+        *,
+        begin: Opened | None = None,
+        text: Content | None = None,
+        end: Callable[[], None] | None = None,
+    ) -> None:
+        self.inside = inside
+        self.begin = begin
+        self.text = text
+        self.end = end
+        self.idle = begin is None and text is None
+
+    def __missing__(self, name: str) -> Element:
+        found = self.inside(name.rpartition(":")[2]) if self.inside is not None else None
+        self[name] = found = NOTHING if found is None else found
+        return found
+
+
+NOTHING = Element()
+"""An element of which nothing is wanted."""
+
+
+def parse(source: Source, root: str, element: Element) -> None:
+    """Go through the elements of an XML file.
 
     Parameters
     ----------
     source : Source
-    handler : Handler
     root : str
         Name that the root element must have.
+    element : Element
+        What is done with the root element.
 
     Raises
     ------
     FormatError
         If the file is not well-formed XML, is of another kind, or declares a document type or an entity.
     """
-    parser = expat.ParserCreate(namespace_separator=" ")
+    parser = expat.ParserCreate()
     parser.buffer_text = True
     parser.SetParamEntityParsing(expat.XML_PARAM_ENTITY_PARSING_NEVER)
-    stream = _Stream(source, handler, root, parser)
-    parser.StartDoctypeDeclHandler = stream.refuse
-    parser.EntityDeclHandler = stream.refuse
-    parser.ExternalEntityRefHandler = stream.refuse
-    parser.StartElementHandler = stream.begin
-    parser.EndElementHandler = stream.end
+    parser.StartElementHandler, parser.EndElementHandler = _handlers(source, root, element, parser)
+
+    def refuse(*_: object) -> int:
+        raise source.error(
+            "the XML declares a document type or an entity, which measurement files do not need: remove it",
+            parser.CurrentLineNumber,
+        )
+
+    for declaration in _DECLARATIONS:
+        setattr(parser, declaration, refuse)
     try:
         # In one piece: the parser goes over a long token once only.
         parser.Parse(source.data, True)
@@ -66,52 +104,55 @@ def parse(source: Source, handler: Handler, root: str) -> None:
         raise source.error(f"not well-formed XML ({reason}): the file is damaged or cut off", error.lineno) from error
     except (ValueError, LookupError) as error:
         raise source.error(f"XML in an unknown encoding ({shown(str(error))}): save it as UTF-8") from error
+    finally:
+        # They refer to the parser: file and buffers would stay until Python looks for cycles.
+        for handler in (*_DECLARATIONS, "StartElementHandler", "EndElementHandler", "CharacterDataHandler"):
+            setattr(parser, handler, None)
 
 
-class _Stream:
-    """The parser's events, with the path of names, and the text of wanted elements put together."""
+def _handlers(
+    source: Source, root: str, element: Element, parser: expat.XMLParserType
+) -> tuple[Callable[[str, dict[str, str]], None], Callable[[str], None]]:
+    """What the parser is to call at the begin and at the end of each element."""
+    place = Element(lambda name: element if name == root else None)
+    outer: list[Element] = []
+    chunks: list[str] = []
+    enter, leave, collect = outer.append, outer.pop, chunks.append
+    begun = 0
 
-    def __init__(self, source: Source, handler: Handler, root: str, parser: expat.XMLParserType) -> None:
-        self.source = source
-        self.handler = handler
-        self.root = root
-        self.parser = parser
-        self.path: list[str] = []
-        self.names: dict[str, str] = {}
-        """Names without their namespaces, by the names as the parser gives them."""
-        self.wanted: list[str] | None = None
-        self.wanted_depth = 0
-        self.wanted_line = 0
-
-    def refuse(self, *_: object) -> int:
-        raise self.source.error(
-            "the XML declares a document type or an entity, which measurement files do not need: remove it",
-            self.parser.CurrentLineNumber,
-        )
-
-    def begin(self, name: str, attributes: dict[str, str]) -> None:
-        line = self.parser.CurrentLineNumber
-        local = self.names.get(name)
-        if local is None:
-            local = self.names[name] = name.rpartition(" ")[2]
-        if not self.path and local != self.root:
-            raise self.source.error(f"the XML is {shown(local)}, not {self.root}", line)
-        if len(self.path) >= DEEPEST:
-            raise self.source.error(f"elements nested deeper than {DEEPEST}: not a measurement file", line)
-        self.path.append(local)
-        if self.handler.begin(self.path, attributes, line):
-            self.wanted, self.wanted_depth, self.wanted_line = [], len(self.path), line
+    def begin(name: str, attributes: dict[str, str]) -> None:
+        nonlocal place, begun
+        enter(place)
+        place = place[name]
+        if place.idle:
+            if place is NOTHING or len(outer) > DEEPEST:
+                check(name)
+            return
+        begun = parser.CurrentLineNumber
+        if place.begin is not None:
+            place.begin(attributes, begun)
+        if place.text is not None:
             # Text that nobody wants is not even passed on.
-            self.parser.CharacterDataHandler = self.characters
+            parser.CharacterDataHandler = collect
 
-    def end(self, name: str) -> None:
-        if self.wanted is not None and len(self.path) == self.wanted_depth:
-            content, self.wanted = "".join(self.wanted), None
-            self.parser.CharacterDataHandler = None
-            self.handler.text(self.path, content, self.wanted_line)
-        self.handler.end(self.path)
-        self.path.pop()
+    def check(name: str) -> None:
+        line = parser.CurrentLineNumber
+        if len(outer) == 1 and place is NOTHING:
+            raise source.error(f"the XML is {shown(name.rpartition(':')[2])}, not {root}", line)
+        if outer[-1].text is not None:
+            raise source.error(f"{shown(name)} stands where the text of an element was expected", line)
+        if len(outer) > DEEPEST:
+            raise source.error(f"elements nested deeper than {DEEPEST}: not a measurement file", line)
 
-    def characters(self, content: str) -> None:
-        if self.wanted is not None and len(self.path) == self.wanted_depth:
-            self.wanted.append(content)
+    def end(_: str) -> None:
+        nonlocal place
+        if place.text is not None:
+            parser.CharacterDataHandler = None
+            content = chunks.pop() if len(chunks) == 1 else "".join(chunks)
+            chunks.clear()
+            place.text(content, begun)
+        if place.end is not None:
+            place.end()
+        place = leave()
+
+    return begin, end

@@ -19,11 +19,15 @@ from millcorr.errors import unsaid
 from millcorr.messages import message, remedy
 from millcorr.readers.measurement import Measurement
 
+from .decimal_columns import decimal_columns
 from .source import Source, shown
 
 _HEADER = re.compile(rb"^(?:\xef\xbb\xbf)?XYZIJK(?![A-Za-z])")
 _SEPARATOR = re.compile(r"[ \t]*[,;][ \t]*|[ \t]+")
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
+_FIRST_ROW = re.compile(r"^.*\S.*$", re.MULTILINE)
+_NAME = re.compile(r"^[ \t]*([^\W\d_][^ \t,;\n]*)[ \t]*[ \t,;]", re.MULTILINE)
+"""In front of the numbers of a row, as `_SEPARATOR` takes it off."""
 _POINT, _VECTOR_POINT, _CIRCLE = (3, 5), (6, 8), (4, 7)
 _METRIC_COLUMNS = slice(10, 16)
 
@@ -54,13 +58,13 @@ def read(source: Source) -> Measurement:
         If METRIC does not stand where it must and the caller gives no unit, or the caller contradicts the file.
     """
     text = source.text()
-    head, _, body = text.partition("\n")
+    head = text[: text.index("\n")] if "\n" in text else text
     if not head.startswith("XYZIJK"):
         raise source.error("the first line does not begin with XYZIJK", 1)
     unit = _unit(source, head)
-    lines = body.split("\n")
-    rows = _whole(lines) or _row_by_row(source, lines)
-    values, numbers, names, circles = rows
+    begin = len(head) + 1
+    values, numbers, names, circles = _whole(text, begin) or _row_by_row(source, text[begin:].split("\n"))
+    del text  # As large as the file.
     notes = [f"{circles} circles left out: rows of 4 or 7 numbers are no points"] if circles else []
     if "METRIC" not in head and source.units is None:
         notes.append(
@@ -73,7 +77,7 @@ def read(source: Source) -> Measurement:
     if not len(values):
         raise source.error(f"no points in the file{', only circles' if circles else ''}", 1)
     normals = values[:, 3:]
-    with_normal = ~np.isnan(normals).any(axis=1)
+    with_normal = np.full(len(values), normals.size > 0) & ~np.isnan(normals).any(axis=1)
     if with_normal.any() and not with_normal.all():
         notes.append(f"{int((~with_normal).sum())} of {len(values)} points have no normal: normals are not used")
     return source.measurement(
@@ -102,29 +106,29 @@ def _unit(source: Source, head: str) -> str:
 
 
 _Rows = tuple[Floats, Ints, Sequence[str] | None, int]
-"""Numbers x,y,z,i,j,k with NaN where there is no normal, line numbers, names if any, count of circles."""
+"""Numbers x,y,z,i,j,k with NaN where there is no normal, or x,y,z where no row has one; line numbers, names if
+any, count of circles."""
 
 
-def _whole(lines: list[str]) -> _Rows | None:
+def _whole(text: str, begin: int) -> _Rows | None:
     """Rows in one go where all have the same three or six numbers; None where anything is otherwise."""
-    filled = [k for k, line in enumerate(lines, 2) if line.strip()]
-    if not filled:
+    found = _FIRST_ROW.search(text, begin)
+    if found is None:
         return None
-    names: list[str] | None = None
-    if lines[filled[0] - 2].lstrip()[:1].isalpha():
-        parts = [_SEPARATOR.split(line.strip(), maxsplit=1) for line in lines if line.strip()]
-        if not all(len(part) == 2 and part[0][:1].isalpha() for part in parts):
-            return None
-        names, lines = [part[0] for part in parts], [part[1] for part in parts]
-    try:
-        values = np.loadtxt([line.replace(",", " ") for line in lines], comments=None, ndmin=2)
-    except (ValueError, OverflowError):
+    first = found[0].strip()
+    separator = "," if "," in first else None
+    named = int(first[0].isalpha())
+    width = len(first.split(separator)) - named
+    if width not in (3, 6):
         return None
-    if values.shape[1] not in (3, 6) or len(values) != len(filled) or not np.isfinite(values).all():
+    table = decimal_columns(text, separator, named + width, range(named, named + width), begin=begin, first=2)
+    if table is None or not np.isfinite(table[0]).all():
         return None
-    if values.shape[1] == 3:
-        values = np.hstack([values, np.full_like(values, np.nan)])
-    return values, np.array(filled, dtype=np.int64), names, 0
+    values, numbers = table
+    names = _NAME.findall(text, begin) if named else None
+    if names is not None and len(names) != len(values):
+        return None
+    return values, numbers, names, 0
 
 
 def _row_by_row(source: Source, lines: list[str]) -> _Rows:

@@ -362,6 +362,23 @@ def calypso(part: Part, *, inch: bool = False, has_z: bool = True, number: int =
     return "\r\n".join([*rows, "END", ""])
 
 
+def calypso_features(part: Part, *, number: int = 815, normals: bool = True, others: bool = True) -> str:
+    """Calypso's table of features of the contact points in mm, and a circle behind every third."""
+    head = "planid partnb id type idsymbol group comment link x y z nx ny nz diameter".split()
+    head += ["alignment", "x_nom", "y_nom", "z_nom"]
+    rows = ["\t".join(head) + "\t"]
+    for k, name in enumerate(part.names):
+        vectors = (part.contact[k], part.normals[k] if normals else np.zeros(3), part.nominal[k])
+        p, n, q = ([f"{v:.7f}" for v in vector] for vector in vectors)
+        kind = "SpacePoint" if k % 2 else "Point"
+        rows.append("\t".join(["00469-Gate", str(number), name, "Punkt", kind, "", "", "", *p, *n, "", "Base", *q]))
+        if others and k % 3 == 0:
+            rows.append(
+                "\t".join(["00469-Gate", str(number), f"Bore_{k}", "Kreis", "Circle", "", "", "", *p, *n, "16.0"])
+            )
+    return "\r\n".join([*rows, "END", ""])
+
+
 # --- DMIS -------------------------------------------------------------------------------------------------
 
 

@@ -206,7 +206,8 @@ def _mapped(n: int) -> list[Dress]:
 
 def _calypso(n: int) -> list[Dress]:
     part = files.ellipse(n)
-    return [(files.calypso(part, has_z=has_z).encode(), {"points": "contact"}) for has_z in (True, False)]
+    tables = [*(files.calypso(part, has_z=has_z) for has_z in (True, False)), files.calypso_features(part)]
+    return [(table.encode(), {"points": "contact"}) for table in tables]
 
 
 def _height_map(n: int) -> list[Dress]:

@@ -85,8 +85,77 @@ def test_refused_with_the_line(table, column, new, says):
     assert caught.value.line in (2, 3)
 
 
+@pytest.mark.parametrize("normals", [True, False])
+def test_points_of_a_table_of_features(table, normals):
+    path = table(files.calypso_features(PART, normals=normals), "plan_fet.txt")
+    m = readers.read(path, points="contact")
+    np.testing.assert_allclose(m.points, PART.contact, atol=6e-8)
+    np.testing.assert_allclose(m.nominal, PART.nominal, atol=6e-8)
+    if normals:
+        np.testing.assert_allclose(m.normals, PART.normals, atol=1e-7)
+    assert (m.normals is None) != normals
+    assert m.format == "calypso" and m.elements == PART.names and m.bases["unit"].how == "assumed"
+    assert m.notes == ("2 other features left out: Circle",) and m.lines.tolist() == [2, 4, 5, 6]
+    with pytest.raises(UsageError, match="--points"):
+        readers.read(path)
+
+
+def test_parts_of_a_table_of_features(table):
+    parts = [files.ellipse(4, seed=seed) for seed in (1, 2)]
+    texts = [files.calypso_features(part, number=number) for number, part in enumerate(parts, 7)]
+    path = table(texts[0].replace("END\r\n", "") + texts[1].partition("\r\n")[2])
+    with pytest.raises(UsageError, match=r"2 measured parts \(1: part '7', .*; 2: part '8', .*"):
+        readers.read(path, points="contact")
+    for number, part in enumerate(parts, 1):
+        np.testing.assert_allclose(readers.read(path, points="contact", part=number).points, part.contact, atol=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ("\tP2\t", "\tP1\t", "'P1' is there twice, first in line 2"),
+        ("SpacePoint", "Plane", "no row of the kind Point or SpacePoint, only 'Circle', 'Plane'"),
+        ("-4.0000000\t", "-4.O\t", "no coordinate"),
+    ],
+)
+def test_spoilt_tables_of_features(table, old, new, says):
+    text = files.calypso_features(PART).replace(old, new)
+    if new == "Plane":
+        text = text.replace("\tPoint\t", "\tPlane\t")
+    with pytest.raises(FormatError, match=says):
+        readers.read(table(text), points="contact")
+
+
+def test_features_without_coordinates_were_not_measured(table):
+    lines = files.calypso_features(PART, others=False).splitlines()
+    cells = lines[1].split("\t")
+    cells[8:11] = ["", "", ""]
+    m = readers.read(table("\n".join([lines[0], "\t".join(cells), *lines[2:]])), points="contact")
+    assert m.elements == PART.names[1:] and m.notes == ("1 points were not measured",)
+
+
+def test_a_table_as_an_older_calypso_writes_it(table):
+    """No column of units, characteristics of two features, and a result that belongs to none."""
+    columns = [name for name in files.CALYPSO if name != "unit"]
+    base = dict.fromkeys(columns, "") | {"planid": "RING", "partnb": "10", "deviation": "0.0000000"}
+
+    def row(kind, feature, value):
+        cells = base | {"idsymbol": kind, "featureid": feature, "actual": value, "nominal": value}
+        return "\t".join(cells[name] for name in columns)
+
+    others = [
+        row("gdtFlat", "Plane_A", "0.0"), row("distance2d", "P1,P2", "0.03"), row("resultElementLength", "", "1.0")
+    ]  # fmt: skip
+    path = table("\n".join(["\t".join(columns) + "\t", *others, "END", ""]))
+    with pytest.raises(FormatError, match="none of 2 features has xValue and yValue"):
+        readers.read(path, points="contact")
+    points = [row("xValue", "P1", "1.0"), row("yValue", "P1", "2.0")]
+    m = readers.read(table("\n".join(["\t".join(columns) + "\t", *others, *points, "END", ""])), points="contact")
+    assert m.points.tolist() == [[1.0, 2.0, 0.0]] and m.bases["unit"].how == "assumed"
+
+
 def test_other_tables_of_calypso_are_named(table):
-    """The table of features has columns x, y and z, of circles and planes as well."""
-    features = "planid\tpartnb\tgeotype\tid\tx\ty\tz\tnx\tny\tnz\nGate\t815\tCircle\tBore\t40.0\t20.0\t0.0\t0\t0\t1\n"
-    with pytest.raises(FormatError, match=r"give the file that ends in _chr.txt, or say by --mapping"):
-        readers.read(table(features, "plan_fet.txt"), points="contact")
+    """The head of a plan begins with the same columns."""
+    head = "planid\tpartnb\tfilename\toperid\tdate\nGate\t815\tgate\tMaster\t2024-02-29\n"
+    with pytest.raises(FormatError, match=r"give the file that ends in _chr.txt or _fet.txt, or say by --mapping"):
+        readers.read(table(head, "plan_hdr.txt"), points="contact")

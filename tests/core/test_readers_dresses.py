@@ -90,6 +90,7 @@ EXAMPLES = {
     ("xyzijk.md", 0): ("xyzijk", {"points": "contact"}, 2),
     ("pcdmis.md", 0): ("pcdmis", {"points": "contact"}, 1),
     ("calypso.md", 0): ("calypso", {"points": "contact"}, 1),
+    ("calypso.md", 1): ("calypso", {"points": "contact"}, 2),
     ("dmis.md", 0): ("dmis", {}, 2),
     ("probe-logs.md", 0): ("linuxcnc", {"probe_radius": 1.5}, 2),
     ("probe-logs.md", 1): ("grbl", {"probe_radius": 1.5}, 2),

@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
+import contextlib
+import gc
 import re
 import time
 import tracemalloc
@@ -311,6 +313,12 @@ def test_spoilt_locations(qif_file, location, says):
         readers.read(qif_file(text))
 
 
+def test_an_element_where_text_belongs(qif_file):
+    with pytest.raises(FormatError, match="'b' stands where the text of an element was expected") as caught:
+        readers.read(qif_file(files.qif(PART).replace("<ProbeRadius>1.5", "<ProbeRadius>1<b/>.5")))
+    assert caught.value.line
+
+
 def test_deep_nesting_is_no_measurement(qif_file):
     with pytest.raises(FormatError, match="nested"):
         readers.read(qif_file("<QIFDocument>" + "<a>" * 100_000))
@@ -348,6 +356,25 @@ def test_written_and_read_back(tmp_path, n, seed, encoding, compensated, **dress
     np.testing.assert_allclose(m.normals, part.normals, atol=1e-14)
     if not dress["scan"]:
         np.testing.assert_allclose(m.from_nominal(), part.deviations, atol=1e-11)
+
+
+@pytest.mark.parametrize("spoilt", [False, True])
+def test_records_go_when_the_file_has_been_read(qif_file, spoilt):
+    """Also where Python does not look for cycles."""
+    readers.read(qif_file(files.qif(PART), "imports what is needed"))
+    text = files.qif(files.ellipse(5000))
+    path = qif_file(text.replace("</Results>", "") if spoilt else text)
+    gc.collect()
+    gc.disable()
+    tracemalloc.start()
+    try:
+        with pytest.raises(FormatError) if spoilt else contextlib.nullcontext():
+            readers.read(path)
+        left = tracemalloc.get_traced_memory()[0]
+    finally:
+        tracemalloc.stop()
+        gc.enable()
+    assert left < 0.1 * len(text)
 
 
 def test_memory_of_a_large_scan(qif_file):
