@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from typing import NoReturn
 
 import numpy as np
 
@@ -29,6 +30,8 @@ SAME_POINT = 2e-4
 """Path points closer than this, in mm, are the same vertex (programs round to 0.001 or finer)."""
 TAB_SHARE = 0.25
 """Holding tabs take no more of a contour than this; what is run above the cut over a longer way is a way back."""
+SAMPLED = 0.05
+"""Whether a parallel is on the surface is asked at every such share of the radius."""
 ON_THE_MOVE = 2e-3
 """A vertex this near, in mm, lies on a move: on a slope the ends of moves are rounded, down to 0.0001 inch."""
 
@@ -472,7 +475,7 @@ def _on_the_surface(pieces: list[_Piece], offset: list[_Piece | None], radius: f
         if one is None:
             continue
         length = float(np.hypot(*one.at(0.5)[1]))
-        count = int(np.clip(np.ceil(length / (0.05 * radius)), 3, 400))
+        count = int(np.clip(np.ceil(length / (SAMPLED * radius)), 3, 400))
         inset = min(0.05, 1e-3 / max(length, 1e-9))
         share.append(np.concatenate([[inset], (np.arange(count) + 0.5) / count, [1.0 - inset]]))
         number.append(np.full(count + 2, i, dtype=np.int64))
@@ -526,7 +529,7 @@ def _joined(
     for i, low, high in runs:
         one = offset[i]
         assert one is not None
-        parts.append(replace(one, low=0.0 if low < 0.05 else low, high=1.0 if high > 0.95 else high))
+        parts.append(_with_ends(one, low, high))
     for n, (a, (i, _, _)) in enumerate(zip(parts, runs, strict=True)):
         out.append((True, a))
         last = n + 1 == len(parts)
@@ -541,31 +544,95 @@ def _joined(
         if adjacent and turn > np.pi - 1e-6:
             # Straight back the cutter leaves a slot's round end; a fin without thickness it cannot.
             turn -= 2 * np.pi
-        gap = float(np.hypot(*(b.at(b.low)[0] - a.at(a.high)[0])))
         if adjacent and abs(turn) < 1e-7:
             continue
+        if not adjacent and (between := _hidden_sides(pieces, offset, (a, b), (i, j), radius)):
+            out += [(False, one) for one in between]
+            continue
+        gap = _gap(a, b)
         # A convex corner is cut back however far the path ran past it; a concave one is continued so far only.
         reach = 4 * radius if turn < 0 else np.inf
         if (adjacent or gap > 1e-9) and not _trim_to_each_other(a, b, reach) and gap >= GAP / 2:
             if adjacent and turn < 0:
                 # The sides never meet (the path turns back): what the cutter leaves is a fillet of its radius.
-                out.append((False, _Piece(a.p1, b.p0, pieces[j].p0, turn)))
+                out.append((False, _fillet(pieces, i, radius)))
                 continue
             bridge = _Piece(a.at(a.high)[0], b.at(b.low)[0])
             if gap < radius and max(_bend(ta, bridge.tangent(0.5)), _bend(bridge.tangent(0.5), tb)) < CORNER_ANGLE:
                 # Facets whose rounded ends make them parallel never meet: what vanished between them is as straight.
                 out.append((False, bridge))
                 continue
-            x, y = a.at(a.high)[0]
-            raise InputError(
-                f"the offset path does not close near X{x:.3f} Y{y:.3f}: check ",
-                option("tool_diameter"),
-                " and ",
-                option("side"),
-                ", or give the contour with ",
-                option("nominal"),
-            )
+            _refuse_gap(a)
     return out
+
+
+def _gap(a: _Piece, b: _Piece) -> float:
+    """Distance in mm between the end of one piece and the beginning of another."""
+    return float(np.hypot(*(b.at(b.low)[0] - a.at(a.high)[0])))
+
+
+def _refuse_gap(a: _Piece) -> NoReturn:
+    x, y = a.at(a.high)[0]
+    raise InputError(
+        f"the offset path does not close near X{x:.3f} Y{y:.3f}: check ",
+        option("tool_diameter"),
+        " and ",
+        option("side"),
+        ", or give the contour with ",
+        option("nominal"),
+    )
+
+
+def _fillet(pieces: list[_Piece], i: int, radius: float) -> _Piece:
+    """What the disc at the end of a piece leaves on the left of a turn to the right."""
+    before, after = pieces[i], pieces[(i + 1) % len(pieces)]
+    ta, tb = before.tangent(1.0), after.tangent(0.0)
+    turn = float(np.arctan2(ta[0] * tb[1] - ta[1] * tb[0], ta @ tb))
+    # Straight back is to the right.
+    turn -= 2 * np.pi if turn > np.pi - 1e-6 else 0.0
+    return _Piece(before.p1 + radius * _left(ta), before.p1 + radius * _left(tb), before.p1, turn)
+
+
+def _hidden_sides(
+    pieces: list[_Piece],
+    offset: list[_Piece | None],
+    ends: tuple[_Piece, _Piece],
+    numbers: tuple[int, int],
+    radius: float,
+) -> list[_Piece]:
+    """Sides of which only the fillets beside them are left, as of a step lower than the cutter's radius.
+
+    The drawing has them: they are continued to the corners as others are, and both ends cut to them. Where they do not
+    meet, the fillets stand for them. None, and nothing is cut, where no fillet is on the surface between both ends.
+    """
+    i, j = numbers
+    between = [k % len(pieces) for k in range(i, j if j > i else j + len(pieces))]
+    fillets = [_fillet(pieces, k, radius) for k in between]
+    turning = [fillet if fillet.sweep < -1e-7 else None for fillet in fillets]
+    seen = _on_the_surface(pieces, turning, radius)
+    # What shows of less than a corner is facets' rounding.
+    left = [(k, low, high) for k, low, high in seen if (low - high) * fillets[k].sweep > CORNER_ANGLE]
+    beside = {between[k] for k, _, _ in left} | {(between[k] + 1) % len(pieces) for k, _, _ in left}
+    sides = [offset[k] for k in between[1:] if k in beside]
+    whole = [replace(side) for side in sides if side is not None]
+    for chain in ([whole] if len(whole) == len(sides) else []) + [
+        [_with_ends(fillets[k], low, high) for k, low, high in left]
+    ]:
+        a, b = (replace(end) for end in ends)
+        row = [a, *chain, b]
+        meet = all(
+            _gap(one, other) <= 1e-9 or _trim_to_each_other(one, other, np.inf)
+            for one, other in zip(row[:-1], row[1:], strict=True)
+        )
+        if chain and meet and all(_extent(one) > 1e-6 for one in row):
+            ends[0].high, ends[1].low = a.high, b.low
+            return chain
+    return []
+
+
+def _with_ends(piece: _Piece, low: float, high: float) -> _Piece:
+    """A piece between the first and the last sample of it that is on the surface; whole where these are its own."""
+    return replace(piece, low=0.0 if low < 0.05 else low, high=1.0 if high > 0.95 else high)
 
 
 def _bend(a: Floats, b: Floats) -> float:

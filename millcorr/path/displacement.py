@@ -406,8 +406,9 @@ def _along_normals(
     way = np.where((size > 1e-9)[:, None], away / np.maximum(size, 1e-12)[:, None], feet.normal)
     guess = radius - size
     was = np.zeros(len(place)) if before is None else before.clearance(place, way, radius, guess)
-    now = after.clearance(place, way, radius, guess if before is None else was)
     own = own if before is not None else radius + _interpolated(after, stretch, s) - size
+    # Where its own place asks it to go it is clear also of what is beside it: from where it was that may be in the way.
+    now = after.clearance(place, way, radius, own if before is None else was + own)
     return way, now - was, own, corner
 
 

@@ -13,7 +13,7 @@ from millcorr.arrays import Bools, Floats, Ints
 from millcorr.comparison.commanded_surface import CommandedSurface
 from millcorr.comparison.deviation import Deviation
 from millcorr.correction.settings import Settings
-from millcorr.errors import FitError, LimitError
+from millcorr.errors import FitError, FormatError, LimitError
 from millcorr.geometry.correction import Correction
 from millcorr.geometry.nurbs import NurbsCurve
 from millcorr.geometry.profile import Contour, Profile
@@ -287,5 +287,10 @@ def written_text(program: nc.Program, regeneration: Regeneration, tolerance: flo
     # Rounding moves a point by at most half a unit in each of two directions.
     own = program.style.decimals
     unit = 25.4 if (program.modal.unit == 20).any() else 1.0
-    decimals = own if np.sqrt(0.5) * unit * 10.0**-own <= 0.9 * room else None
-    return nc.write(program, regeneration.toolpath, decimals=decimals, tolerance=tolerance, header=header)
+    if np.sqrt(0.5) * unit * 10.0**-own <= 0.9 * room:
+        try:
+            return nc.write(program, regeneration.toolpath, decimals=own, tolerance=tolerance, header=header)
+        except FormatError:
+            # An arc by its radius may need one more than its ends do.
+            pass
+    return nc.write(program, regeneration.toolpath, tolerance=tolerance, header=header)

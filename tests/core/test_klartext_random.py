@@ -105,3 +105,16 @@ def test_an_approach_along_the_wall_stays_one_block() -> None:
     assert gently.verification.gouge_max <= 0.001
     assert isinstance(strongly, str)
     assert re.search(r"surface would be \d\.\d\d um off at X15", strongly)
+
+
+def test_an_arc_that_needs_a_decimal_more_than_its_ends_has_it() -> None:
+    """RND beside a polar block that cannot become CR within the program's three decimals."""
+    opening = ["TOOL CALL 7 Z S4000", "L Z20 R0 FMAX M3", "L X55.869 Y-21.674 FMAX", "L Z-3 F250"]
+    corner = ["CC X-6.39 Y-56.975", "LP PR30 PA90", "CC X-35 Y-28.188", "LP PR30 PA90", "RND R5", "L IX37.13 IY29.226"]
+    rest = ["CR IX32.833 IY-30.58 R71.8 DR-", "CC X14.286 Y-43.259", "LP PR30 PA90", "DEP LT LEN10"]
+    lines = [*opening, "APPR LN X14.286 Y-13.259 LEN10 RL", *corner, *rest, "L Z20 FMAX M30"]
+    made = Made(lines=lines, following=list(range(5, 11)), numbered=False)
+    path = nc.parse(made.text, "corner.h").toolpath
+    result = outcome(made.text, measured(path, made.following, 0.0, 0.0, 0.0030581416342045048, 3.125))
+    assert isinstance(result, pipeline.Result), result
+    assert re.search(rb"R[\d.]*\d\.\d{4}\b", result.text)

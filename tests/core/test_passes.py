@@ -527,3 +527,15 @@ def test_centres_of_a_ball_as_large_as_the_cutter_lie_on_the_path() -> None:
     known = Measurement(centres, outward, R, np.arange(1, len(centres) + 1), "part.csv", "cd" * 32)
     _, new = correct(program(finish), known)
     np.testing.assert_allclose(wall(new, -2.0), -0.02, atol=0.001)
+
+
+@pytest.mark.parametrize("deviation", [0.02, -0.03])
+def test_both_walls_beside_a_step_lower_than_the_cutter_are_corrected(deviation: float) -> None:
+    text = program(f"G0 X60 Y{-R:g}\nG1 Z-5 F300\nG1 X{R:g} Y{-R:g}\nG1 X{R:g} Y{1.5 - R:g}\nG1 X-60 Y{1.5 - R:g}")
+    walls = [(np.linspace(50, 2, 80), 0.0), (np.linspace(-8, -50, 80), 1.5)]
+    part = measured(*(np.column_stack([x, np.full(80, y - deviation), np.full(80, -2.0)]) for x, y in walls))
+    result, _ = correct(text, part)
+    x, y = result.regeneration.toolpath.end[result.regeneration.following, :2].T
+    np.testing.assert_allclose(y[[0, 2]], [deviation - R, 1.5 + deviation - R], rtol=0, atol=1e-3)
+    # The step's own wall shows nowhere: it stays within the two beside it.
+    assert np.abs(x[:2] - R).max() <= abs(deviation) + 1e-3

@@ -118,3 +118,13 @@ def test_one_inner_corner(climb):
     vertices = rectangle(60.0, 40.0).vertices[::-1].copy()
     part = Part(vertices, (0.0, 8.0, 8.0, 8.0))
     go(part.profile, part.path(R, False), climb)
+
+
+def test_beside_an_inside_corner_of_which_the_other_side_moves_in():
+    """The places between the old and the new corner are clear where their own side wants them, and only there."""
+    vertices = [(9.27050983, -28.53169549), (-36.40576475, -26.45033635), (-22.65247584, 16.45798706)]
+    part = Part(np.array([*vertices, (6.79837388, 20.92324336), (22.0, 0.0)]), (0.0,) * 5)
+    profile, elements = profile_of(part.elements), part.path(R, False)
+    contour = CompensatedContour(profile, waves(profile, 0.05, 30.0))
+    done = laid(program(elements, False, False, 1).toolpath(), profile, contour.correction, R)
+    check(done, contour, sum(e.length for e in elements))

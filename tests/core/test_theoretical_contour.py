@@ -481,3 +481,38 @@ def test_facets_whose_rounding_makes_them_parallel(seed: int, decimals: int) -> 
     assert len(closed) == 1
     off = np.hypot(*samples(closed[0].contour).T) - 9.0
     assert np.abs(off).max() < 3.0 * 10.0**-decimals
+
+
+@settings(max_examples=examples(60), deadline=None)
+@given(
+    steps=st.lists(
+        st.tuples(st.floats(0.3, 0.7 * R), st.sampled_from([1.0, -1.0]), st.floats(-0.05, 0.05)), min_size=1, max_size=4
+    ),
+    tread=st.floats(4 * R, 8 * R),
+    right=st.booleans(),
+)
+def test_steps_lower_than_the_cutter_are_in_the_drawing(steps, tread, right):
+    """Only a fillet of the cutter is left of a step's wall: the walls beside it, nearly parallel, never meet there."""
+    x, y, drawing = 0.0, 0.0, [(0.0, 0.0)]
+    for height, way, lean in steps:
+        x += tread
+        drawing.append((x, y))
+        x, y = x + lean, y + way * height
+        drawing.append((x, y))
+    drawing = np.array([*drawing, (x + tread, y)])
+    if right:
+        drawing[:, 1] *= -1
+    side = -1.0 if right else 1.0
+    ahead = np.diff(drawing, axis=0)
+    ahead /= np.hypot(*ahead.T)[:, None]
+    out = side * np.stack([ahead[:, 1], -ahead[:, 0]], axis=1)
+    turn = out[:-1] + out[1:]
+    places = drawing.copy()
+    places[[0, -1]] += R * out[[0, -1]]
+    places[1:-1] += 2 * R * turn / (turn**2).sum(axis=1)[:, None]
+    path = Path().rapid(*places[0]).plunge(-1.0)
+    for place in places[1:]:
+        path.line(*place)
+    found = only(path.toolpath(), R, right)
+    corners = np.array([curve.poles[0] for curve in found.contour.curves] + [found.contour.curves[-1].poles[-1]])
+    np.testing.assert_allclose(corners, drawing[::-1] if right else drawing, rtol=0, atol=1e-9)
