@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from millcorr import progress
 from millcorr.arrays import Bools, Bytes, CompactColumns, Floats, Ints, ReadOnlyArrays
-from millcorr.nc.toolpath import Kind, Plane, Toolpath, named_tool
+from millcorr.nc.toolpath import COLUMNS, Kind, Plane, Toolpath, named_tool
 from millcorr.tolerances import ARITHMETIC
 
 from .corner_moves import broken, complex_of, way
@@ -112,7 +112,7 @@ class PlainMoves(CompactColumns):
         """The same moves as a `Toolpath`; arcs out of the XY plane, whose centre nothing asks for, have none."""
         flat = (self.plane == Plane.XY) & (self.kind == Kind.ARC)
         centre = np.where(flat[:, None], np.column_stack([self.centre, self.start[:, 2]]), np.nan)
-        arrays = {name: getattr(self, name) for name in Toolpath.__slots__ if name not in ("centre", "source")}
+        arrays = {name: getattr(self, name) for name in COLUMNS if name not in ("centre", "source")}
         return Toolpath(**arrays, centre=centre, source=self.line)
 
 

@@ -147,7 +147,7 @@ def parse(data: bytes, name: str) -> KlartextProgram:
     starts = line_starts(data)
     blocks = list(blocks_of(data, starts, name))
     followed = Follower(blocks, name, len(starts) - 1)
-    count = len(followed.feed_words)
+    count, lines = len(followed.feed_words), followed.lines()
     modal = Modal(
         motion=np.full(count, UNSTATED),
         plane=np.full(count, 17),
@@ -161,11 +161,11 @@ def parse(data: bytes, name: str) -> KlartextProgram:
         name,
         data,
         starts,
-        toolpath_of(followed.rows),
+        toolpath_of(followed.rows).with_lines(lines),
         modal,
         style_of(data, blocks),
         tuple(followed.stretches),
-        Run(followed.lines(), NO_WORDS, (), count, {}, {}),
+        Run(lines, NO_WORDS, (), count, {}, {}),
         np.array(followed.corners, np.int64),
         led=np.array(followed.led, np.int64),
         tangents=np.array(followed.tangents, np.int64),
