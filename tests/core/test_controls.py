@@ -65,14 +65,20 @@ SAMPLED = 2e-4
 """By how much chords of the samples below are off their arcs, mm: 20 mm of radius 25 in 128 parts, and less."""
 
 
+TIP = 0.1
+"""So near to a sharp corner, mm, a path may run on past it by some micrometres, or not: the proof leaves that free."""
+
+
 def cutting_path(path: Toolpath) -> Floats:
     """Row of places of all moves under G41, at all depths, (n, 2)."""
     cuts = path.take((path.compensation == Compensation.LEFT) & (path.kind != Kind.RAPID))
     return cuts.position(np.linspace(0.0, 1.0, 129))[:, :, :2].reshape(-1, 2)
 
 
-def farthest(row: Floats, other: Floats) -> float:
-    """Largest distance of the places of one row from the chords of another, mm."""
+def farthest(row: Floats, other: Floats, contour: Contour) -> float:
+    """Largest distance of the places of one row from the chords of another, mm; the tips of sharp corners are free."""
+    tips = shapely.MultiPoint([edge.end for edge in contour.edges if edge.corner is None])
+    row = row[shapely.distance(shapely.points(row), tips) > TIP]
     tree = shapely.STRtree(shapely.linestrings(np.stack([other[:-1], other[1:]], axis=1)))
     return float(tree.query_nearest(shapely.points(row), return_distance=True, all_matches=False)[1].max())
 
@@ -87,7 +93,7 @@ def assert_alike(contour: Contour) -> None:
             continue
         ours, theirs = (cutting_path(p.toolpath) for p in (program, wanted))
         # The text of either is proven to lie within the tolerance of what is wanted; where a move is divided is free.
-        assert max(farthest(ours, theirs), farthest(theirs, ours)) <= 2 * 0.001 + SAMPLED, family
+        assert max(farthest(ours, theirs, contour), farthest(theirs, ours, contour)) <= 2 * 0.001 + SAMPLED, family
         before, after = written(contour, family).splitlines(), result.text.decode().splitlines()
         assert [_bare(line) for line in after if _steers(line)] == [_bare(line) for line in before if _steers(line)]
 
