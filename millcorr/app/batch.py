@@ -309,11 +309,9 @@ def _require_valid(obj: Any) -> None:
 def _posted(obj: Any) -> str:
     """The job's program; with four decimals where the job leaves their number open."""
     job = compat.parent_job(obj)
-    arguments = job.PostProcessorArgs
     # FreeCAD's default of three rounds by half a micrometre, as much as the whole path may err.
-    if "--precision" not in arguments and "--inches" not in arguments:
-        arguments = f"{arguments} --precision 4".strip()
-    return compat.post(job, arguments)
+    given = "--precision" in job.PostProcessorArgs or "--inches" in job.PostProcessorArgs
+    return compat.post(job, wish="" if given else "--precision 4")
 
 
 def proved(obj: Any, text: str, corrected: correction.Correction) -> correction.Correction:
@@ -339,17 +337,24 @@ def proved(obj: Any, text: str, corrected: correction.Correction) -> correction.
     LimitError
         If it rounds more than the tolerance allows.
     """
-    posted = nc.parse(text, "posted program")
+    posted = nc.parse(text, f"program of FreeCAD's post {compat.parent_job(obj).PostProcessor or 'linuxcnc'}")
     emitted = posted.toolpath.take(_stretch(posted, obj.Label))
     result = corrected.result
     planned = result.regeneration
+    tolerance = corrected.request.settings.tolerance
+    if coarse := posted.resolution > tolerance:
+        tolerance += posted.resolution
     proof = verification.verify(
         emitted,
         result.compensated,
         result.path_radius,
         following=verification.following_by_place(emitted, planned.toolpath, planned.following),
-        tolerance=corrected.request.settings.tolerance,
+        tolerance=tolerance,
     )
+    if coarse:
+        fine, within = (f"{length * 1000:.1f} um" for length in (posted.resolution, tolerance))
+        said = f"the post writes places no finer than {fine}: the posted program is proven within {within}"
+        result = replace(result, advice=(*result.advice, said))
     return replace(corrected, result=replace(result, verification=proof))
 
 
@@ -358,7 +363,7 @@ def _stretch(posted: nc.Program, label: str) -> Any:
     lines = posted.text.splitlines()
     begin = [k for k, line in enumerate(lines) if re.search(r"begin operation: *" + re.escape(label), line)]
     end = [k for k, line in enumerate(lines) if re.search(r"finish operation: *" + re.escape(label), line)]
-    source = posted.toolpath.source
+    source = posted.lines_of(posted.toolpath.source)
     rows = source >= 0
     if len(begin) == 1 and len(end) == 1:
         rows = (source > begin[0]) & (source < end[0])

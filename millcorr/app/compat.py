@@ -10,6 +10,8 @@ from __future__ import annotations
 
 import importlib
 import importlib.util
+import pathlib
+import tempfile
 from types import ModuleType
 from typing import Any
 
@@ -356,7 +358,26 @@ def _post_list(job: DocumentObject) -> list[Any]:
     return out
 
 
-def post(job: DocumentObject, arguments: str | None = None) -> str:
+def _texts(job: DocumentObject, name: str, arguments: str) -> list[str]:
+    """What a post processor makes of a job."""
+    try:
+        factory = importlib.import_module("Path.Post.Processor").PostProcessorFactory
+    except ModuleNotFoundError:
+        processor = importlib.import_module("PathScripts.PathPostProcessor").PostProcessor.load(name)
+        with tempfile.TemporaryDirectory() as directory:
+            # Some of them give the program back, some only write it.
+            file = pathlib.Path(directory) / "program.nc"
+            given = processor.export(_post_list(job), str(file), arguments)
+            if not isinstance(given, str) or not given:
+                given = file.read_text(encoding="utf-8", errors="replace") if file.exists() else ""
+        sections = [("", given)]
+    else:
+        processor = factory.get_post_processor(_JobWithArguments(job, arguments), name)
+        sections = [] if processor is None else processor.export() or []
+    return [text for _, text in sections if text]
+
+
+def post(job: DocumentObject, arguments: str | None = None, wish: str = "") -> str:
     """NC text of a job, made by the FreeCAD post processor that the job names, or else by LinuxCNC's.
 
     Parameters
@@ -365,6 +386,8 @@ def post(job: DocumentObject, arguments: str | None = None) -> str:
         The job.
     arguments : str, optional
         Arguments of the post processor; default the job's own.
+    wish : str
+        One more argument, left out where the post processor does not know it.
 
     Returns
     -------
@@ -374,21 +397,23 @@ def post(job: DocumentObject, arguments: str | None = None) -> str:
     Raises
     ------
     InputError
-        If the post processor makes no program, or several.
+        If the post processor fails, makes no program, or several.
     """
     name = job.PostProcessor or "linuxcnc"
     arguments = job.PostProcessorArgs if arguments is None else arguments
     if "--no-show-editor" not in arguments:
         arguments = f"{arguments} --no-show-editor".strip()
     try:
-        factory = importlib.import_module("Path.Post.Processor").PostProcessorFactory
-    except ModuleNotFoundError:
-        processor = importlib.import_module("PathScripts.PathPostProcessor").PostProcessor.load(name)
-        sections = [("", processor.export(_post_list(job), "-", arguments))]
-    else:
-        processor = factory.get_post_processor(_JobWithArguments(job, arguments), name)
-        sections = [] if processor is None else processor.export() or []
-    texts = [text for _, text in sections if text]
+        try:
+            texts = _texts(job, name, f"{arguments} {wish}".strip())
+        except SystemExit:
+            # So end those that do not know an argument.
+            texts = _texts(job, name, arguments)
+    except (Exception, SystemExit) as error:  # noqa: BLE001
+        told = f"{type(error).__name__}: {error}" if isinstance(error, Exception) else "an argument it does not know"
+        raise InputError(
+            f"{job.Label}: FreeCAD's own post processor {name} fails on this job ({told}): post with another one"
+        ) from error
     if not texts:
         raise InputError(f"{job.Label}: FreeCAD's post processor {name} made no program")
     if len(texts) > 1:

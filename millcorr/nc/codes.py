@@ -14,6 +14,8 @@ CIRCLE_BY_POINT, TANGENT_CIRCLE = 9876.1, 9876.2
 SHIFT, SHIFT_MORE, NEW_FRAME, OTHER_FRAME = 9876.3, 9876.4, 9876.5, 9876.6
 
 SIEMENS_ARCS = (round(10 * CIRCLE_BY_POINT), round(10 * TANGENT_CIRCLE))
+LOCAL_SHIFT = 520
+"""Fanuc's G52: the axes that it states are shifted by so much, the others as before."""
 SHIFTS = (round(10 * SHIFT), round(10 * SHIFT_MORE), round(10 * NEW_FRAME))
 
 PATHS = (0, 10, 20, 30, 50)
@@ -56,7 +58,7 @@ INITIAL = {
 
 FRAME_ON = {
     920: "G92 shifts the frame",
-    520: "G52 shifts the frame",
+    LOCAL_SHIFT: "G52 turns the frame",
     100: "G10 may change a work offset",
     680: "G68 rotates the frame",
     681: "G68.1 rotates the frame",

@@ -28,6 +28,7 @@ from .codes import (
     INCH,
     INITIAL,
     LENGTH_OFFSETS,
+    LOCAL_SHIFT,
     NOT_A_TARGET,
     OFFSETS,
     OKUMA_LENGTHS,
@@ -290,8 +291,8 @@ class _Follower:
             stated, value = self.column(letter)
             return float(value[line]) if stated[line] else 0.0
 
-        if code == 520:
-            return any(number(axis) != 0 for axis in "XYZABC")
+        if code == LOCAL_SHIFT:
+            return any(number(axis) != 0 for axis in "ABC")
         if code == 71 or code == 1070:
             return number("C") != 0
         if code == 100:
@@ -424,18 +425,18 @@ class _Follower:
         return before, after, ever
 
     def _shifts(self, scale: Floats) -> Floats:
-        """What TRANS and ATRANS add to stated positions behind each line, mm, (lines, 3)."""
-        lines = self.lines_with(SHIFTS)
+        """What TRANS, ATRANS and G52 add to stated positions behind each line, mm, (lines, 3)."""
+        lines = self.lines_with((*SHIFTS, LOCAL_SHIFT))
         if not len(lines):
             return np.broadcast_to(0.0, (self.lines, 3))
         shift = np.zeros((self.lines, 3))
-        more = self.marked([SHIFTS[1]])
+        more, local = self.marked([SHIFTS[1]]), self.marked([LOCAL_SHIFT])
         for line, until in zip(lines.tolist(), [*lines[1:].tolist(), self.lines], strict=True):
-            now = shift[line - 1].copy() if line and more[line] else np.zeros(3)
+            now = shift[line - 1].copy() if line and (more[line] or local[line]) else np.zeros(3)
             for k, axis in enumerate("XYZ"):
                 stated, value = self.column(axis)
                 if stated[line]:
-                    now[k] += value[line] * scale[line]
+                    now[k] = value[line] * scale[line] + (0.0 if local[line] else now[k])
             shift[line:until] = now
         return shift
 

@@ -237,7 +237,7 @@ def parse(data: bytes, name: str = "program", *, folder: Path | None = None) -> 
         name,
         data,
         starts,
-        toolpath,
+        toolpath.with_lines(ran.line),
         modal,
         style,
         stretches,

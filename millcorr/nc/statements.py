@@ -465,6 +465,8 @@ def _constant(source: str) -> tuple[float, str]:
 def malformed(rest: str) -> str:
     """What is wrong with a text that is no word."""
     shown = rest[:20].encode("ascii", "replace").decode()
+    if re.match(r"L\s*\d+,\d+\s*\*?\s*$", rest):
+        return f"'{shown}' calls a label as HEIDENHAIN's ISO programs do, which is not read: write it in plain language"
     if re.match(r"[A-Z]\s*[+-]?\s*\d+,\d", rest):
         return f"decimal comma in '{shown}': write numbers with a decimal point"
     if rest.startswith("("):

@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 import zlib
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from enum import IntEnum
 
 import numpy as np
 from numpy.typing import NDArray
 
-from millcorr.arrays import Bools, CompactColumns, Floats, Ints
+from millcorr.arrays import Bools, Floats, Ints, compact
 from millcorr.errors import InputError
 
 
@@ -66,7 +66,7 @@ def named_tool(name: bytes) -> int:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Toolpath(CompactColumns):
+class Toolpath:
     """Moves of a program in order, one row a move.
 
     Parameters
@@ -88,11 +88,13 @@ class Toolpath(CompactColumns):
     feed : (n,) float64
         Feed in mm/s; NaN for rapids, for inverse-time or per-revolution feed, and where none was stated.
     source : (n,) int64
-        Index (from 0) of the line or command that made the move; not decreasing.
+        Index (from 0) of the block or command that made the move; not decreasing.
     compensation : (n,) int64
         `Compensation` in force during the move.
     tool : (n,) int64
         Number of the tool in the spindle, `named_tool` of one with a name; -1 where the program has not called one.
+    lines : (blocks,) int64 or None
+        Line of the file, from 0, that each block runs; None where blocks are lines.
 
     Raises
     ------
@@ -111,16 +113,23 @@ class Toolpath(CompactColumns):
     source: Ints
     compensation: Ints
     tool: Ints
+    lines: Ints | None = None
 
     def __post_init__(self) -> None:
         n = len(self.kind)
-        for name in self.__slots__:
+        for name in COLUMNS:
             if (rows := len(getattr(self, name))) != n:
                 raise InputError(f"toolpath: {name} has {rows} rows, expected {n}")
-        CompactColumns.__post_init__(self)
+            object.__setattr__(self, name, compact(getattr(self, name)))
 
     def __len__(self) -> int:
         return len(self.kind)
+
+    def line(self, row: Ints | int) -> Ints:
+        """Numbers of the lines of the file that some moves stand on, from 1, (k,)."""
+        block = self.source[row]
+        out: Ints = (block if self.lines is None else self.lines[block]) + 1
+        return out
 
     def take(self, index: Ints | Bools | slice) -> Toolpath:
         """Moves chosen by index or mask, in that order; most of them in one piece are no copy."""
@@ -128,27 +137,31 @@ class Toolpath(CompactColumns):
             rows = np.flatnonzero(index)
             in_one = len(rows) > 0 and rows[-1] - rows[0] + 1 == len(rows)
             index = slice(int(rows[0]), int(rows[-1]) + 1) if in_one else rows
-        out = {name: getattr(self, name)[index] for name in self.__slots__}
+        out = {name: getattr(self, name)[index] for name in COLUMNS}
         if isinstance(index, slice) and 2 * len(out["kind"]) < len(self):
             # A few moves do not hold the memory of all.
             out = {name: values.copy() for name, values in out.items()}
-        return Toolpath(**out)
+        return Toolpath(**out, lines=self.lines)
 
     def with_moves(self, **arrays: NDArray[np.generic]) -> Toolpath:
         """Copy with some of the arrays replaced."""
         return replace(self, **arrays)  # type: ignore[arg-type]
 
+    def with_lines(self, lines: Ints | None) -> Toolpath:
+        """Copy whose blocks run these lines."""
+        return replace(self, lines=lines)
+
     @staticmethod
     def concatenate(parts: list[Toolpath]) -> Toolpath:
-        """One toolpath after another."""
-        names = Toolpath.__slots__
-        return Toolpath(**{n: np.concatenate([getattr(p, n) for p in parts]) for n in names})
+        """One toolpath after another, all of them of the blocks of the first."""
+        columns = {n: np.concatenate([getattr(p, n) for p in parts]) for n in COLUMNS}
+        return Toolpath(**columns, lines=parts[0].lines)
 
     @staticmethod
     def merged(first: Toolpath, rows: Ints, second: Toolpath, order: Ints) -> Toolpath:
         """Rows of one toolpath and then all of another, in an order of both."""
-        names = Toolpath.__slots__
-        return Toolpath(**{n: np.concatenate([getattr(first, n)[rows], getattr(second, n)])[order] for n in names})
+        columns = {n: np.concatenate([getattr(first, n)[rows], getattr(second, n)])[order] for n in COLUMNS}
+        return Toolpath(**columns, lines=first.lines)
 
     def position(self, t: Floats) -> Floats:
         """Positions along every move.
@@ -241,3 +254,7 @@ class Toolpath(CompactColumns):
             samples = self.take(rows).position(np.linspace(0.0, 1.0, 65))
             out[rows] = np.sqrt((np.diff(samples, axis=1) ** 2).sum(axis=2)).sum(axis=1)
         return out
+
+
+COLUMNS = tuple(item.name for item in fields(Toolpath) if item.name != "lines")
+"""Names of the arrays of a toolpath that have a row a move."""

@@ -150,7 +150,7 @@ def emit(
     lines = np.unique(program.toolpath.source) if settings.leave_stock else regeneration.lines
     lines = np.unique(program.lines_of(program.written_out(lines)))
     proven = prove(program.data, text, lines, header=header, reach=reach, beside=program.beside)
-    emitted = proven.moves.toolpath()
+    emitted = proven.moves.toolpath().with_lines(proven.line)
     progress.step()
     emitted = emitted.take(~_nowhere(emitted))
     goes = ~_nowhere(regeneration.toolpath)
@@ -238,7 +238,7 @@ def _refuse_other_moves(planned: Toolpath, emitted: Toolpath, lines: Ints, toler
         row = rows[int(np.argmax(off))]
         x, y = emitted.end[row, :2]
         raise LimitError(
-            f"line {int(emitted.source[row]) + 1} of the written program goes to X{x:.3f} Y{y:.3f} and not where it "
+            f"line {emitted.line(row)} of the written program goes to X{x:.3f} Y{y:.3f} and not where it "
             "was planned to go"
         )
 

@@ -27,7 +27,7 @@ _MOST = 5_000_000
 _NUMBER = re.compile(rb"(?m)^((?:\xef\xbb\xbf)?[ \t]*)(\d+)(?=[ \t/;*]|\r?$)")
 _TAIL = re.compile(
     r"(R0(?![\d.,])|RL|RR|F *MAX|F *AUTO|DR[-+]|R[-+](?! *[\dQ.,]))"
-    r"|(I?)(PR|PA|LEN|CCA|CHF|MB|F[UZT]?|[XYZABCUVWRM])(?: *([-+]?) *(Q[LR]?\d+|\d*[.,]?\d+|\d+[.,]?))?"
+    r"|(I?)(PR|PA|LEN|CCA|CHF|MB|F[UZT]?|[XYZABCUVWRM])(?: *([-+]?) *(Q[LR]?\d+|\d+[.,]?\d*|[.,]\d+))?"
 )
 _FUNCTIONS: dict[str, Callable[[float], float]] = {
     "SIN": lambda v: math.sin(v * math.pi / 180),

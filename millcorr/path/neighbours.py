@@ -96,8 +96,8 @@ def refuse_cut_neighbours(
         return
     x, y = place[k]
     raise LimitError(
-        f"line {int(written.toolpath.source[by]) + 1} of the corrected program would cut {amount * 1000:.1f} um into "
-        f"another wall at X{x:.3f} Y{y:.3f}, which line {int(original.toolpath.source[row[k]]) + 1} of the program has "
+        f"line {written.toolpath.line(by)} of the corrected program would cut {amount * 1000:.1f} um into "
+        f"another wall at X{x:.3f} Y{y:.3f}, which line {original.toolpath.line(row[k])} of the program has "
         "made and which is not corrected: measure it, too, or correct less there",
         place=(float(x), float(y)),
         figure=amount,

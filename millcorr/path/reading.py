@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from millcorr import progress
 from millcorr.arrays import Bools, Bytes, CompactColumns, Floats, Ints, ReadOnlyArrays
-from millcorr.nc.toolpath import Kind, Plane, Toolpath, named_tool
+from millcorr.nc.toolpath import COLUMNS, Kind, Plane, Toolpath, named_tool
 from millcorr.tolerances import ARITHMETIC
 
 from .corner_moves import broken, complex_of, way
@@ -35,7 +35,8 @@ _NO_PATH = (330, *range(380, 390), 730, 740, 760, 800, 810, 820, 830, 840, 850, 
 _CYCLES = (730, 740, 760, 810, 820, 830, 840, 850, 860, 870, 880, 890)
 _NO_TARGET = (40, 71, 100, 281, 301, 500, 501, 510, 511, 520, 650, 660, 680, 682, 920, 921, 922, 923, 1070)
 """Tenths of G codes beside which axis words are no target: dwell, frames, macros."""
-_NEW_FRAME = (100, 500, 501, 510, 511, 520, 650, 680, 681, 682, 690, 691, 920, 921, 922, 923)
+_LOCAL = 520
+_NEW_FRAME = (100, 500, 501, 510, 511, 650, 680, 681, 682, 690, 691, 920, 921, 922, 923)
 _OFFSETS = (*range(540, 600), 5000, *range(5050, 6000, 10))
 _HOME = (280, 300)
 _MACHINE = 530
@@ -112,7 +113,7 @@ class PlainMoves(CompactColumns):
         """The same moves as a `Toolpath`; arcs out of the XY plane, whose centre nothing asks for, have none."""
         flat = (self.plane == Plane.XY) & (self.kind == Kind.ARC)
         centre = np.where(flat[:, None], np.column_stack([self.centre, self.start[:, 2]]), np.nan)
-        arrays = {name: getattr(self, name) for name in Toolpath.__slots__ if name not in ("centre", "source")}
+        arrays = {name: getattr(self, name) for name in COLUMNS if name not in ("centre", "source")}
         return Toolpath(**arrays, centre=centre, source=self.line)
 
 
@@ -640,17 +641,20 @@ class _Follower:
         return owner, (columns[0], columns[1], columns[2], columns[3], columns[4])
 
     def shift(self, scale: Floats) -> Floats:
-        """What TRANS adds to positions, mm, (lines, 3)."""
-        frame = self.of("FRAME")
-        if frame is None:
+        """What TRANS and G52 add to positions, mm, (lines, 3)."""
+        frame, local = self.of("FRAME"), self.having(_LOCAL)
+        if frame is None and not local.any():
             return np.broadcast_to(0.0, (self.lines, 3))
         out = np.zeros((self.lines, 3))
-        at = np.flatnonzero(frame[0])
+        how = np.where(local, 3, -1) if frame is None else np.where(local, 3, np.where(frame[0], frame[1], -1))
+        at = np.flatnonzero(how >= 0)
         now = np.zeros(3)
         for first, last in zip(at.tolist(), [*at[1:].tolist(), self.lines], strict=True):
-            if frame[1][first] != 2:
-                now = now if frame[1][first] == 1 else np.zeros(3)
-                now = now + [v[first] * scale[first] if s[first] else 0.0 for s, v in map(self.column, "XYZ")]
+            stated = np.array([v[first] * scale[first] if s[first] else np.nan for s, v in map(self.column, "XYZ")])
+            if how[first] == 3:
+                now = np.where(np.isnan(stated), now, stated)
+            elif how[first] != 2:
+                now = (now if how[first] == 1 else 0.0) + np.nan_to_num(stated)
             out[first:last] = now
         return out
 
@@ -739,6 +743,8 @@ class _Follower:
         offset = _held(offsets | okuma, number, 540000.0)
         length = _held(lengths, np.where(self.having(490), -1.0, np.nan_to_num(h, nan=0.0)), -1.0)
         new = self.having(*_NEW_FRAME)
+        for turned in filter(None, map(self.of, "ABC")):
+            new |= self.having(_LOCAL) & turned[0] & (turned[1] != 0)
         if (frame := self.of("FRAME")) is not None:
             new |= frame[0] & (frame[1] == 2)
         moved = new | (np.diff(offset, prepend=540000.0) != 0)

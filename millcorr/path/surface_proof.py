@@ -260,7 +260,7 @@ def _refuse_gouging_others(
             continue
         (x, y), at = after.place[places[worst]].tolist(), places[worst : worst + 1]
         row = others.made_by(after.nominal[at] + now[worst] * after.normal[at])
-        held = float(-cut[worst]), (x, y), int(written.toolpath.source[row[0]]) + 1
+        held = float(-cut[worst]), (x, y), int(written.toolpath.line(row[0]))
         if refused:
             raise LimitError(
                 f"line {held[2]} of the corrected program, which is not corrected itself, would cut ",

@@ -71,6 +71,8 @@ class TextProof(ReadOnlyArrays):
         Largest distance in the plane, in mm, between the place of a line with more than a place and a number on it
         (a height, a feed, a code) before and after; 0 without any. The place is where its move starts; where an M code
         may act at its end, its moves may have come before it.
+    line : (blocks,) int64
+        Line of the written text that each of its blocks runs.
     unplaced : (lines of the original,) bool, or None
         Lines whose place the control computes: `largest_shift` leaves them out. None where there are no such lines.
     """
@@ -80,6 +82,7 @@ class TextProof(ReadOnlyArrays):
     untouched: Bools
     header: int
     largest_shift: float
+    line: Ints
     unplaced: Bools | None = None
 
 
@@ -162,7 +165,7 @@ def prove_text(
     if original == written:
         same = language.read(written, beside)
         everything = np.arange(len(same.line))
-        return TextProof(same.moves, everything, np.ones(len(everything), np.bool_), 0, 0.0, unplaced)
+        return TextProof(same.moves, everything, np.ones(len(everything), np.bool_), 0, 0.0, same.line, unplaced)
     mark = b"\xef\xbb\xbf"
     if original.startswith(mark) and written.startswith(mark):
         original, written = original[len(mark) :], written[len(mark) :]
@@ -178,7 +181,9 @@ def prove_text(
     source: Ints = np.insert(prover.source, top, np.full(added, -1))
     fixed: Bools = np.insert(prover.fixed, top, np.zeros(added, np.bool_))
     moves = replace(moves, line=moves.line + np.where(moves.line >= top, added, 0))
-    return TextProof(moves, source, fixed, added, shift, unplaced)
+    line_of: Ints = prover.new.reading.line
+    line_of = np.insert(line_of + np.where(line_of >= top, added, 0), top, np.arange(top, top + added))
+    return TextProof(moves, source, fixed, added, shift, line_of, unplaced)
 
 
 @dataclass(frozen=True, slots=True)

@@ -118,7 +118,7 @@ def path_stations(result: Result) -> PathStations:
     feet = FootPointSearch(result.nominal, margin=result.path_radius + 1.0).find(points)
     nominal = result.nominal
     return PathStations(
-        toolpath.source[row] + 1,
+        toolpath.line(row),
         points,
         nominal.contour[feet.span],
         nominal.arc_length(feet.span, feet.t),

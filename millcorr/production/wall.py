@@ -136,7 +136,7 @@ def wall_of(program: Program, simulation: Simulation, heights: Floats) -> Wall:
     before = model.errors(heights)
     e = model.engagement
     t = path.begin[e.move] + e.t * (path.end - path.begin)[e.move]
-    line = program.toolpath.source[path.move[e.move]] + 1
+    line = program.toolpath.line(path.move[e.move])
     if len(heights) < 2:
         return Wall(
             before,

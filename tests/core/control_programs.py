@@ -115,8 +115,33 @@ def moves(contour: Contour, at: str, family: str) -> list[str]:
     return lines
 
 
+def plain_language(contour: Contour) -> list[str]:
+    """Blocks of HEIDENHAIN plain language, from where the tool stands outside, around the contour and back."""
+    lines = [f"L X{number(contour.start[0])} Y{number(contour.start[1])} RL F400"]
+    for edge in contour.edges:
+        end = f"X{number(edge.end[0])} Y{number(edge.end[1])}"
+        if edge.centre is None:
+            lines.append(f"L {end}")
+        else:
+            lines += [
+                f"CC X{number(edge.centre[0])} Y{number(edge.centre[1])}",
+                f"C {end} DR{'-' if edge.clockwise else '+'}",
+            ]
+        if edge.corner:
+            kind, size = edge.corner
+            lines.append(f"{'RND R' if kind == 'R' else 'CHF '}{number(size)}")
+    return [*lines, f"L X{number(contour.outside[0])} Y{number(contour.outside[1])} R0"]
+
+
 def written(contour: Contour, family: str) -> str:
     """The program of one family."""
+    if family == "Heidenhain":
+        at = f"X{number(contour.outside[0])} Y{number(contour.outside[1])}"
+        blocks = [
+            "BEGIN PGM PART MM", "TOOL CALL 1 Z S3000", f"L {at} FMAX", "L Z0. FMAX", "LBL 1", "L IZ-2. F200",
+            *plain_language(contour), f"CALL LBL 1 REP {len(DEPTHS) - 1}", "L Z50. FMAX M30", "END PGM PART MM",
+        ]  # fmt: skip
+        return "\n".join(f"{i} {block}" for i, block in enumerate(blocks)) + "\n"
     at = f"X{number(contour.outside[0])} Y{number(contour.outside[1])}"
     body = moves(contour, at, family)
     head = ["G21 G17 G90 G40", "T1 M6", f"G0 {at}", "Z0."]
@@ -137,4 +162,4 @@ def written(contour: Contour, family: str) -> str:
     return "\n".join(lines) + "\n"
 
 
-FAMILIES = ("Fanuc", "Haas", "Mazak", "Okuma", "LinuxCNC", "Siemens")
+FAMILIES = ("Fanuc", "Haas", "Mazak", "Okuma", "LinuxCNC", "Siemens", "Heidenhain")

@@ -11,7 +11,7 @@ from hypothesis import HealthCheck, given, settings
 from millcorr import nc, pipeline
 from millcorr.arrays import Floats
 from millcorr.nc.toolpath import Compensation, Kind, Toolpath
-from millcorr.path.reading import read_moves
+from millcorr.path.second_reader import moves_of
 from tests.core.control_programs import FAMILIES, Contour, Edge, contours, written
 from tests.core.sweeps import examples
 from tests.core.test_second_reader import check
@@ -48,7 +48,7 @@ def test_every_family_gives_the_same_moves(family: str, contour: Contour) -> Non
     assert not program.opaque
     same_moves(program.toolpath, nc.parse(written(contour, "plain")).toolpath)
     assert nc.write(program, program.toolpath.with_moves()) == text
-    check(text, read_moves(text))
+    check(text, moves_of(text))
 
 
 def corrected(contour: Contour, family: str) -> tuple[pipeline.Result, nc.Program]:
@@ -65,14 +65,20 @@ SAMPLED = 2e-4
 """By how much chords of the samples below are off their arcs, mm: 20 mm of radius 25 in 128 parts, and less."""
 
 
+TIP = 0.1
+"""So near to a sharp corner, mm, a path may run on past it by some micrometres, or not: the proof leaves that free."""
+
+
 def cutting_path(path: Toolpath) -> Floats:
     """Row of places of all moves under G41, at all depths, (n, 2)."""
     cuts = path.take((path.compensation == Compensation.LEFT) & (path.kind != Kind.RAPID))
     return cuts.position(np.linspace(0.0, 1.0, 129))[:, :, :2].reshape(-1, 2)
 
 
-def farthest(row: Floats, other: Floats) -> float:
-    """Largest distance of the places of one row from the chords of another, mm."""
+def farthest(row: Floats, other: Floats, contour: Contour) -> float:
+    """Largest distance of the places of one row from the chords of another, mm; the tips of sharp corners are free."""
+    tips = shapely.MultiPoint([edge.end for edge in contour.edges if edge.corner is None])
+    row = row[shapely.distance(shapely.points(row), tips) > TIP]
     tree = shapely.STRtree(shapely.linestrings(np.stack([other[:-1], other[1:]], axis=1)))
     return float(tree.query_nearest(shapely.points(row), return_distance=True, all_matches=False)[1].max())
 
@@ -82,15 +88,25 @@ def assert_alike(contour: Contour) -> None:
     for family in FAMILIES:
         result, program = corrected(contour, family)
         np.testing.assert_allclose(result.deviation.value, plain.deviation.value, rtol=0, atol=1e-9, err_msg=family)
+        if (result.outlier != plain.outlier).any():
+            # The points lie exactly on a part: which of them count as outliers is then decided in the last digits.
+            continue
         ours, theirs = (cutting_path(p.toolpath) for p in (program, wanted))
         # The text of either is proven to lie within the tolerance of what is wanted; where a move is divided is free.
-        assert max(farthest(ours, theirs), farthest(theirs, ours)) <= 2 * 0.001 + SAMPLED, family
+        assert max(farthest(ours, theirs, contour), farthest(theirs, ours, contour)) <= 2 * 0.001 + SAMPLED, family
         before, after = written(contour, family).splitlines(), result.text.decode().splitlines()
-        assert [line for line in after if _steers(line)] == [line for line in before if _steers(line)]
+        assert [_bare(line) for line in after if _steers(line)] == [_bare(line) for line in before if _steers(line)]
+
+
+def _bare(line: str) -> str:
+    """A line without the number of a plain-language block, which counts on."""
+    return line.lstrip("0123456789 ")
 
 
 def _steers(line: str) -> bool:
     """Whether a line of these programs has to do with their order."""
+    if _bare(line) != line:
+        return not _bare(line).startswith(("L ", "C ", "CC ", "CR ", "RND ", "CHF ", "; "))
     return line[:1] in "$%OoLN" or (line[:1] not in "(;" and "M" in line[:3])
 
 
@@ -101,4 +117,11 @@ def test_a_plate_is_corrected_alike_by_every_family() -> None:
 @settings(max_examples=examples(5), deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(contours())
 def test_random_contours_are_corrected_alike(contour: Contour) -> None:
+    assert_alike(contour)
+
+
+@pytest.mark.slow
+@settings(max_examples=examples(200), deadline=None, suppress_health_check=list(HealthCheck))
+@given(contours())
+def test_two_hundred_contours_are_corrected_alike(contour: Contour) -> None:
     assert_alike(contour)

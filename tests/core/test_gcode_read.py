@@ -248,7 +248,7 @@ def test_carriage_returns_alone_end_lines() -> None:
     ("text", "opaque"),
     [
         ("G0 X0 Y0|G92 X1|G1 X2 F1|G92.1|X3", [0, 1, 0]),
-        ("G0 X0 Y0|G52 X1|G1 X2 F1|G52 X0|X3", [0, 1, 0]),
+        ("G0 X0 Y0|G52 X1 C5|G1 X2 F1|G52 X0 C0|X3", [0, 1, 0]),
         ("G0 X0 Y0|G68 X0 Y0 R30|G1 X2 F1|G69|X3", [0, 1, 0]),
         ("G0 X0 Y0|G10 L2 P1 X5|G1 X2 F1|G54|X3", [0, 1, 0]),
         ("G0 X0 Y0|G10 L1 P1 R5|G1 X2 F1", [0, 0]),
@@ -293,6 +293,7 @@ def test_position_is_unknown_behind_a_variable_until_stated() -> None:
     ("text", "line", "what"),
     [
         ("G0 X10,5", 1, "decimal comma"),
+        ("G98 L1 *|G0 X1 *|L1,2 *", 3, "calls a label as HEIDENHAIN's ISO programs do"),
         ("G0 X1|G1 X Y5", 2, "not a word"),
         ("G0 X1|G1 X1.2.3", 2, "not a word"),
         ("G0 X1|G1 X--1", 2, "not a word"),

@@ -421,6 +421,13 @@ def test_a_shift_is_taken_off_what_is_written() -> None:
     assert moved(text, [1, 2, 3]) == wanted
 
 
+def test_a_local_shift_holds_the_axes_that_it_does_not_state() -> None:
+    text = "G0 X0 Y0 Z0\nG52 X10 Y5\nG1 X1 Y1 F9\nG52 X3\nX2 Y2\nG52 X0\nX4 Y3\nM30\n"
+    path = parse(text).toolpath
+    assert path.end[:, :2].tolist() == [[0, 0], [11, 6], [5, 7], [4, 8]]
+    assert moved(text, [1, 2, 3]) == text.replace("X1 ", "X1.03 ").replace("X2", "X2.03").replace("X4", "X4.03")
+
+
 def test_corners_are_written_out_where_they_are_corrected() -> None:
     text = "G0 X0 Y0 Z0\nG1 X10,R2. F9\nY20\nX30 RND=3\nY0\nM30\n"
     path = parse(text).toolpath

@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 
 import numpy as np
+import pytest
 import shapely
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
@@ -60,9 +61,27 @@ def test_read_as_made_and_written_back(made: Made) -> None:
         )
 
 
+ERRORS = (st.floats(-0.03, 0.03), st.floats(0.0, 0.005), st.floats(0.0, 6.0))
+"""Constant and height of the wave, mm, and its phase."""
+
+
 @settings(max_examples=examples(40), deadline=None, suppress_health_check=list(HealthCheck))
-@given(programs(), st.floats(-0.03, 0.03), st.floats(0.0, 0.005), st.floats(0.0, 6.0))
+@given(programs(), *ERRORS)
 def test_corrected_as_the_same_contour_in_iso(made: Made, amount: float, wave: float, phase: float) -> None:
+    corrected_alike(made, amount, wave, phase)
+
+
+@pytest.mark.slow
+@settings(max_examples=examples(200), deadline=None, suppress_health_check=list(HealthCheck))
+@given(programs(), *ERRORS)
+def test_two_hundred_corrected_as_the_same_contours_in_iso(
+    made: Made, amount: float, wave: float, phase: float
+) -> None:
+    corrected_alike(made, amount, wave, phase)
+
+
+def corrected_alike(made: Made, amount: float, wave: float, phase: float) -> None:
+    """Assert that a program and its moves in ISO code are corrected to one surface, or refused both."""
     program = nc.parse(made.text, "made.h")
     path = program.toolpath
     radius = 0.0 if (path.compensation != 0).any() else RADIUS

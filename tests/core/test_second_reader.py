@@ -35,6 +35,7 @@ FAMILIES = [
     "#<depth> = 0|o1 while [#<depth> gt -2]|#<depth> = [#<depth> - 0.5]|G1 Z#<depth>|o1 endwhile|X1",
     "o1 if [1 gt 2]|G1 X1|o1 else|G1 X2|o1 endif|Y1",
     "G0 X=AC(10) Y=5 Z=IC(2)|R1=3|R2=R1*2|G1 X=R2+1 F=R1|G2 X=AC(0) Y5 CR=20|G3 X=IC(4) I=AC(2) J=AC(5)",
+    "G52 X10 Y5|G1 X1 Y1 Z0|G52 X3|X2|G91 X1|G90|G52 X0 Y0|X3|G2 X5 Y6 I1|G52 C3|X9|G52 C0|X1 Y1 Z1",
     "TRANS X10 Z=1+2|G1 X1 Z0|ATRANS Y5|X2 Y2|G3 X5 I=AC(3.5) J=AC(2)|TRANS|G1 X1 Y1",
     "G1 X1 Y1|CIP X3 Y1 I1=AC(2) J1=2|CT X5 Y1|CT X7 Y1.5|G1 X3 Y0|G2 X=IC(2) AR=90|G3 X9 I2 TURN=1",
     "R1=2|ANF:|G1 X=R1 Y0|R1=R1-1|IF R1>0 GOTOB ANF|X9",

@@ -16,6 +16,8 @@ CORNERS = ("RND", "CHF")
 APPROACHES = tuple(f"APPR {form}" for form in ("LT", "LN", "CT", "LCT", "PLT", "PLN", "PCT", "PLCT"))
 DEPARTURES = tuple(f"DEP {form}" for form in ("LT", "LN", "CT", "LCT", "PLCT"))
 MOTIONS = (*PATHS, *CORNERS, *APPROACHES, *DEPARTURES)
+MOVING = frozenset((*MOTIONS, "", "LN"))
+"""Blocks that may move; "" are words without one."""
 SILENT = ("COMMENT", "BLK FORM", "TOOL DEF", "CC", "Q", "FN", "LBL", "STOP", "EMPTY", "QUIET")
 """Blocks that may stand between a contour element and the next one."""
 
@@ -27,12 +29,13 @@ _KIND = re.compile(
     r"|LP|LN|L|CTP|CT|CP|CR|CC|C|RND|CHF|M(?=[ \t]*\d)|[A-Z][A-Z_0-9]*)(?![A-Z_])"
 )
 _WORD = re.compile(
-    r"(?P<comp>R0|RL|RR|R[+-](?![ \t]*[Q\d.,]))(?![\d.,])"
+    r"[ \t\r\n~\x1a]*(?P<word>(?P<comp>R0|RL|RR|R[+-](?![ \t]*[Q\d.,]))(?![\d.,])"
     r"|(?P<feed>F)[ \t]*(?P<mode>MAX|AUTO)(?![A-Z])"
     r"|(?P<turn>DR)(?P<sense>[+-])(?![\d.,Q])"
     r"|(?P<name>CHF|I?(?:PR|PA)|I?[XYZABCUVW]|LEN|CCA|F[UZT]|F|R|MB|M)"
-    r"(?:[ \t]*(?P<value>[+-]?[ \t]*(?:\d+(?:[.,]\d*)?|[.,]\d+|Q[LR]?\d+)|MAX)(?![\d.,])|(?![A-Z\d.,]))"
+    r"(?:[ \t]*(?P<value>[+-]?[ \t]*(?:\d+(?:[.,]\d*)?|[.,]\d+|Q[LR]?\d+)|MAX)(?![\d.,])|(?![A-Z\d.,])))"
 )
+_PLACES = frozenset(("X", "Y", "Z", "PR", "PA"))
 _SHORT = re.compile(r"(?:I?[XYZABCUVW])[ \t]*[+-]?[ \t]*[Q\d.,]|M[ \t]*\d")
 _WITH_MORE = (101, 103, 118, 120, 128, 138, 140, 142, 143)
 """Numbers of M codes that take words of their own behind them."""
@@ -109,10 +112,15 @@ class Block:
         return " ".join(line[: _comment(line, 0)].rstrip(" \t\r~") for line in lines).upper().strip()
 
     @property
+    def names(self) -> list[str]:
+        """Names of its words, in their order."""
+        return [word.name for word in self.words]
+
+    @property
     def moves(self) -> bool:
         """Whether it is a contour element: words alone (M8, R0) state no place."""
         if self.kind in ("L", "LP", ""):
-            return any(word.name in ("X", "Y", "Z", "PR", "PA") for word in self.words)
+            return not _PLACES.isdisjoint(self.names)
         return self.kind in PATHS
 
     def find(self, name: str) -> Word | None:
@@ -191,12 +199,12 @@ def read_block(whole: str, first: int, last: int, name: str) -> Block:
     if bare[0] in "*%":
         return Block(first, last, text, ending, "COMMENT", number, head, head, stop, hidden)
     found = None if _SHORT.match(upper, head, stop) else _KIND.match(upper, head, stop)
-    kind = "" if found is None else re.sub(r"[ \t]+", " ", found.group())
+    kind = "" if found is None else " ".join(found.group().split())
     body = head if found is None else found.end()
     if kind.startswith("FN"):
         kind = "FN"
         body = head
-    elif re.fullmatch(r"Q[LRS]?\d+", kind):
+    elif kind[:1] == "Q" and kind[-1].isdigit():
         kind = "Q"
         body = head
     elif kind == "M":
@@ -205,7 +213,7 @@ def read_block(whole: str, first: int, last: int, name: str) -> Block:
         # Its length stands behind it as behind the letter of a word.
         body = head
     block = Block(first, last, text, ending, kind, number, head, body, stop, hidden)
-    if kind in MOTIONS or kind in ("CC", "", "LN", "STOP"):
+    if kind in MOVING or kind in ("CC", "STOP"):
         _read_words(block, upper)
         if block.odd and kind == "" and not block.words:
             shown = text[head:stop].strip()[:20].encode("ascii", "replace").decode()
@@ -229,25 +237,20 @@ def _comment(text: str, place: int) -> int:
 def _read_words(block: Block, upper: str) -> None:
     """Words of a motion; what is none of them is its `odd`: a comment between its lines, too."""
     place = block.body
-    while place < block.stop:
-        if upper[place] in " \t\r\n~\x1a":
-            place += 1
-            continue
-        found = _WORD.match(upper, place, block.stop)
-        if found is None:
-            block.odd = upper[place : block.stop].split()[0][:20]
-            return
+    while found := _WORD.match(upper, place, block.stop):
         place = found.end()
-        if found["comp"]:
-            block.words.append(Word("COMP", found["comp"][1:], *found.span()))
-        elif found["feed"]:
-            block.words.append(Word("F", found["mode"], *found.span()))
-        elif found["turn"]:
-            block.words.append(Word("DR", found["sense"], *found.span()))
+        start, stop = found.span("word")
+        comp, feed, mode, turn, sense, word, value = found.groups()[1:]
+        if comp:
+            block.words.append(Word("COMP", comp[1:], start, stop))
+        elif feed:
+            block.words.append(Word("F", mode, start, stop))
+        elif turn:
+            block.words.append(Word("DR", sense, start, stop))
         else:
-            word = found["name"]
+            value = (value or "").replace(" ", "").replace("\t", "").replace(",", ".")
             incremental = word[0] == "I"
-            value = re.sub(r"[ \t]", "", found["value"] or "").replace(",", ".")
-            block.words.append(Word(word[1:] if incremental else word, value, *found.span(), incremental))
+            block.words.append(Word(word[1:] if incremental else word, value, start, stop, incremental))
             if word == "M" and value.isdigit() and int(value) in _WITH_MORE:
                 return
+    block.odd = next(iter(upper[place : block.stop].replace("~", " ").replace("\x1a", " ").split()), "")[:20]

@@ -15,19 +15,21 @@ from millcorr.nc.arcs import RADIUS_TOLERANCE, RADIUS_TOLERANCE_RELATIVE
 from millcorr.nc.codes import INCH
 from millcorr.nc.toolpath import Compensation, Kind, Plane, named_tool
 
-from .blocks import APPROACHES, CORNERS, DEPARTURES, PATHS, SILENT, Block, Word
+from .blocks import APPROACHES, CORNERS, DEPARTURES, MOVING, SILENT, Block, Word
 from .contour import Element, Impossible, Lead, angle_between, by_radius, chamfered, rounded, tangential
 from .parameters import Parameters
 
 AXES = "XYZ"
 ENDS = (2, 30)
-_MACHINE_FRAME = (91, 92)
+_MACHINE_FRAME = frozenset((91, 92))
 _FRAMES = {
-    128: (129, "M128 controls the tool centre point"),
-    114: (115, "M114 compensates the machine geometry"),
-    144: (145, "M144 compensates the machine kinematics"),
+    128: "M128 controls the tool centre point",
+    114: "M114 compensates the machine geometry",
+    144: "M144 compensates the machine kinematics",
 }
-_CALLS = (89, 99)
+_FRAMES_OFF = {129: 128, 115: 114, 145: 144}
+_CALLS = frozenset((89, 99))
+_OTHER_AXES = frozenset("ABCUVW")
 _DRILLING = (1, 2, 17, 18, *range(200, 208), 209, 240, 241)
 """Cycles that end over the place where they began."""
 _TURNED_FRAMES = {
@@ -250,7 +252,8 @@ class Machine:
         """The contour element behind a block, from the place where the tool is."""
         ahead = self.copy()
         ahead.trimmed = None
-        for block in blocks[k + 1 :]:
+        for i in range(k + 1, len(blocks)):
+            block = blocks[i]
             if block.moves:
                 if block.odd or block.kind in ("CT", "CTP"):
                     break
@@ -286,6 +289,8 @@ class Machine:
         return word * (INCH / 10 if self.scale != 1.0 else 1.0) / 60.0
 
     def _codes(self, block: Block) -> list[int]:
+        if "M" not in block.names:
+            return []
         found = (self.parameters.number(w.value) for w in block.words if w.name == "M" and w.value and w.value != "MAX")
         return [int(value) for value in found if math.isfinite(value)]
 
@@ -418,31 +423,33 @@ class Machine:
         self.at = block.first if at is None else at
         self.reasons, self.ended = [], []
         kind = block.kind
-        if kind not in ("", "LN", *PATHS, *CORNERS, *APPROACHES, *DEPARTURES):
+        if kind not in MOVING:
             if not self.silent(block):
                 self._other(block)
             return []
         codes = self._codes(block)
-        for code, (off, reason) in _FRAMES.items():
-            if code in codes or off in codes:
-                self._frame(f"M{code}", code in codes, reason)
-        if 136 in codes or 137 in codes:
-            self.per_turn = 136 in codes
+        for code in codes:
+            if code in _FRAMES:
+                self._frame(f"M{code}", True, _FRAMES[code])
+            elif code in _FRAMES_OFF:
+                self._frame(f"M{_FRAMES_OFF[code]}", False, "")
+            elif code in (136, 137):
+                self.per_turn = code == 136
         if block.odd or kind == "LN":
             what = "LN with its surface normal" if kind == "LN" else f"'{block.odd}'"
             rows = self._not_followed(block, f"{what} is not followed")
-        elif any(code in _MACHINE_FRAME for code in codes):
+        elif not _MACHINE_FRAME.isdisjoint(codes):
             rows = self._in_machine_frame(block)
         else:
             try:
                 rows = self._motion(blocks, k)
             except Impossible as error:
                 rows = self._not_followed(block, str(error))
-        if any(w.name in "ABCUVW" for w in block.words):
+        if not _OTHER_AXES.isdisjoint(block.names):
             self.reasons.append("a rotary or parallel axis moves with this line")
         if 140 in codes:
             self.position[2] = math.nan
-        if any(code in _CALLS for code in codes):
+        if not _CALLS.isdisjoint(codes):
             self.run_cycle()
         return rows
 

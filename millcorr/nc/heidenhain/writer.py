@@ -414,7 +414,7 @@ class _Writer:
             if not retracts and any(way > self.numbers.unit + SAME for way in off):
                 axis = AXES[int(np.nanargmax(off))]
                 said = f"the position before this line has changed, but not its move: state {axis} here"
-                raise FormatError(said, self.program.name, line + 1)
+                raise FormatError(said, self.program.name, block.first + 1)
         self._keep(block)
 
     def _approach(self, k: int) -> None:

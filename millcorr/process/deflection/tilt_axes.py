@@ -108,7 +108,7 @@ def tilted(program: Program, error: HeightError, remedy: Remedy, axes: Tilt | No
             "and say [tilt] tool_centre_point = true"
         )
     at = _angles(program, error, remedy, axes)
-    kind, source = program.toolpath.kind, program.toolpath.source
+    kind, line = program.toolpath.kind, program.toolpath.line(np.arange(len(program.toolpath)))
     upright = dict.fromkeys(axes.order, 0.0)
     now, insert, last = upright, {}, -1
     for move in range(len(kind)):
@@ -117,7 +117,7 @@ def tilted(program: Program, error: HeightError, remedy: Remedy, axes: Tilt | No
             carrier = next((k for k in range(move - 1, last, -1) if kind[k] in (Kind.RAPID, Kind.LINE)), None)
             if carrier is None or carrier in insert:
                 raise RefusedError(
-                    f"{program.name}: line {source[move] + 1}: the tool has to turn before this wall, and there is no "
+                    f"{program.name}: line {line[move]}: the tool has to turn before this wall, and there is no "
                     "straight or rapid move before it: lead in to each wall on its own"
                 )
             insert[carrier], now = wanted, wanted
@@ -125,7 +125,7 @@ def tilted(program: Program, error: HeightError, remedy: Remedy, axes: Tilt | No
             last = move
         elif now != upright and last == move - 1 and not _goes_on(at, now, move, kind):
             if kind[move] not in (Kind.RAPID, Kind.LINE):
-                raise RefusedError(f"{program.name}: line {source[move] + 1}: lead out of each wall on a straight line")
+                raise RefusedError(f"{program.name}: line {line[move]}: lead out of each wall on a straight line")
             insert[move], now = upright, upright
     if now != upright:
         raise RefusedError(f"{program.name}: the program ends on a wall: retract behind it")
@@ -154,7 +154,7 @@ def _angles(program: Program, error: HeightError, remedy: Remedy, axes: Tilt) ->
     for k in np.flatnonzero(share > 0.5):
         if toolpath.kind[k] != Kind.LINE:
             raise RefusedError(
-                f"{program.name}: line {toolpath.source[k] + 1}: a wall that bends needs the tilt to turn along it: "
+                f"{program.name}: line {toolpath.line(int(k))}: a wall that bends needs the tilt to turn along it: "
                 "only straight walls are tilted"
             )
         rows = np.flatnonzero(makes & (move == k))
@@ -168,20 +168,21 @@ def _angles(program: Program, error: HeightError, remedy: Remedy, axes: Tilt) ->
 
 def _inserted(program: Program, insert: dict[int, dict[str, float]]) -> bytes:
     """Program with words at the end of the lines of moves, before their comments."""
-    source = program.toolpath.source
-    changed = np.zeros(len(source), dtype=bool)
+    toolpath = program.toolpath
+    stands = toolpath.line(np.arange(len(toolpath))) - 1
+    changed = np.zeros(len(toolpath), dtype=bool)
     changed[list(insert)] = True
     program.require_plain(changed)
     lines = [program.line(k) for k in range(len(program))]
     for move, words in insert.items():
-        number = int(source[move])
+        number = int(stands[move])
         text = lines[number].decode("latin-1")
         end = found.start() if (found := _COMMENT.search(text)) else len(text)
         body = text[:end].rstrip()
         where = f"{program.name}: line {number + 1}"
-        if (source == number).sum() > 1 or _ROTARY.search(body):
+        if (stands == number).sum() > 1 or _ROTARY.search(body):
             raise RefusedError(f"{where}: several moves or rotary words on the line: nothing is written")
-        if program.modal.distance[number] == 91:
+        if program.modal.distance[toolpath.source[move]] == 91:
             raise RefusedError(f"{where}: G91 is in force: state absolute positions for tilted walls")
         gap = " " if " " in body else ""
         added = "".join(f"{gap}{letter}{angle:.10g}" for letter, angle in words.items())

@@ -217,7 +217,7 @@ def pieces_of_toolpath(toolpath: Toolpath, rows: Ints, *, where: str = "program"
     a, b = toolpath.start[rows], toolpath.end[rows]
     unknown = ~(np.isfinite(a[:, :2]).all(axis=1) & np.isfinite(b[:, :2]).all(axis=1))
     if unknown.any():
-        line = int(toolpath.source[rows[np.flatnonzero(unknown)[0]]]) + 1
+        line = toolpath.line(rows[np.flatnonzero(unknown)[0]])
         raise InputError(f"{where}: line {line} cuts from a place the program has not stated: state X and Y before it")
     n = len(rows)
     centre, radius, sweep = np.full((n, 2), np.nan), np.full(n, np.inf), np.zeros(n)

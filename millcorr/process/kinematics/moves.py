@@ -158,7 +158,7 @@ def refuse(toolpath: Toolpath, wrong: Bools, message: str, name: str) -> None:
     """Refuse the first of some moves by its line, if there is one; FormatError."""
     rows = np.flatnonzero(wrong)
     if len(rows):
-        raise FormatError(message, name, int(toolpath.source[rows[0]]) + 1)
+        raise FormatError(message, name, int(toolpath.line(rows[0])))
 
 
 def _poles(path: Toolpath, rows: Ints) -> Floats:

@@ -315,7 +315,7 @@ def _divide(plan: Schedule, move: Ints, share: Floats) -> tuple[Ints, Floats, Fl
         part = np.concatenate([part, part])
         low, high = np.concatenate([low, middle]), np.concatenate([middle, high])
     else:
-        line = int(plan.moves.toolpath.source[move[part[0]]]) + 1
+        line = plan.moves.toolpath.line(move[part[0]])
         raise InputError(f"line {line}: this curve bends too sharply to be followed; write it as lines or arcs")
     columns = [np.concatenate(c) for c in zip(*done, strict=True)]
     return columns[0], columns[1], columns[2], columns[3]

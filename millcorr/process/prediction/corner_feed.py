@@ -151,13 +151,13 @@ def slow_corners(
     if (after > bound).any():
         worst = int(np.argmax(after))
         raise LimitError(
-            f"{program.name}:{path.source[plan.move[kept][worst]] + 1}: the slowed corner is still off by "
+            f"{program.name}:{path.line(plan.move[kept][worst])}: the slowed corner is still off by "
             f"{after[worst] * 1000:.2f} um, more than {bound * 1000:g} um"
         )
     move = plan.move[kept]
     return CornerFeeds(
         data,
-        path.source[move] + 1,
+        path.line(move),
         path.end[move].copy(),
         plan.feed[kept],
         plan.before[kept],
@@ -203,7 +203,7 @@ class _Plan:
 
     def _drop(self, wrong: Bools, reason: str) -> None:
         for k in np.flatnonzero(wrong & self.active).tolist():
-            line = int(self.path.source[self.move[k]]) + 1
+            line = int(self.path.line(self.move[k]))
             self.untreated.append(Untreated(line, float(self.before[k]), reason))
         self.active &= ~wrong
         self.untreated.sort(key=lambda u: u.line)

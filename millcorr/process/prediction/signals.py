@@ -105,7 +105,7 @@ class Signals(ReadOnlyArrays):
         return Signals(
             s=e.s.copy(),
             t=t,
-            line=program.toolpath.source[move] + 1,
+            line=program.toolpath.line(move),
             commanded=np.column_stack([simulation.commanded, e.position[:, 2]]),
             actual=simulation.centre.copy(),
             programmed=program.toolpath.feed[move],

@@ -216,7 +216,7 @@ def at_real_feed(program: nc.Program, setup: Setup) -> Toolpath:
 def one_after_another(first: Toolpath, second: Toolpath) -> Toolpath:
     """Two programs in a row."""
     later = second.source + (int(first.source[-1]) + 1 if len(first) else 0)
-    return Toolpath.concatenate([first, second.with_moves(source=later)])
+    return Toolpath.concatenate([first.with_lines(None), second.with_moves(source=later)])
 
 
 def _at_real_feed(program: nc.Program, control: Control | None) -> tuple[RealFeed, Motion | None, tuple[str, ...]]:
