@@ -7,7 +7,7 @@ otherwise, or shows lengths in another unit words the pieces itself (`Message.in
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from string import Formatter
 
@@ -93,13 +93,13 @@ class Length:
 
 @dataclass(frozen=True, slots=True)
 class Coordinates:
-    """A place in XY within a message, mm."""
+    """A place within a message: letters of axes, and where on each, mm."""
 
-    x: float
-    y: float
+    axes: str
+    values: tuple[float, ...]
 
     def __str__(self) -> str:
-        return f"X{self.x:.3f} Y{self.y:.3f}"
+        return " ".join(f"{axis}{value:.3f}" for axis, value in zip(self.axes, self.values, strict=True))
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,9 +151,14 @@ def um(value: float, form: str = ".1f") -> Length:
     return Length(float(value), form, fine=True)
 
 
-def at(x: float, y: float) -> Coordinates:
-    """A place in XY, mm."""
-    return Coordinates(float(x), float(y))
+def xy(x: float, y: float) -> Coordinates:
+    """A place in the plane, mm."""
+    return Coordinates("XY", (float(x), float(y)))
+
+
+def at_z(value: float) -> Coordinates:
+    """A height, mm."""
+    return Coordinates("Z", (float(value),))
 
 
 def flag(key: str) -> str:
@@ -274,6 +279,11 @@ def _worded(part: object, wording: Wording) -> str:
         values = [_worded(value, wording) if isinstance(value, Piece) else value for value in part.values]
         return wording.template(part.template).format(*values)
     return part if isinstance(part, str) else wording.piece(part)  # type: ignore[arg-type]
+
+
+def joined(texts: Iterable[str], by: str = ", ") -> Message:
+    """A message of several with something between them."""
+    return Message(*[part for text in texts for part in (by, text)][1:])
 
 
 def message(*parts: Piece) -> Message:

@@ -13,6 +13,7 @@ import Path
 
 from millcorr.correction.settings import Settings
 from millcorr.errors import InputError
+from millcorr.messages import Message, phrase
 from millcorr.options import options_of
 
 from . import compat, correction, draft, rounds, views
@@ -258,10 +259,13 @@ _RESULTS = tuple(
 )
 
 
-CHANGED = (
-    "the path of {} is not the one the measured part was cut with: the difference between the two counts as an "
-    "error of the machine; measure a part cut with the path as it is now"
-)
+def changed(operation: str) -> Message:
+    """What to know where an operation's path, by its label, is another one by now."""
+    return phrase(
+        "the path of {} is not the one the measured part was cut with: the difference between the two counts as an "
+        "error of the machine; measure a part cut with the path as it is now",
+        operation,
+    )
 
 
 class DressupMillcorr(Proxy):
@@ -305,7 +309,7 @@ class DressupMillcorr(Proxy):
             obj.Corrected = datetime.now().astimezone().isoformat(timespec="seconds")
             obj.CutPath = now
         if corrected.otherwise_cut:
-            obj.Warnings = [*obj.Warnings, CHANGED.format(obj.Base.Label)]
+            obj.Warnings = [*obj.Warnings, changed(obj.Base.Label)]
         if fresh or not corrected.cuts:
             take_note(obj)
 
@@ -343,7 +347,7 @@ def _state(obj: Any, corrected: correction.Correction) -> None:
     store(obj, "LargestCorrection", _known(summary["correction"]["max"]))
     store(obj, "PathError", _known(summary["verification"]["path_error_max"]))
     store(obj, "PointsUsed", int(summary["points"]["used"]))
-    store(obj, "PointsRejected", len(summary["points"]["rejected"]))
+    store(obj, "PointsRejected", int(summary["points"]["left_out"]))
     store(obj, "Warnings", list(summary["warnings"]))
     measurement = corrected.request.measurement
     if measurement is not None:
@@ -380,9 +384,9 @@ def create(base: Any, measurement: Any = None, **settings: Any) -> Any:
     """
     job = compat.parent_job(base)
     if job is None:
-        raise InputError(f"{base.Label}: the operation stands in no job")
+        raise InputError(phrase("{}: the operation stands in no job", base.Label))
     if base.Name not in [obj.Name for obj in compat.operations(job)]:
-        raise InputError(f"{base.Label}: a dressup lies on this operation; choose the dressup")
+        raise InputError(phrase("{}: a dressup lies on this operation; choose the dressup", base.Label))
     obj = base.Document.addObject("Path::FeaturePython", "DressupMillcorr")
     DressupMillcorr(obj)
     obj.Base = base

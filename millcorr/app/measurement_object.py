@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from millcorr.errors import FormatError, InputError, MillcorrError
+from millcorr.messages import phrase
 from millcorr.readers import Reading
 from millcorr.readers.measurement import Measurement
 
@@ -210,10 +211,10 @@ def load(obj: Any, source: str | Path | bytes, name: str | None = None) -> None:
 def _content(path: Path) -> bytes:
     try:
         if not path.is_file():
-            raise FormatError("no such file", path)
+            raise FormatError(phrase("no such file"), path)
         return path.read_bytes()
     except OSError as error:
-        raise FormatError(f"cannot be read: {error.strerror or error}", path) from error
+        raise FormatError(phrase("cannot be read: {}", error.strerror or error), path) from error
 
 
 def _keep(obj: Any, prop: str, name: str, data: bytes) -> None:
@@ -264,7 +265,7 @@ def reader_of(obj: Any) -> Callable[[], Measurement]:
         If no file is stored.
     """
     if not obj.File:
-        raise InputError(f"{obj.Label}: the measurement holds no file")
+        raise InputError(phrase("{}: the measurement holds no file", obj.Label))
     return reader_of_file(Path(obj.File), reading_of(obj), obj.Source)
 
 

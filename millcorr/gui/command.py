@@ -9,9 +9,10 @@ from typing import Any
 
 import FreeCADGui
 
+from millcorr.app.text import QT_TRANSLATE_NOOP, translate
+
 from . import guide
 from .icons import icon
-from .text import QT_TRANSLATE_NOOP, translate
 
 _text = QT_TRANSLATE_NOOP
 

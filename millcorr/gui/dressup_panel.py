@@ -10,6 +10,9 @@ from typing import Any
 import FreeCADGui
 
 from millcorr.app import candidates, correction, draft, dressup, rounds
+from millcorr.app.text import translate
+from millcorr.app.unit import unit
+from millcorr.app.wording import worded
 from millcorr.errors import MillcorrError, RefusedError
 from millcorr.options import field_name
 from millcorr.report.scene.measured import lines_of
@@ -22,9 +25,7 @@ from .line_set import LineLayer
 from .magnification import MagnificationFields
 from .panel import Panel, clear, narrow
 from .qt import QtCore, QtWidgets
-from .remedies import Remedy, accepted_by, first_field, remedies_in, worded
-from .text import translate
-from .unit import unit
+from .remedies import Remedy, accepted_by, first_field, remedies_in
 from .worker import Worker
 
 _COMMON = ("Filter", "Align", "Gain", "Limit", "DeadBand")
@@ -321,7 +322,7 @@ class DressupPanel(Panel):
         self.magnification.show(self.outcome.overlay.magnification)
         self.look.change("Magnification", self.fields["Magnification"].value)
         clear(self.notes)
-        warnings = [*summary["warnings"], *([dressup.CHANGED.format(self.base.Label)] if otherwise_cut else [])]
+        warnings = [*summary["warnings"], *([dressup.changed(self.base.Label)] if otherwise_cut else [])]
         doubts = [] if self.obj is None else [text for text in dressup.doubts_of(self.obj) if text in warnings]
         # What came up since the user last looked stands where it is seen.
         self.say("\n".join(map(worded, doubts)), "doubt")

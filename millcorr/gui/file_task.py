@@ -15,14 +15,15 @@ from typing import Any
 
 import FreeCAD
 
+from millcorr.app.text import label_of, translate
+from millcorr.app.wording import worded
 from millcorr.errors import InputError
 
 from . import recorder
 from .panel import Panel
 from .qt import QtCore, QtGui, QtWidgets
-from .remedies import accepted_by, remedies_in, worded, wrong_field
+from .remedies import accepted_by, remedies_in, wrong_field
 from .task_window import Dock, Window
-from .text import label_of, translate
 from .worker import Worker
 
 _open: dict[str, Any] = {}

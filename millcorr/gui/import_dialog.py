@@ -11,6 +11,9 @@ import FreeCAD
 import FreeCADGui
 
 from millcorr.app import candidates, doubts, measurement_object
+from millcorr.app.text import translate
+from millcorr.app.unit import unit
+from millcorr.app.wording import worded
 from millcorr.errors import MillcorrError
 from millcorr.messages import message_of
 from millcorr.readers import FORMATS, Reading
@@ -26,11 +29,9 @@ from .icons import qt_icon
 from .keys import keep
 from .panel import clear
 from .qt import QtCore, QtWidgets
-from .remedies import Remedy, first_field, remedies_in, worded
+from .remedies import Remedy, first_field, remedies_in
 from .screen import fit
-from .text import translate
 from .theme import STYLE
-from .unit import unit
 from .wheel import calm
 from .worker import Worker
 

@@ -13,11 +13,11 @@ from pathlib import Path
 
 import FreeCADGui
 
+from millcorr.app.text import translate
 from millcorr.errors import MillcorrError
 
 from . import told
 from .icons import icon
-from .text import translate
 
 DIRECTORY = Path(__file__).resolve().parents[2] / "resources" / "macros"
 """Directory of the macros."""

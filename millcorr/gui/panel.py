@@ -13,6 +13,7 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
+from millcorr.app.text import translate
 from millcorr.errors import MillcorrError
 from millcorr.messages import message_of
 
@@ -23,7 +24,6 @@ from .fold import Fold
 from .icons import qt_icon
 from .keys import keep
 from .qt import QtCore, QtWidgets
-from .text import translate
 from .theme import STYLE
 from .worker import Worker
 

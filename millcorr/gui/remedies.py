@@ -9,10 +9,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from millcorr.messages import Option, message_of
+from millcorr.app.text import label_of, translate
+from millcorr.messages import message_of
 from millcorr.options import field_name
-
-from .text import label_of, translate
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,16 +53,6 @@ def remedies_in(said: str) -> tuple[Remedy, ...]:
             value = option.value if option.proposed and isinstance(option.value, str | float) else None
             found[field] = Remedy(field, True if option.proposed and option.value is True else value)
     return tuple(sorted(found.values(), key=lambda remedy: remedy.value is None))
-
-
-def worded(said: str) -> str:
-    """A message with fields in place of options."""
-
-    def in_words(option: Option) -> str:
-        label = label_of(field_name(option.key))
-        return f"\u201c{label}\u201d {option.shown}".rstrip()
-
-    return message_of(said).in_words(in_words)
 
 
 def first_field(said: str) -> str:

@@ -9,10 +9,10 @@ import FreeCAD
 import FreeCADGui
 
 from millcorr.app import base_geometry, candidates, compat
+from millcorr.app.text import QT_TRANSLATE_NOOP, translate
 
 from . import selection
 from .command import Command
-from .text import QT_TRANSLATE_NOOP, translate
 
 _text = QT_TRANSLATE_NOOP
 

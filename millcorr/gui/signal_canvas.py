@@ -9,10 +9,10 @@ from typing import Any
 from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 from matplotlib.figure import Figure
 
+from millcorr.app.text import translate
 from millcorr.report.scene.simulation import Trace
 
 from .qt import QtCore
-from .text import translate
 
 
 class SignalCanvas(FigureCanvasQTAgg):

@@ -8,6 +8,8 @@ from typing import Any
 
 from millcorr.app import draft, simulating
 from millcorr.app.properties import QT_TRANSLATE_NOOP, Property
+from millcorr.app.text import translate
+from millcorr.app.unit import unit
 from millcorr.errors import UsageError
 from millcorr.report import simulation_view
 from millcorr.report.scene import simulation as simulation_arrays
@@ -19,9 +21,7 @@ from .line_set import LineLayer
 from .magnification import MagnificationFields
 from .options import Expression, call
 from .qt import QtCore, QtWidgets
-from .text import translate
 from .theme import ThemeWatch, colours, theme
-from .unit import unit
 from .wheel import calm
 
 _text = QT_TRANSLATE_NOOP

@@ -124,7 +124,7 @@ def _corrected_before(result: Result) -> bool:
 def _verdict(result: Result, largest: LargestCorrection) -> str:
     d, settings, proof = result.deviation, result.request.settings, result.verification
     words = []
-    do, why = what_to_do(result.summary()).split(": ", 1)
+    do, why = what_to_do(result.summary())
     first = f"<p class=verdict><b>{escape(do[:1].upper() + do[1:])}</b>: {escape(why)}.</p>"
     if len(d):
         s, count = statistics(d.value), len(d) + len(d.rejected)
@@ -244,10 +244,11 @@ def _points(result: Result) -> str:
         kind = f"ball centres shifted along an axis, ball radius {radii} mm"
     if measurement.probe is not None:
         kind += f", probe {escape(measurement.probe.source)}" if measurement.probe.source else ", calibrated probe"
-    counts = f"{plural(len(measurement), 'point')} read ({kind}), {grouped(len(d))} used, "
-    counts += f"{grouped(len(d.rejected))} rejected"
+    wrong = result.left_out
+    counts = f"{plural(len(measurement), 'point')} read ({kind}), "
+    counts += f"{grouped(len(d) + len(d.rejected) - len(wrong))} used, {grouped(len(wrong))} left out"
     groups: dict[str, list[int]] = {}
-    for r in d.rejected:
+    for r in wrong:
         groups.setdefault(r.reason, []).append(int(measurement.lines[r.index]))
     items = []
     for reason, lines in sorted(groups.items(), key=lambda group: -len(group[1])):
@@ -307,7 +308,7 @@ def _plots(result: Result) -> list[str]:
         parts.append("<h2>Deviation along the contour</h2>" + figure(plot))
     within, why = near_zero(result)
     rejected = None
-    left_out = [r.index for r in d.rejected] + [row["index"] for row in result.outliers()]
+    left_out = [point.index for point in result.left_out]
     if result.request.measurement is not None and left_out:
         rejected = result.request.measurement.points[left_out]
     plot = on_contour(result.nominal, d, result.filtered, within=within, rejected=rejected)

@@ -67,7 +67,7 @@ def on_contour(
         ("determined part", [("course", "m-9 0h18")]),
     ]
     if rejected is not None and len(rejected):
-        entries.append(("rejected", [("rejected", MARKERS[5])]))
+        entries.append(("left out", [("rejected", MARKERS[5])]))
     if len(deviation):
         canvas.legend(56, 14, entries)
     outline = _Outline.of(profile)

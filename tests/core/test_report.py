@@ -211,7 +211,7 @@ def test_json_has_the_keys_of_the_contract(disc, tmp_path):
     data = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"), parse_constant=pytest.fail)
     shape = ("mean", "min", "max", "height", "std")
     assert data["unit"] == "mm" and isinstance(data["millcorr"], str)
-    assert data["points"] == {"parts": 1, "read": 120, "used": 120, "rejected": []}
+    assert data["points"] == {"parts": 1, "read": 120, "used": 120, "left_out": 0, "rejected": []}
     assert tuple(data["deviation"]) == shape and tuple(data["filtered"]) == shape
     assert {"max", "limited"} <= data["correction"].keys()
     assert data["alignment"] == {"shift": [0.0, 0.0], "rotation_deg": 0.0}
@@ -226,7 +226,7 @@ def test_json_has_null_where_there_is_no_number(tmp_path):
     text = (tmp_path / "report.json").read_text(encoding="utf-8")
     data = json.loads(text, parse_constant=pytest.fail)
     assert data["deviation"]["mean"] is None and data["random_std"] is None
-    assert data["points"] == {"parts": 0, "read": 0, "used": 0, "rejected": []}
+    assert data["points"] == {"parts": 0, "read": 0, "used": 0, "left_out": 0, "rejected": []}
 
 
 def test_profile_reads_back(disc, tmp_path):

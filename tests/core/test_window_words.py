@@ -12,11 +12,12 @@ import pytest
 
 from millcorr import nc, pipeline, plausibility, progress
 from millcorr.app.draft import Draft, in_python, lines_to_change, lines_to_create, values_of
+from millcorr.app.wording import worded
 from millcorr.correction.settings import Settings
 from millcorr.errors import DistrustError, FormatError, LimitError, MillcorrError, UsageError
 from millcorr.gui.background import STAGES, Work
 from millcorr.gui.figures import figures_of, length
-from millcorr.gui.remedies import Remedy, accepted_by, first_field, remedies_in, worded
+from millcorr.gui.remedies import Remedy, accepted_by, first_field, remedies_in
 from millcorr.messages import message, option, remedy
 from millcorr.readers.measurement import Measurement
 from millcorr.whole_file import write_whole
@@ -131,7 +132,7 @@ def test_place_and_figure_are_what_the_text_says():
 @pytest.mark.parametrize("name", ["{}.csv", "--points.csv", "a --limit 3", "%s"])
 def test_names_of_files_are_never_taken_for_options(name):
     error = FormatError("not a number", name, 3)
-    assert error.message.options == () and worded(error.message) == f"{name}:3: not a number"
+    assert error.message.options == () and worded(error.message) == f"{name}, line 3: not a number"
     assert error.message.file == name and error.said == "not a number"
 
 

@@ -19,7 +19,7 @@ SAID = {
 
 
 def story():
-    from millcorr.gui.text import label_of, translate
+    from millcorr.app.text import label_of, translate
 
     FreeCAD.openDocument(path("demo.FCStd"))
     for language, (command, label, part) in SAID.items():
