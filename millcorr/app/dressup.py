@@ -16,7 +16,7 @@ from millcorr.errors import InputError
 from millcorr.messages import Message, phrase
 from millcorr.options import options_of
 
-from . import compat, correction, draft, rounds, views
+from . import compat, correction, draft, rounds, views, wording
 from .properties import HIDDEN, QT_TRANSLATE_NOOP, READ_ONLY, Property, of_option, store
 from .stored import Proxy
 
@@ -295,7 +295,8 @@ class DressupMillcorr(Proxy):
         _empty_profiles(obj)
         if obj.Base is None or not compat.is_active(obj.Base):
             return
-        corrected = correction.correct(obj)
+        with wording.shown_by_freecad():
+            corrected = correction.correct(obj)
         obj.Path = corrected.path()
         _state(obj, corrected)
         self._remember(obj, corrected)
@@ -309,7 +310,7 @@ class DressupMillcorr(Proxy):
             obj.Corrected = datetime.now().astimezone().isoformat(timespec="seconds")
             obj.CutPath = now
         if corrected.otherwise_cut:
-            obj.Warnings = [*obj.Warnings, changed(obj.Base.Label)]
+            obj.Warnings = [*obj.Warnings, wording.stored(changed(obj.Base.Label))]
         if fresh or not corrected.cuts:
             take_note(obj)
 
@@ -348,7 +349,7 @@ def _state(obj: Any, corrected: correction.Correction) -> None:
     store(obj, "PathError", _known(summary["verification"]["path_error_max"]))
     store(obj, "PointsUsed", int(summary["points"]["used"]))
     store(obj, "PointsRejected", int(summary["points"]["left_out"]))
-    store(obj, "Warnings", list(summary["warnings"]))
+    store(obj, "Warnings", list(map(wording.stored, summary["warnings"])))
     measurement = corrected.request.measurement
     if measurement is not None:
         store(obj, "Source", measurement.source)
@@ -450,7 +451,7 @@ def take_note(obj: Any) -> None:
 
 
 def doubts_of(obj: Any) -> list[str]:
-    """Warnings of a dressup that came since the user last looked at it, whatever their figures."""
+    """Warnings of a dressup, as it stores them, that came since the user last looked at it, whatever their figures."""
     known = {_bare(text) for text in obj.Noted}
     return [text for text in obj.Warnings if _bare(text) not in known]
 

@@ -24,6 +24,7 @@ from millcorr.readers.measurement import Measurement
 from . import views
 from .properties import HIDDEN, QT_TRANSLATE_NOOP, READ_ONLY, Property, store
 from .stored import Proxy
+from .wording import shown_by_freecad
 
 AS_FILE = "as the file says"
 """Value of Points and Unit where the file itself tells."""
@@ -118,7 +119,8 @@ class MeasurementObject(Proxy):
         """Read the file and fill the read-only properties; raises FormatError or InputError."""
         for name in ("Count", "Levels"):
             store(obj, name, 0)
-        measurement = measurement_of(obj)
+        with shown_by_freecad():
+            measurement = measurement_of(obj)
         store(obj, "Digest", measurement.digest)
         store(obj, "Count", len(measurement))
         store(obj, "Levels", level_count(measurement))

@@ -3,42 +3,95 @@
 
 from __future__ import annotations
 
-from millcorr.messages import Accept, Coordinates, Length, Option, Place, Wording, message_of
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from millcorr.errors import MillcorrError
+from millcorr.messages import Accept, Coordinates, Length, Option, Place, Wording, message_of, phrase
 from millcorr.options import field_name
+from millcorr.report.length_unit import MM, LengthUnit
+from millcorr.report.reader import Reader
 
-from .text import label_of, translate
-from .unit import unit
+from .text import label_of, translate, words_of
+from .unit import chosen, unit
 
 
-class InFreeCAD(Wording):
-    """The wording of windows, of what FreeCAD shows of objects, and of reports that it writes."""
-
-    def template(self, text: str) -> str:
-        """The phrase in FreeCAD's language, where it has been translated."""
-        return translate("Millcorr_Said", text)
+class InFields(Wording):
+    """Options by their fields, lengths in FreeCAD's unit, in English: what documents store and reports show."""
 
     def piece(self, piece: Option | Accept | Place | Length | Coordinates) -> str:
-        """Options by their fields; accepting a finding is a button, and no words."""
+        """A piece; accepting a finding is a button, and no words."""
         match piece:
             case Option():
-                label = label_of(field_name(piece.key))
-                return f"\u201c{label}\u201d {piece.shown}".rstrip()
+                return f"\u201c{self.label(field_name(piece.key))}\u201d {piece.shown}".rstrip()
             case Accept():
                 return ""
             case Place(line=int() as line) if piece.file:
-                return translate("Millcorr", "{}, line {}").format(piece.file, line)
+                return phrase("{}, line {}", piece.file, line).in_words(self)
             case Place(line=int() as line):
-                return translate("Millcorr", "line {}").format(line)
+                return phrase("line {}", line).in_words(self)
             case Length():
-                return unit().said(piece)
+                return self.unit().said(piece)
             case Coordinates():
-                return unit().coordinates(piece)
+                return self.unit().coordinates(piece)
         return str(piece)
 
+    def label(self, name: str) -> str:
+        """What a field is called."""
+        return words_of(name)
 
-IN_FREECAD = InFreeCAD()
+    def unit(self) -> LengthUnit:
+        """In which lengths are said."""
+        return chosen()
+
+
+class InDocuments(InFields):
+    """The same in mm whoever opens the document."""
+
+    def unit(self) -> LengthUnit:
+        """Millimetres."""
+        return MM
+
+
+class InWindow(InFields):
+    """The same in the window's language, as far as it is translated."""
+
+    def template(self, text: str) -> str:
+        """A phrase in the window's language."""
+        return translate("Millcorr_Said", text)
+
+    def label(self, name: str) -> str:
+        """What a field is called in forms."""
+        return label_of(name)
+
+    def unit(self) -> LengthUnit:
+        """With names in the window's language."""
+        return unit()
+
+
+_FIELDS, _STORED, _WINDOW = InFields(), InDocuments(), InWindow()
 
 
 def worded(said: object) -> str:
-    """A message, or what an error says, in FreeCAD's words."""
-    return message_of(said).in_words(IN_FREECAD)
+    """A message, or what an error says, as the window says it."""
+    return message_of(said).in_words(_WINDOW)
+
+
+def stored(said: object) -> str:
+    """A message as a document stores it."""
+    return message_of(said).in_words(_STORED)
+
+
+def reader() -> Reader:
+    """FreeCAD's user as the reader of a report: in the unit that they have chosen, with fields in place of options."""
+    return Reader(chosen(), _FIELDS)
+
+
+@contextmanager
+def shown_by_freecad() -> Iterator[None]:
+    """What goes wrong within is shown by FreeCAD itself, at the object in the tree and in the report view."""
+    try:
+        yield
+    except MillcorrError as error:
+        error.args = (worded(error),)
+        raise

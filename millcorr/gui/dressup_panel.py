@@ -12,7 +12,7 @@ import FreeCADGui
 from millcorr.app import candidates, correction, draft, dressup, rounds
 from millcorr.app.text import translate
 from millcorr.app.unit import unit
-from millcorr.app.wording import worded
+from millcorr.app.wording import stored, worded
 from millcorr.errors import MillcorrError, RefusedError
 from millcorr.options import field_name
 from millcorr.report.scene.measured import lines_of
@@ -323,7 +323,7 @@ class DressupPanel(Panel):
         self.look.change("Magnification", self.fields["Magnification"].value)
         clear(self.notes)
         warnings = [*summary["warnings"], *([dressup.changed(self.base.Label)] if otherwise_cut else [])]
-        doubts = [] if self.obj is None else [text for text in dressup.doubts_of(self.obj) if text in warnings]
+        doubts = [] if self.obj is None else [text for text in warnings if stored(text) in dressup.doubts_of(self.obj)]
         # What came up since the user last looked stands where it is seen.
         self.say("\n".join(map(worded, doubts)), "doubt")
         for text in warnings:

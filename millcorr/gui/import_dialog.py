@@ -283,7 +283,7 @@ class ImportDialog(QtWidgets.QDialog):
         text = translate("Millcorr", "Points: {}, heights: {}. {} {}. Format: {}, unit in the file: {}").format(
             len(measurement), levels, size, shown.name, measurement.format, measurement.unit
         )
-        self._say("\n".join([text, *_known(measurement), *measurement.notes]), "good")
+        self._say("\n".join([text, *_known(measurement), *map(worded, measurement.notes)]), "good")
 
     def _failed(self, error: BaseException) -> None:
         self._state()

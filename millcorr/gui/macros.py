@@ -14,6 +14,7 @@ from pathlib import Path
 import FreeCADGui
 
 from millcorr.app.text import translate
+from millcorr.app.wording import worded
 from millcorr.errors import MillcorrError
 
 from . import told
@@ -79,7 +80,7 @@ def run(title: str, lines: Sequence[str], *written: str) -> bool:
         for line in lines:
             FreeCADGui.doCommand(line)
     except (MillcorrError, OSError) as error:
-        told.failed(title, str(error))
+        told.failed(title, worded(error))
         return False
     told.done(title, written)
     return True

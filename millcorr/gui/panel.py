@@ -14,6 +14,7 @@ import FreeCAD
 import FreeCADGui
 
 from millcorr.app.text import translate
+from millcorr.app.wording import worded
 from millcorr.errors import MillcorrError
 from millcorr.messages import message_of
 
@@ -333,7 +334,7 @@ def run(document: Any, title: str, lines: Sequence[str], after: Callable[[], Non
         after()
     except MillcorrError as error:
         document.abortTransaction()
-        told.failed(title, str(error))
+        told.failed(title, worded(error))
         return False
     except BaseException:
         document.abortTransaction()

@@ -1027,14 +1027,6 @@
         <translation>thou</translation>
     </message>
     <message>
-        <source>{}, line {}</source>
-        <translation>{}, Zeile {}</translation>
-    </message>
-    <message>
-        <source>line {}</source>
-        <translation>Zeile {}</translation>
-    </message>
-    <message>
         <source>Reading points</source>
         <translation>Punkte werden gelesen</translation>
     </message>
@@ -2504,6 +2496,14 @@
     <message>
         <source>{} is a measured part of {} already: switch it on instead</source>
         <translation>{} ist schon ein gemessenes Teil von {}: schalten Sie es stattdessen ein</translation>
+    </message>
+    <message>
+        <source>{}, line {}</source>
+        <translation>{}, Zeile {}</translation>
+    </message>
+    <message>
+        <source>line {}</source>
+        <translation>Zeile {}</translation>
     </message>
     <message>
         <source>alignment: the points do not determine the {}; the fit leaves it alone</source>

@@ -1027,14 +1027,6 @@
         <translation>мілідюйм</translation>
     </message>
     <message>
-        <source>{}, line {}</source>
-        <translation>{}, рядок {}</translation>
-    </message>
-    <message>
-        <source>line {}</source>
-        <translation>рядок {}</translation>
-    </message>
-    <message>
         <source>Reading points</source>
         <translation>Читання точок</translation>
     </message>
@@ -2504,6 +2496,14 @@
     <message>
         <source>{} is a measured part of {} already: switch it on instead</source>
         <translation>{} вже є виміряною деталлю {}: натомість увімкніть її</translation>
+    </message>
+    <message>
+        <source>{}, line {}</source>
+        <translation>{}, рядок {}</translation>
+    </message>
+    <message>
+        <source>line {}</source>
+        <translation>рядок {}</translation>
     </message>
     <message>
         <source>alignment: the points do not determine the {}; the fit leaves it alone</source>
