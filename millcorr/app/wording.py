@@ -6,14 +6,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from millcorr.correction.settings import Settings
 from millcorr.errors import MillcorrError
-from millcorr.messages import Accept, Coordinates, Length, Option, Place, Wording, message_of, phrase
-from millcorr.options import field_name
+from millcorr.messages import Accept, Coordinates, Length, Option, Place, Wording, message_of, mm, phrase
+from millcorr.options import field_name, options_of
+from millcorr.readers.reading import Reading
 from millcorr.report.length_unit import MM, LengthUnit
 from millcorr.report.reader import Reader
 
 from .text import label_of, translate, words_of
 from .unit import chosen, unit
+
+_LENGTHS = {one.field for noun in (Settings, Reading) for one in options_of(noun).values() if one.unit == "MM"}
+"""Fields of options that are lengths."""
 
 
 class InFields(Wording):
@@ -23,7 +28,8 @@ class InFields(Wording):
         """A piece; accepting a finding is a button, and no words."""
         match piece:
             case Option():
-                return f"\u201c{self.label(field_name(piece.key))}\u201d {piece.shown}".rstrip()
+                field = field_name(piece.key)
+                return f"\u201c{self.label(field)}\u201d {self.value(field, piece.value)}".rstrip()
             case Accept():
                 return ""
             case Place(line=int() as line) if piece.file:
@@ -35,6 +41,12 @@ class InFields(Wording):
             case Coordinates():
                 return self.unit().coordinates(piece)
         return str(piece)
+
+    def value(self, field: str, value: object) -> str:
+        """What a field shows; empty where that is nothing, or where it is a switch."""
+        if field in _LENGTHS and isinstance(value, float):
+            return self.unit().said(mm(value, "g"))
+        return Option(field, value).shown
 
     def label(self, name: str) -> str:
         """What a field is called."""
@@ -75,6 +87,11 @@ _FIELDS, _STORED, _WINDOW = InFields(), InDocuments(), InWindow()
 def worded(said: object) -> str:
     """A message, or what an error says, as the window says it."""
     return message_of(said).in_words(_WINDOW)
+
+
+def value_worded(field: str, value: object) -> str:
+    """What a field of the window shows."""
+    return _WINDOW.value(field, value)
 
 
 def stored(said: object) -> str:

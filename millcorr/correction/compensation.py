@@ -114,9 +114,11 @@ def correction_from(
 
 def _one_place(profile: Profile, stretch: Stretch, at: float, value: float) -> str:
     p, _ = profile.at(stretch.contour, np.array([stretch.begin + at]))
-    return (
-        f"the stretch of {stretch.length:.3f} mm through X{p[0, 0]:.3f} Y{p[0, 1]:.3f} was measured at that place "
-        f"only: {value:+.4f} mm hold all along it"
+    return phrase(
+        "the stretch of {} through {} was measured at that place only: {} hold all along it",
+        mm(stretch.length),
+        xy(p[0, 0], p[0, 1]),
+        mm(value, "+.4f"),
     )
 
 
@@ -124,12 +126,15 @@ def beyond_the_limit(value: Floats, worst: int, place: tuple[float, float], limi
     """The error that the largest of some corrections, in mm, is beyond the limit at a place."""
     x, y = place
     return LimitError(
-        f"a correction of {value[worst]:+.4f} mm is needed at X{x:.3f} Y{y:.3f} ",
-        f"({int((np.abs(value) > limit).sum())} points), more than ",
-        option("limit", limit),
-        " mm; nothing was corrected: look at the place in the report of `check`, and say a larger ",
-        option("limit"),
-        " if it is right",
+        phrase(
+            "a correction of {} is needed at {} (points: {}), more than {}; nothing was corrected: look at the place "
+            "in the report of a check, and say a larger {} if it is right",
+            mm(value[worst], "+.4f"),
+            xy(x, y),
+            int((np.abs(value) > limit).sum()),
+            option("limit", limit),
+            option("limit"),
+        ),
         place=place,
         figure=float(value[worst]),
     )

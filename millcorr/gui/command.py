@@ -11,7 +11,7 @@ import FreeCADGui
 
 from millcorr.app.text import QT_TRANSLATE_NOOP, translate
 
-from . import guide
+from . import guide, packages
 from .icons import icon
 
 _text = QT_TRANSLATE_NOOP
@@ -61,7 +61,9 @@ class Command:
     def IsActive(self) -> bool:
         """Whether the command can run; its tooltip tells what is missing otherwise."""
         busy = not self.beside and bool(FreeCADGui.Control.activeDialog())
-        lacking = _text("Millcorr", "the open task ended: OK or Cancel") if busy else self.lacks()
+        lacking = packages.lacking()
+        if not lacking:
+            lacking = _text("Millcorr", "the open task ended: OK or Cancel") if busy else self.lacks()
         self._tell(lacking)
         return not lacking
 

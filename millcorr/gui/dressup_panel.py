@@ -16,6 +16,7 @@ from millcorr.app.wording import stored, worded
 from millcorr.errors import MillcorrError, RefusedError
 from millcorr.options import field_name
 from millcorr.report.scene.measured import lines_of
+from millcorr.report.verdict import what_to_do
 
 from . import methods, picture, picture_properties, preferences
 from .figures import COLUMNS, figures_of
@@ -324,8 +325,9 @@ class DressupPanel(Panel):
         clear(self.notes)
         warnings = [*summary["warnings"], *([dressup.changed(self.base.Label)] if otherwise_cut else [])]
         doubts = [] if self.obj is None else [text for text in warnings if stored(text) in dressup.doubts_of(self.obj)]
-        # What came up since the user last looked stands where it is seen.
-        self.say("\n".join(map(worded, doubts)), "doubt")
+        do, why = what_to_do(summary)
+        # What came up since the user last looked stands where it is seen, above what to do.
+        self.say("\n".join([*map(worded, doubts), f"{worded(do)}: {worded(why)}"]), "doubt" if doubts else "note")
         for text in warnings:
             if text not in doubts:
                 self._note(worded(text), "doubt")

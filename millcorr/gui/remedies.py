@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from millcorr.app.text import label_of, translate
+from millcorr.app.wording import value_worded
 from millcorr.messages import message_of
 from millcorr.options import field_name
 
@@ -35,8 +36,7 @@ class Remedy:
             return translate("Millcorr", "Go to {}").format(label_of(self.field))
         if self.value is True:
             return translate("Millcorr", "Switch on {}").format(label_of(self.field))
-        value = f"{self.value:g}" if isinstance(self.value, float) else self.value
-        return translate("Millcorr", "Set {} to {}").format(label_of(self.field), value)
+        return translate("Millcorr", "Set {} to {}").format(label_of(self.field), value_worded(self.field, self.value))
 
 
 def accepted_by(said: str) -> str:

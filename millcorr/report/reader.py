@@ -64,12 +64,12 @@ def fine_per_mm() -> float:
 
 def length(value: float, form: str = "g") -> str:
     """A length given in mm, with the name of the reader's unit."""
-    return unit().said(mm(value, form))
+    return unit().said(mm(value, form)).replace("-", "\N{MINUS SIGN}")
 
 
 def shown(value: float, form: str = ".2f") -> str:
     """A deviation given in mm, with the name of the reader's small unit."""
-    return unit().said(um(value, form))
+    return unit().said(um(value, form)).replace("-", "\N{MINUS SIGN}")
 
 
 def worded(said: object) -> str:

@@ -1663,6 +1663,44 @@
         <translation>die anderen Punkte der Datei</translation>
     </message>
     <message>
+        <source>Millcorr needs Python packages that FreeCAD's Python does not have: {}.
+
+They can be installed into {}, for FreeCAD alone, from the network.</source>
+        <translation>Millcorr braucht Python-Pakete, die FreeCADs Python nicht hat: {}.
+
+Sie lassen sich aus dem Netz nach {} installieren, für FreeCAD allein.</translation>
+    </message>
+    <message>
+        <source>They could not be installed: {}
+
+In a terminal, this does the same:
+{}</source>
+        <translation>Sie ließen sich nicht installieren: {}
+
+In einem Terminal tut dies dasselbe:
+{}</translation>
+    </message>
+    <message>
+        <source>Python packages, which a dialog offers to install: {}</source>
+        <translation>Python-Pakete, die ein Fenster zu installieren anbietet: {}</translation>
+    </message>
+    <message>
+        <source>Install</source>
+        <translation>Installieren</translation>
+    </message>
+    <message>
+        <source>Installing…</source>
+        <translation>Wird installiert…</translation>
+    </message>
+    <message>
+        <source>Installed. Start FreeCAD again to use them.</source>
+        <translation>Installiert. Starten Sie FreeCAD neu, um sie zu verwenden.</translation>
+    </message>
+    <message>
+        <source>On Debian and Ubuntu pip comes with: apt install python3-pip</source>
+        <translation>Unter Debian und Ubuntu kommt pip mit: apt install python3-pip</translation>
+    </message>
+    <message>
         <source>Stopped: change a setting to compute again</source>
         <translation>Angehalten: eine Einstellung ändern, um neu zu rechnen</translation>
     </message>
@@ -2632,6 +2670,14 @@
     <message>
         <source>the offset path does not close near {}: check {} and {}, or give the contour with {}</source>
         <translation>der versetzte Weg schließt sich nahe {} nicht: prüfen Sie {} und {}, oder geben Sie die Kontur mit {}</translation>
+    </message>
+    <message>
+        <source>the stretch of {} through {} was measured at that place only: {} hold all along it</source>
+        <translation>die Strecke von {} durch {} wurde nur dort gemessen: {} gelten auf ihrer ganzen Länge</translation>
+    </message>
+    <message>
+        <source>a correction of {} is needed at {} (points: {}), more than {}; nothing was corrected: look at the place in the report of a check, and say a larger {} if it is right</source>
+        <translation>eine Korrektur von {} ist nötig bei {} (Punkte: {}), mehr als {}; nichts wurde korrigiert: sehen Sie die Stelle im Bericht einer Prüfung an, und geben Sie {} größer an, wenn sie stimmt</translation>
     </message>
     <message>
         <source>the stretch of {} near {} has no usable point</source>

@@ -1663,6 +1663,44 @@
         <translation>інші точки файлу</translation>
     </message>
     <message>
+        <source>Millcorr needs Python packages that FreeCAD's Python does not have: {}.
+
+They can be installed into {}, for FreeCAD alone, from the network.</source>
+        <translation>Millcorr потребує пакетів Python, яких немає в Python програми FreeCAD: {}.
+
+Їх можна встановити з мережі в {}, лише для FreeCAD.</translation>
+    </message>
+    <message>
+        <source>They could not be installed: {}
+
+In a terminal, this does the same:
+{}</source>
+        <translation>Їх не вдалося встановити: {}
+
+У терміналі те саме робить:
+{}</translation>
+    </message>
+    <message>
+        <source>Python packages, which a dialog offers to install: {}</source>
+        <translation>пакети Python, які пропонує встановити вікно: {}</translation>
+    </message>
+    <message>
+        <source>Install</source>
+        <translation>Встановити</translation>
+    </message>
+    <message>
+        <source>Installing…</source>
+        <translation>Встановлення…</translation>
+    </message>
+    <message>
+        <source>Installed. Start FreeCAD again to use them.</source>
+        <translation>Встановлено. Запустіть FreeCAD знову, щоб їх використати.</translation>
+    </message>
+    <message>
+        <source>On Debian and Ubuntu pip comes with: apt install python3-pip</source>
+        <translation>У Debian та Ubuntu pip дає команда: apt install python3-pip</translation>
+    </message>
+    <message>
         <source>Stopped: change a setting to compute again</source>
         <translation>Зупинено: змініть налаштування, щоб обчислити знову</translation>
     </message>
@@ -2632,6 +2670,14 @@
     <message>
         <source>the offset path does not close near {}: check {} and {}, or give the contour with {}</source>
         <translation>зміщена траєкторія не замикається біля {}: перевірте {} і {}, або дайте контур через {}</translation>
+    </message>
+    <message>
+        <source>the stretch of {} through {} was measured at that place only: {} hold all along it</source>
+        <translation>ділянку {} через {} виміряно лише там: {} діє вздовж усієї</translation>
+    </message>
+    <message>
+        <source>a correction of {} is needed at {} (points: {}), more than {}; nothing was corrected: look at the place in the report of a check, and say a larger {} if it is right</source>
+        <translation>потрібна корекція {} у {} (точок: {}), більше ніж {}; нічого не скориговано: подивіться на місце у звіті перевірки й задайте більше {}, якщо все правильно</translation>
     </message>
     <message>
         <source>the stretch of {} near {} has no usable point</source>

@@ -288,7 +288,7 @@ def test_rejected_points_stay_in_their_row_with_empty_cells(tmp_path):
     for name in ("s", "nx", "ny", "deviation", "filtered", "predicted", "contour"):
         assert rows[7][name] == "" and rows[8][name] != ""
     text = Page((tmp_path / "report.html").read_text(encoding="utf-8")).text
-    assert "78 used, 2 rejected" in text
+    assert "78 used, 2 left out" in text
     assert "2 × farther than 1 mm from the profile (lines 9, 33)" in text
 
 

@@ -104,8 +104,8 @@ def test_a_remedy_without_a_value_leads_to_its_field():
 
 def test_the_value_that_something_has_is_no_remedy():
     """What names the limit as it is only leads to its field."""
-    said = message("more than ", option("limit", 0.5), " mm")
-    assert said == "more than --limit 0.5 mm" and worded(said) == "more than \u201cLimit\u201d 0.5 mm"
+    said = message("more than ", option("limit", 0.5))
+    assert said == "more than --limit 0.5" and worded(said) == "more than \u201cLimit\u201d 0.5 mm"
     assert remedies_in(said) == (Remedy("Limit"),)
 
 
