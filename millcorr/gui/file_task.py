@@ -167,7 +167,7 @@ class FileTask(Panel):
 
     def show_written(self, text: str) -> None:
         """Show what was written."""
-        self.say(worded(spaced(text)), "good")
+        self.say(spaced(worded(text)), "good")
 
     def _failed(self, error: BaseException) -> None:
         self._unfit = True

@@ -213,7 +213,7 @@ class MeasuringTask(file_task.FileTask):
 
     def show_outcome(self, outcome: Any) -> None:
         """What is touched, what is not and why, and the program."""
-        self.say(worded(file_task.spaced(outcome.words())), "doubt" if outcome.warnings else "good")
+        self.say(file_task.spaced(worded(outcome.words())), "doubt" if outcome.warnings else "good")
         self.text.setPlainText(outcome.text)
         self.fields["Z"].show_value(outcome.z)
         self.fields["SafeZ"].show_value(outcome.safe_z)

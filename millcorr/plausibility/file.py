@@ -145,7 +145,7 @@ def _height_map(measurement: Measurement) -> Finding | None:
         return None
     text = phrase(
         "the {} points are a height map, touched along Z: they show nothing of a contour; touch its "
-        "walls, as `probe` writes it",
+        "walls with a measuring program",
         len(measurement),
     )
     return Finding("height-map", text, True)

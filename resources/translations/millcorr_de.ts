@@ -3012,7 +3012,7 @@ In einem Terminal tut dies dasselbe:
         <translation>{} nennt eine Abweichung von {}, ihre Punkte ergeben {} ({} von {} widersprechen sich): {}; lassen Sie die Spalte der Abweichungen weg, oder berichtigen Sie sie</translation>
     </message>
     <message>
-        <source>the {} points are a height map, touched along Z: they show nothing of a contour; touch its walls, as `probe` writes it</source>
+        <source>the {} points are a height map, touched along Z: they show nothing of a contour; touch its walls with a measuring program</source>
         <translation>die {} Punkte sind eine Höhenkarte, entlang Z angetastet: sie zeigen nichts von einer Kontur; tasten Sie deren Wände an, mit einem Messprogramm</translation>
     </message>
     <message>
@@ -3222,6 +3222,38 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>at {}, {} on the average</source>
         <translation>bei {}, {} im Mittel</translation>
+    </message>
+    <message>
+        <source>{} touches, {} of {} ways between them over the safe height</source>
+        <translation>{} Berührungen, {} von {} Wegen dazwischen über die sichere Höhe</translation>
+    </message>
+    <message>
+        <source>measured at {}, passed over at {}</source>
+        <translation>gemessen auf {}, überfahren auf {}</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>heights</source>
+        <translation>Höhen</translation>
+    </message>
+    <message>
+        <source>{} and {} more</source>
+        <translation>{} und {} weitere</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>weggelassen</translation>
     </message>
     <message>
         <source>on the profile</source>

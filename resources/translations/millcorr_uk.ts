@@ -3012,7 +3012,7 @@ In a terminal, this does the same:
         <translation>{} подає відхилення {}, а його точки дають {} ({} з {} не збігаються): {}; не беріть стовпець відхилень або виправте його</translation>
     </message>
     <message>
-        <source>the {} points are a height map, touched along Z: they show nothing of a contour; touch its walls, as `probe` writes it</source>
+        <source>the {} points are a height map, touched along Z: they show nothing of a contour; touch its walls with a measuring program</source>
         <translation>{} точок є картою висот, дотики вздовж Z: вони нічого не показують про контур; торкніться його стінок вимірювальною програмою</translation>
     </message>
     <message>
@@ -3222,6 +3222,38 @@ In a terminal, this does the same:
     <message>
         <source>at {}, {} on the average</source>
         <translation>у {}, {} у середньому</translation>
+    </message>
+    <message>
+        <source>{} touches, {} of {} ways between them over the safe height</source>
+        <translation>{} дотиків, {} з {} переходів між ними через безпечну висоту</translation>
+    </message>
+    <message>
+        <source>measured at {}, passed over at {}</source>
+        <translation>вимірюється на {}, перехід на {}</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>точки</translation>
+    </message>
+    <message>
+        <source>heights</source>
+        <translation>висоти</translation>
+    </message>
+    <message>
+        <source>{} and {} more</source>
+        <translation>{} та ще {}</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>застереження</translation>
+    </message>
+    <message>
+        <source>log</source>
+        <translation>протокол</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>пропущено</translation>
     </message>
     <message>
         <source>on the profile</source>
