@@ -31,7 +31,7 @@ from .panel import clear
 from .qt import QtCore, QtWidgets
 from .remedies import Remedy, first_field, remedies_in
 from .screen import fit
-from .theme import STYLE
+from .theme import STYLE, mark
 from .wheel import calm
 from .worker import Worker
 
@@ -327,9 +327,7 @@ class ImportDialog(QtWidgets.QDialog):
         self.findings.addWidget(box)
 
     def _say(self, text: str, kind: str) -> None:
-        self.found.setProperty("millcorr", kind)
-        self.found.style().unpolish(self.found)
-        self.found.style().polish(self.found)
+        mark(self.found, kind)
         self.found.setText(text)
         self.found.setVisible(bool(text))
 

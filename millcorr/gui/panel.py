@@ -25,7 +25,7 @@ from .fold import Fold
 from .icons import qt_icon
 from .keys import keep
 from .qt import QtCore, QtWidgets
-from .theme import STYLE
+from .theme import STYLE, mark
 from .worker import Worker
 
 PAUSE = 250
@@ -225,9 +225,7 @@ class Panel:
     def say(self, text: str, kind: str = "note") -> None:
         """Say something at the top: a note, a "doubt", or what is "wrong"."""
         clear(self.buttons)
-        self.message.setProperty("millcorr", kind)
-        self.message.style().unpolish(self.message)
-        self.message.style().polish(self.message)
+        mark(self.message, kind)
         self.message.setText(text)
         self.message.setVisible(bool(text))
 

@@ -15,6 +15,8 @@ from millcorr.arrays import Floats
 from millcorr.comparison.deviation import statistics
 from millcorr.correction import provenance
 from millcorr.correction.largest import LargestCorrection, largest_correction
+from millcorr.correction.settings import Settings
+from millcorr.options import options_of
 from millcorr.pipeline import Result
 
 from . import reader
@@ -456,7 +458,7 @@ _SETTING_NAMES = {
     "transfer_function": "Transfer function",
     "leave_stock": "Stock left on",
 }
-_LENGTHS = ("limit", "dead_band", "tolerance", "leave_stock")
+_LENGTHS = {key for key, one in options_of(Settings).items() if one.unit == "MM"}
 _ELASTIC_ONLY = ("depth_along", "transfer_function")
 """Settings that say nothing where the deviation is mirrored."""
 
@@ -472,7 +474,9 @@ def _settings(result: Result) -> str:
             continue
         if name == "leave_stock" and not value:
             continue
-        text = reader.length(value) if name in _LENGTHS else f"{value:g}" if isinstance(value, float) else str(value)
+        values = value if isinstance(value, tuple) else (value,)
+        shown = [reader.length(v) if name in _LENGTHS else f"{v:g}" if isinstance(v, float) else str(v) for v in values]
+        text = ", ".join(shown)
         facts.append((_SETTING_NAMES.get(name, name.replace("_", " ")), text))
     shift, turn = summary["alignment"]["shift"], summary["alignment"]["rotation_deg"]
     if any(shift) or turn:

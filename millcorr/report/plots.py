@@ -255,7 +255,7 @@ def _along_legend(
         # More do not fit; the table by level has them.
         entries += [
             (
-                f"Z {number(round(z, 3))}",
+                f"Z {number(round(z / reader.unit().mm, reader.unit().digits - 1))}",
                 [*([] if posterior else [(f"filtered dash{i % 4}", "m-12 0h24")]), *_level_mark(i, dense)],
             )
             for i, (_, z) in enumerate(levels[: 8 - 2 * len(entries)])

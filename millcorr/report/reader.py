@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 
-from millcorr.messages import Wording, message_of, mm, um
+from millcorr.messages import Accept, Coordinates, Length, Option, Place, Wording, message_of, mm, um
 
 from .length_unit import MM, LengthUnit
 
@@ -72,6 +72,21 @@ def shown(value: float, form: str = ".2f") -> str:
     return unit().said(um(value, form)).replace("-", "\N{MINUS SIGN}")
 
 
+class _InUnit(Wording):
+    """A reader's wording, with lengths in their unit."""
+
+    def template(self, text: str) -> str:
+        return _reader.get().wording.template(text)
+
+    def piece(self, piece: Option | Accept | Place | Length | Coordinates) -> str:
+        if isinstance(piece, Length):
+            return unit().said(piece)
+        return unit().coordinates(piece) if isinstance(piece, Coordinates) else _reader.get().wording.piece(piece)
+
+
+_IN_UNIT = _InUnit()
+
+
 def worded(said: object) -> str:
-    """A message in the reader's words."""
-    return message_of(said).in_words(_reader.get().wording)
+    """A message in the reader's words and unit."""
+    return message_of(said).in_words(_IN_UNIT)

@@ -2457,7 +2457,7 @@ In einem Terminal tut dies dasselbe:
     <name>Millcorr_Said</name>
     <message>
         <source>{}: {} {} puts the path on the other side of the contour</source>
-        <translation>{}: {} {} legt den Weg auf die andere Seite der Kontur</translation>
+        <translation>{}: {} {} legt die Bahn auf die andere Seite der Kontur</translation>
     </message>
     <message>
         <source>{}: the operation's base geometry gives no profile; select faces or edges of it in the operation, with processPerimeter or processHoles on</source>
@@ -2501,7 +2501,7 @@ In einem Terminal tut dies dasselbe:
     </message>
     <message>
         <source>{}: the operation has no path; recompute it</source>
-        <translation>{}: die Operation hat keinen Weg; berechnen Sie sie neu</translation>
+        <translation>{}: die Operation hat keine Bahn; berechnen Sie sie neu</translation>
     </message>
     <message>
         <source>{}: the operation cuts along no contour; check its base geometry, and that its FinalDepth lies below the edges that are selected</source>
@@ -2509,7 +2509,7 @@ In einem Terminal tut dies dasselbe:
     </message>
     <message>
         <source>the path of {} is not the one the measured part was cut with: the difference between the two counts as an error of the machine; measure a part cut with the path as it is now</source>
-        <translation>der Weg von {} ist nicht der, mit dem das gemessene Teil geschnitten wurde: der Unterschied zählt als Fehler der Maschine; messen Sie ein Teil, das mit dem jetzigen Weg geschnitten wurde</translation>
+        <translation>die Bahn von {} ist nicht die, mit der das gemessene Teil geschnitten wurde: der Unterschied zählt als Fehler der Maschine; messen Sie ein Teil, das mit der jetzigen Bahn geschnitten wurde</translation>
     </message>
     <message>
         <source>{}: the operation stands in no job</source>
@@ -2577,7 +2577,7 @@ In einem Terminal tut dies dasselbe:
     </message>
     <message>
         <source>{}: alignment: {:.0f} % of the points stay farther than {} from the profile; check unit, work frame, {} and {}</source>
-        <translation>{}: Einpassung: {:.0f} % der Punkte bleiben weiter als {} vom Profil; prüfen Sie Einheit, Werkstückrahmen, {} und {}</translation>
+        <translation>{}: Einpassung: {:.0f} % der Punkte bleiben weiter als {} vom Profil; prüfen Sie Einheit, Werkstücksystem, {} und {}</translation>
     </message>
     <message>
         <source>minimum zone: the linear programme failed: {}</source>
@@ -2617,7 +2617,7 @@ In einem Terminal tut dies dasselbe:
     </message>
     <message>
         <source>{}: the probe's radius can be taken back at none of {} points, most are {}: check {}, {} and the work frame, or give each point's direction of travel</source>
-        <translation>{}: der Tasterradius lässt sich bei keinem von {} Punkten zurücknehmen, die meisten: {}; prüfen Sie {}, {} und den Werkstückrahmen, oder geben Sie die Fahrtrichtung jedes Punkts an</translation>
+        <translation>{}: der Tasterradius lässt sich bei keinem von {} Punkten zurücknehmen, die meisten: {}; prüfen Sie {}, {} und das Werkstücksystem, oder geben Sie die Fahrtrichtung jedes Punkts an</translation>
     </message>
     <message>
         <source>{}: two radii of a shift need a probe that says the effective one</source>
@@ -2661,15 +2661,15 @@ In einem Terminal tut dies dasselbe:
     </message>
     <message>
         <source>{}: none of the {} points can be used, most are {}; check unit, work frame, {} and {}</source>
-        <translation>{}: keiner der {} Punkte ist brauchbar, die meisten: {}; prüfen Sie Einheit, Werkstückrahmen, {} und {}</translation>
+        <translation>{}: keiner der {} Punkte ist brauchbar, die meisten: {}; prüfen Sie Einheit, Werkstücksystem, {} und {}</translation>
     </message>
     <message>
         <source>the path only circles points at the tool radius {}, or turns tighter than it everywhere: there is no contour; check {} and {}</source>
-        <translation>der Weg umkreist nur Punkte mit dem Werkzeugradius {} oder ist überall enger gekrümmt: es gibt keine Kontur; prüfen Sie {} und {}</translation>
+        <translation>die Bahn umkreist nur Punkte mit dem Werkzeugradius {} oder ist überall enger gekrümmt: es gibt keine Kontur; prüfen Sie {} und {}</translation>
     </message>
     <message>
         <source>the offset path does not close near {}: check {} and {}, or give the contour with {}</source>
-        <translation>der versetzte Weg schließt sich nahe {} nicht: prüfen Sie {} und {}, oder geben Sie die Kontur mit {}</translation>
+        <translation>die versetzte Bahn schließt sich nahe {} nicht: prüfen Sie {} und {}, oder geben Sie die Kontur mit {}</translation>
     </message>
     <message>
         <source>the stretch of {} through {} was measured at that place only: {} hold all along it</source>
@@ -2789,7 +2789,7 @@ In einem Terminal tut dies dasselbe:
     </message>
     <message>
         <source>the tool may be larger than stated or the path off; measure a part cut at another {} as well, or use {}</source>
-        <translation>das Werkzeug kann größer sein als angegeben oder der Weg daneben; messen Sie auch ein Teil mit anderer {}, oder verwenden Sie {}</translation>
+        <translation>das Werkzeug kann größer sein als angegeben oder die Bahn daneben; messen Sie auch ein Teil mit anderer {}, oder verwenden Sie {}</translation>
     </message>
     <message>
         <source>at {} the transfer function would be {:+.4f}, negative beyond its uncertainty of {:.4f}: no elastic system removes more than it is told to; {}</source>
@@ -2841,7 +2841,7 @@ In einem Terminal tut dies dasselbe:
     </message>
     <message>
         <source>no move of the program follows the profile at {}: the nearest runs {} off; check {}, {}, stock to leave and the work frame</source>
-        <translation>keine Bewegung des Programms folgt dem Profil im Abstand {}: die nächste läuft {} daneben; prüfen Sie {}, {}, Aufmaß und Werkstückrahmen</translation>
+        <translation>keine Bewegung des Programms folgt dem Profil im Abstand {}: die nächste läuft {} daneben; prüfen Sie {}, {}, Aufmaß und Werkstücksystem</translation>
     </message>
     <message>
         <source>the compensated profile near {} cannot be fitted better than {}: the deviations change too fast; use a stronger {}</source>
@@ -2877,7 +2877,7 @@ In einem Terminal tut dies dasselbe:
     </message>
     <message>
         <source>path</source>
-        <translation>Weg</translation>
+        <translation>Bahn</translation>
     </message>
     <message>
         <source>surface</source>
@@ -2893,7 +2893,7 @@ In einem Terminal tut dies dasselbe:
     </message>
     <message>
         <source>the posted program lacks the move to {} (command {} of the path)</source>
-        <translation>dem ausgegebenen Programm fehlt die Bewegung nach {} (Befehl {} des Wegs)</translation>
+        <translation>dem ausgegebenen Programm fehlt die Bewegung nach {} (Befehl {} der Bahn)</translation>
     </message>
     <message>
         <source>an outlier: more probably wrong than right, by its neighbours</source>
@@ -2925,7 +2925,7 @@ In einem Terminal tut dies dasselbe:
     </message>
     <message>
         <source>check the height of the work frame of the measurement</source>
-        <translation>prüfen Sie die Höhe des Werkstückrahmens der Messung</translation>
+        <translation>prüfen Sie die Höhe des Werkstücksystems der Messung</translation>
     </message>
     <message>
         <source>{} of {} points on the profile ({} to {}) lie {} all that the program cuts, {}: {}, or leave the column z out</source>
@@ -2997,7 +2997,7 @@ In einem Terminal tut dies dasselbe:
     </message>
     <message>
         <source>{} they would lie there; check the unit of z and the height of the work frame</source>
-        <translation>{} lägen sie dort; prüfen Sie die Einheit von z und die Höhe des Werkstückrahmens</translation>
+        <translation>{} lägen sie dort; prüfen Sie die Einheit von z und die Höhe des Werkstücksystems</translation>
     </message>
     <message>
         <source>steel measured {:.0f} K too cold</source>
@@ -3081,7 +3081,7 @@ In einem Terminal tut dies dasselbe:
     </message>
     <message>
         <source>the file's own nominal points lie {} off the profile: check {}, the operation and the work frame</source>
-        <translation>die eigenen Sollpunkte der Datei liegen {} neben dem Profil: prüfen Sie {}, die Operation und den Werkstückrahmen</translation>
+        <translation>die eigenen Sollpunkte der Datei liegen {} neben dem Profil: prüfen Sie {}, die Operation und das Werkstücksystem</translation>
     </message>
     <message>
         <source>the normals of {} of {} points point into the material: export normals out of the material, not directions of approach</source>
@@ -3093,11 +3093,11 @@ In einem Terminal tut dies dasselbe:
     </message>
     <message>
         <source>mirror the work frame of the measurement</source>
-        <translation>spiegeln Sie den Werkstückrahmen der Messung</translation>
+        <translation>spiegeln Sie das Werkstücksystem der Messung</translation>
     </message>
     <message>
         <source>turn the work frame of the measurement back</source>
-        <translation>drehen Sie den Werkstückrahmen der Messung zurück</translation>
+        <translation>drehen Sie das Werkstücksystem der Messung zurück</translation>
     </message>
     <message>
         <source>the points lie {} off {} all along, with only {} of scatter</source>
@@ -3121,7 +3121,7 @@ In einem Terminal tut dies dasselbe:
     </message>
     <message>
         <source>{}, the cutter's diameter: the profile was taken on the wrong side of the path: {}</source>
-        <translation>{}, der Durchmesser des Fräsers: das Profil wurde auf der falschen Seite des Wegs genommen: {}</translation>
+        <translation>{}, der Durchmesser des Fräsers: das Profil wurde auf der falschen Seite der Bahn genommen: {}</translation>
     </message>
     <message>
         <source>{}: what a transfer function of {:.3f} leaves of {}</source>
@@ -3137,11 +3137,11 @@ In einem Terminal tut dies dasselbe:
     </message>
     <message>
         <source>{}: check {}, {} (stock left on the part), {} and the work frame</source>
-        <translation>{}: prüfen Sie {}, {} (am Teil gelassenes Aufmaß), {} und den Werkstückrahmen</translation>
+        <translation>{}: prüfen Sie {}, {} (am Teil gelassenes Aufmaß), {} und das Werkstücksystem</translation>
     </message>
     <message>
         <source>{}: check {}, {} and the work frame</source>
-        <translation>{}: prüfen Sie {}, {} und den Werkstückrahmen</translation>
+        <translation>{}: prüfen Sie {}, {} und das Werkstücksystem</translation>
     </message>
     <message>
         <source>times {:g}</source>
@@ -3209,7 +3209,7 @@ In einem Terminal tut dies dasselbe:
     </message>
     <message>
         <source>the wall leans: at {} it has {} more than at {} {}; one path corrects the mean of the heights: a spring pass or less overhang of the tool takes the lean away</source>
-        <translation>die Wand ist schief: bei {} hat sie {} mehr als bei {} {}; ein Weg korrigiert das Mittel der Höhen: ein Leerschnitt oder weniger Auskragung des Werkzeugs nimmt die Schräge weg</translation>
+        <translation>die Wand ist schief: bei {} hat sie {} mehr als bei {} {}; eine Bahn korrigiert das Mittel der Höhen: ein Leerschnitt oder weniger Auskragung des Werkzeugs nimmt die Schräge weg</translation>
     </message>
     <message>
         <source>{} of {} points are outliers, the first at {}: clean the part and the probe, measure again</source>
@@ -3253,7 +3253,7 @@ In einem Terminal tut dies dasselbe:
     </message>
     <message>
         <source>left out</source>
-        <translation>weggelassen</translation>
+        <translation>ausgelassen</translation>
     </message>
     <message>
         <source>on the profile</source>
@@ -3269,7 +3269,7 @@ In einem Terminal tut dies dasselbe:
     </message>
     <message>
         <source>left out: {}</source>
-        <translation>weggelassen: {}</translation>
+        <translation>ausgelassen: {}</translation>
     </message>
     <message>
         <source>{} as measured</source>
@@ -3281,7 +3281,7 @@ In einem Terminal tut dies dasselbe:
     </message>
     <message>
         <source>undercut</source>
-        <translation>Untermaß</translation>
+        <translation>Unterschnitt</translation>
     </message>
     <message>
         <source>nothing is to be corrected, the program stays as it is</source>
@@ -3305,7 +3305,7 @@ In einem Terminal tut dies dasselbe:
     </message>
     <message>
         <source>only the path's own error changes</source>
-        <translation>nur der eigene Fehler des Wegs ändert sich</translation>
+        <translation>nur der eigene Fehler der Bahn ändert sich</translation>
     </message>
     <message>
         <source>the contour moves by up to {}, most at {}</source>
@@ -3385,7 +3385,7 @@ In einem Terminal tut dies dasselbe:
     </message>
     <message>
         <source>points far off the line, which are outliers and left out: {}</source>
-        <translation>Punkte weitab der Linie, die Ausreißer sind und weggelassen werden: {}</translation>
+        <translation>Punkte weitab der Linie, die Ausreißer sind und ausgelassen werden: {}</translation>
     </message>
     <message>
         <source>unknown filter '{}'; {}</source>

@@ -3253,7 +3253,7 @@ In a terminal, this does the same:
     </message>
     <message>
         <source>left out</source>
-        <translation>пропущено</translation>
+        <translation>вилучено</translation>
     </message>
     <message>
         <source>on the profile</source>
@@ -3269,7 +3269,7 @@ In a terminal, this does the same:
     </message>
     <message>
         <source>left out: {}</source>
-        <translation>не враховано: {}</translation>
+        <translation>вилучено: {}</translation>
     </message>
     <message>
         <source>{} as measured</source>
@@ -3277,11 +3277,11 @@ In a terminal, this does the same:
     </message>
     <message>
         <source>material left</source>
-        <translation>лишено матеріал</translation>
+        <translation>залишок матеріалу</translation>
     </message>
     <message>
         <source>undercut</source>
-        <translation>підрізано</translation>
+        <translation>підріз</translation>
     </message>
     <message>
         <source>nothing is to be corrected, the program stays as it is</source>
