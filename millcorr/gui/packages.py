@@ -103,7 +103,14 @@ def python() -> str | None:
 def command() -> list[str]:
     """What installs the missing packages for FreeCAD."""
     target = ["-m", "pip", "install", "--upgrade", "--target", str(directory())]
-    return [python() or "python3", *target, *_lack]
+    return [python() or "python3", *target, *_lack, *_kept()]
+
+
+def _kept() -> list[str]:
+    """numpy as it is: pip would put its newest beside it, which a SciPy that was built for this one cannot use."""
+    if find_spec("numpy") is None or any(one.startswith("numpy") for one in _lack):
+        return []
+    return [f"numpy=={importlib.import_module('numpy').__version__}"]
 
 
 def install() -> str:
