@@ -366,7 +366,7 @@ def plotted(document):
     limit = document.getObject("DressupMillcorr").Limit.Value
     document.getObject("DressupMillcorr").Limit = 1e-4
     document.recompute()
-    until(lambda: "limit" in dock.told.text(), "a refusal in the plots", 20)
+    until(lambda: "\u201cLimit\u201d" in dock.told.text(), "a refusal in the plots", 20)
     equal(len(canvas.axes.collections), 0, "drawn of a correction that is refused")
     document.getObject("DressupMillcorr").Limit = limit
     document.recompute()
