@@ -107,7 +107,7 @@ def command() -> list[str]:
 
 
 def _kept() -> list[str]:
-    """numpy as it is: pip would put its newest beside it, which a SciPy that was built for this one cannot use."""
+    """Numpy as it is: pip would put its newest beside it, which a SciPy that was built for this one cannot use."""
     if find_spec("numpy") is None or any(one.startswith("numpy") for one in _lack):
         return []
     return [f"numpy=={importlib.import_module('numpy').__version__}"]
