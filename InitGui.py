@@ -37,9 +37,10 @@ class MillcorrWorkbench(FreeCADGui.Workbench):
         self.appendMenu(["Millcorr", Qt.translate("Workbench", "Macros")], list(macros.NAMES))
 
     def Activated(self):
-        from millcorr.gui import guide
+        from millcorr.gui import guide, packages
 
         guide.watch_links()
+        packages.tell_once()
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is said to the user, as data: a text in pieces, some of which name an option, its value, or a way out.
+"""What is said to the user, as data: phrases with places for values, some of which are options, lengths, or ways out.
 
-A message is a string, worded for the command line. A front that calls options otherwise words the pieces itself
-(`Message.in_words`) and never reads the text.
+A message is a string, worded in English for the command line. A front that speaks another language, calls options
+otherwise, or shows lengths in another unit words the pieces itself (`Message.in_words`) and never reads the text.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from string import Formatter
 
 FLAGS = {"unmeasured_share": "unmeasured", "tools": "tool", "probe_tool": "tool"}
 """Options that the command line calls otherwise than by their key."""
@@ -69,7 +70,95 @@ class Place:
         return f"{self.file}:{self.line}" if self.file else f"line {self.line}"
 
 
-Piece = str | Option | Accept | Place
+@dataclass(frozen=True, slots=True)
+class Length:
+    """A length within a message.
+
+    Parameters
+    ----------
+    mm : float
+    form : str
+        Python's format of its number.
+    fine : bool
+        Whether it is said in micrometres, as deviations are.
+    """
+
+    mm: float
+    form: str
+    fine: bool = False
+
+    def __str__(self) -> str:
+        return f"{1e3 * self.mm:{self.form}} um" if self.fine else f"{self.mm:{self.form}} mm"
+
+
+@dataclass(frozen=True, slots=True)
+class Coordinates:
+    """A place within a message: letters of axes, and where on each, mm."""
+
+    axes: str
+    values: tuple[float, ...]
+
+    def __str__(self) -> str:
+        return " ".join(f"{axis}{value:.3f}" for axis, value in zip(self.axes, self.values, strict=True))
+
+
+@dataclass(frozen=True, slots=True)
+class Phrase:
+    """A text with places for values, which a front may say in another language.
+
+    Parameters
+    ----------
+    template : str
+        With a ``{}`` for each value, as Python's `str.format` takes it.
+    values : tuple
+        Pieces, messages, or anything that can be formatted.
+    """
+
+    template: str
+    values: tuple[object, ...]
+
+    def __str__(self) -> str:
+        return self.template.format(*self.values)
+
+
+Piece = str | Option | Accept | Place | Length | Coordinates | Phrase
+
+
+class Wording:
+    """How a front says what messages are made of; as it stands, the command line's."""
+
+    def template(self, text: str) -> str:
+        """Text of a phrase."""
+        return text
+
+    def piece(self, piece: Option | Accept | Place | Length | Coordinates) -> str:
+        """What is no text."""
+        return str(piece)
+
+
+def phrase(template: str, *values: object) -> Message:
+    """A message of one phrase; parameters as of `Phrase`."""
+    return Message(Phrase(template, values))
+
+
+def mm(value: float, form: str = ".3f") -> Length:
+    """A length in mm, and Python's format of its number."""
+    return Length(float(value), form)
+
+
+def um(value: float, form: str = ".1f") -> Length:
+    """A length in mm that is said in micrometres."""
+    return Length(float(value), form, fine=True)
+
+
+def xy(x: float, y: float) -> Coordinates:
+    """A place in the plane, mm."""
+    return Coordinates("XY", (float(x), float(y)))
+
+
+def at_z(value: float) -> Coordinates:
+    """A height, mm."""
+    return Coordinates("Z", (float(value),))
 
 
 def flag(key: str) -> str:
@@ -88,31 +177,37 @@ def remedy(key: str, value: object = True) -> Option:
 
 
 class Message(str):
-    """A text with its pieces.
+    """A text with its parts.
 
     Parameters
     ----------
-    *pieces : str, Option or Accept
+    *parts : Piece
         In order; a message among them brings its own.
 
     Examples
     --------
-    >>> found = Message("the file is in inches: ", remedy("units", "inch"))
+    >>> found = phrase("the file is in inches: {}", remedy("units", "inch"))
     >>> found
     'the file is in inches: --units inch'
-    >>> found.in_words(lambda piece: f"\u201c{piece.key}\u201d {piece.shown}")
-    'the file is in inches: \u201cunits\u201d inch'
+    >>> class German(Wording):
+    ...     def template(self, text):
+    ...         return "die Datei ist in Zoll: {}"
+    ...
+    ...     def piece(self, piece):
+    ...         return f"\u201eEinheit\u201c {piece.shown}"
+    >>> found.in_words(German())
+    'die Datei ist in Zoll: \u201eEinheit\u201c inch'
     """
 
-    pieces: tuple[Piece, ...]
+    parts: tuple[Piece, ...]
 
-    def __new__(cls, *pieces: Piece) -> Message:
+    def __new__(cls, *parts: Piece) -> Message:
         """Put the text together."""
         flat: list[Piece] = []
-        for piece in pieces:
-            flat += piece.pieces if isinstance(piece, Message) else (piece,)
+        for part in parts:
+            flat += part.parts if isinstance(part, Message) else (part,)
         out = super().__new__(cls, "".join(map(str, flat)))
-        out.pieces = tuple(flat)
+        out.parts = tuple(flat)
         return out
 
     def __add__(self, other: str) -> Message:
@@ -120,6 +215,11 @@ class Message(str):
 
     def __radd__(self, other: str) -> Message:
         return Message(other, self)
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """What it says in order, with the texts and the values of its phrases one by one."""
+        return tuple(_pieces(self.parts))
 
     @property
     def options(self) -> tuple[Option, ...]:
@@ -147,17 +247,48 @@ class Message(str):
         """Name of the finding that stops a correction and can be accepted; empty where there is none."""
         return next((piece.finding for piece in self.pieces if isinstance(piece, Accept)), "")
 
-    def in_words(self, name: Callable[[Option], str]) -> str:
-        """The text with options in a front's own words, which has its own way to accept a finding."""
-        return "".join(
-            name(piece) if isinstance(piece, Option) else "" if isinstance(piece, Accept) else str(piece)
-            for piece in self.pieces
-        )
+    def in_words(self, wording: Wording) -> str:
+        """The text as a front says it."""
+        return "".join(_worded(part, wording) for part in self.parts)
 
 
-def message(*pieces: Piece) -> Message:
-    """A message of pieces."""
-    return Message(*pieces)
+def _pieces(parts: tuple[object, ...]) -> Iterator[Piece]:
+    """Pieces without phrases and messages around them."""
+    for part in parts:
+        if isinstance(part, Message):
+            yield from _pieces(part.parts)
+        elif isinstance(part, Phrase):
+            values = iter(part.values)
+            for text, field, form, conversion in Formatter().parse(part.template):
+                if text:
+                    yield text
+                if field is not None:
+                    value = next(values)
+                    mark = f"!{conversion}" if conversion else ""
+                    shown = value if isinstance(value, Piece) else f"{{{mark}:{form}}}".format(value)
+                    yield from _pieces((shown,))
+        elif isinstance(part, Piece):
+            yield part
+
+
+def _worded(part: object, wording: Wording) -> str:
+    """What a front makes of a piece."""
+    if isinstance(part, Message):
+        return part.in_words(wording)
+    if isinstance(part, Phrase):
+        values = [_worded(value, wording) if isinstance(value, Piece) else value for value in part.values]
+        return wording.template(part.template).format(*values)
+    return part if isinstance(part, str) else wording.piece(part)  # type: ignore[arg-type]
+
+
+def joined(texts: Iterable[str], by: str = ", ") -> Message:
+    """A message of several with something between them."""
+    return Message(*[part for text in texts for part in (by, text)][1:])
+
+
+def message(*parts: Piece) -> Message:
+    """A message of parts."""
+    return Message(*parts)
 
 
 def message_of(said: object) -> Message:

@@ -14,7 +14,7 @@ from functools import cache
 from typing import Any
 
 from .errors import UsageError
-from .messages import option
+from .messages import option, phrase
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +83,7 @@ class Declared:
     def refuse(self, value: Any) -> None:
         """UsageError where a value is none of its choices or out of its bounds."""
         if self.choices and value is not None and value not in self.choices:
-            raise UsageError(option(self.key, value), f": choose one of {', '.join(self.choices)}")
+            raise UsageError(phrase("{}: choose one of {}", option(self.key, value), ", ".join(self.choices)))
         if self.above is None and self.least is None:
             return
         for number in value if isinstance(value, Sequence) else () if value is None else (value,):

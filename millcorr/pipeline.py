@@ -15,16 +15,16 @@ from . import __version__
 from . import nc as gcode
 from . import plausibility as distrust
 from .comparison import alignment
-from .comparison.deviation import Deviation, statistics
+from .comparison.deviation import Deviation, Rejected, statistics
 from .correction.largest import largest_correction
 from .correction.settings import Settings as Settings
 from .correction.targets import Elastic, Target
 from .geometry.profile import Profile
-from .messages import message
+from .messages import message, phrase
 from .path.moves import Regeneration
 from .path.verification import Verification
 from .process.prediction.foreseen import FirstCut, Foreseen
-from .separation import Separated
+from .separation import Filter, Separated
 from .separation.steps import Systematic
 from .stages.aimed import Aimed, aim
 from .stages.compared import Compared, compare
@@ -32,6 +32,9 @@ from .stages.prepared import Prepared, prepare
 from .stages.prepared import nominal_from_program as nominal_from_program
 from .stages.request import Request as Request
 from .stages.written import Written, header, write
+
+OUTLIER = phrase("an outlier: more probably wrong than right, by its neighbours")
+"""Why a point is left out by the filter."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -134,7 +137,8 @@ class Result:
             "points": {
                 "parts": len(self.request.measurements),
                 "read": len(d) + len(d.rejected),
-                "used": len(d),
+                "used": len(d) + len(d.rejected) - len(self.left_out),
+                "left_out": len(self.left_out),
                 "rejected": [{"index": r.index, "reason": r.reason} for r in d.rejected],
             },
             "deviation": statistics(d.value),
@@ -169,6 +173,13 @@ class Result:
             "advice": list(self.advice),
             "warnings": list(self.warnings),
         }
+
+    @property
+    def left_out(self) -> tuple[Rejected, ...]:
+        """Points without a say in the correction: those rejected, and outliers where the filter leaves them out."""
+        d = self.deviation
+        outliers = d.index[self.outlier] if Filter.parse(self.request.settings.filter).leaves_out else ()
+        return (*d.rejected, *(Rejected(int(index), OUTLIER) for index in outliers))
 
     def outliers(self) -> list[dict[str, Any]]:
         """Points that are more probably wrong than right, by their row of the file; lengths in mm."""
@@ -308,4 +319,4 @@ def _advice(work: Target, settings: Settings) -> tuple[str, ...]:
     if settings.gain == 1.0:
         return ()
     left = 100 * (1 - settings.gain)
-    return (f"gain {settings.gain:g} leaves {left:.0f} % of the determined deviation on purpose",)
+    return (phrase("gain {:g} leaves {:.0f} % of the determined deviation on purpose", settings.gain, left),)

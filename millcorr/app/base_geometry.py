@@ -15,6 +15,7 @@ from scipy.spatial import cKDTree
 
 from millcorr.errors import InputError
 from millcorr.geometry.profile import Contour, Profile
+from millcorr.messages import mm, phrase
 from millcorr.nc.toolpath import Compensation, Kind, Toolpath
 
 from . import compat, convert
@@ -67,11 +68,15 @@ def path_radius(operation: Any, tool_radius: float) -> float:
     offset = float(getattr(operation, name).Value)
     if leaves_radius_to_control(operation):
         if offset:
-            raise InputError(f"{operation.Label}: set {name} to 0, the control holds the radius (UseComp off)")
+            raise InputError(
+                phrase("{}: set {} to 0, the control holds the radius (UseComp off)", operation.Label, name)
+            )
         return tool_radius
     radius = tool_radius + offset
     if radius <= 0:
-        raise InputError(f"{operation.Label}: {name} {offset:g} mm puts the path on the other side of the contour")
+        raise InputError(
+            phrase("{}: {} {} puts the path on the other side of the contour", operation.Label, name, mm(offset, "g"))
+        )
     return radius
 
 
@@ -181,8 +186,11 @@ def profile_of_operation(operation: Any, toolpath: Toolpath) -> Profile:
         contours += [_turned(c, material_inside, toolpath) for c in joined]
     if not contours:
         raise InputError(
-            f"{operation.Label}: the operation's base geometry gives no profile; select faces or edges of it in the "
-            "operation, with processPerimeter or processHoles on"
+            phrase(
+                "{}: the operation's base geometry gives no profile; select faces or edges of it in the "
+                "operation, with processPerimeter or processHoles on",
+                operation.Label,
+            )
         )
     return Profile.from_contours(contours)
 
@@ -242,8 +250,12 @@ def _pocket_walls(operation: Any) -> list[Wall]:
     pattern = next((getattr(operation, name) for name in compat.PATTERN if hasattr(operation, name)), "Offset")
     if pattern != "Offset":
         raise InputError(
-            f"{operation.Label}: lines of the pattern {pattern} end on the pocket's walls, and would cut into them "
-            "once they are corrected; choose the pattern Offset"
+            phrase(
+                "{}: lines of the pattern {} end on the pocket's walls, and would cut into them once they "
+                "are corrected; choose the pattern Offset",
+                operation.Label,
+                pattern,
+            )
         )
     if not operation.Base:
         return [(_model_outline(operation), True)]
@@ -251,7 +263,9 @@ def _pocket_walls(operation: Any) -> list[Wall]:
     for base, names in operation.Base:
         edges, level, upright = _selected(operation, base, names)
         if edges:
-            raise InputError(f"{operation.Label}: a pocket follows faces, and an edge of {base.Label} is selected")
+            raise InputError(
+                phrase("{}: a pocket follows faces, and an edge of {} is selected", operation.Label, base.Label)
+            )
         floors = _together(level, bool(operation.UseOutline))
         feet = [edge for face in upright for edge in convert.foot_edges(face)]
         around = convert.without_doubles([*(edge for floor in floors for edge in floor.OuterWire.Edges), *feet])
@@ -270,15 +284,19 @@ def _selected(operation: Any, base: Any, names: tuple[str, ...]) -> tuple[list[A
         if isinstance(sub, Part.Edge):
             edges.append(sub)
         elif not isinstance(sub, Part.Face):
-            raise InputError(f"{operation.Label}: {base.Label}.{name} is neither face nor edge")
+            raise InputError(phrase("{}: {}.{} is neither face nor edge", operation.Label, base.Label, name))
         elif convert.is_horizontal(sub):
             level.append(sub)
         elif convert.is_vertical(sub):
             upright.append(sub)
         else:
             raise InputError(
-                f"{operation.Label}: {base.Label}.{name} is neither level nor vertical; choose a sketch of the contour "
-                "as Nominal"
+                phrase(
+                    "{}: {}.{} is neither level nor vertical; choose a sketch of the contour as Nominal",
+                    operation.Label,
+                    base.Label,
+                    name,
+                )
             )
     return edges, level, upright
 
@@ -318,10 +336,10 @@ def _holes(face: Any, others: bool, circles: bool) -> list[Any]:
 def _model_outline(operation: Any) -> list[Any]:
     job = compat.parent_job(operation)
     if job is None:
-        raise InputError(f"{operation.Label}: the operation belongs to no job and has no base geometry")
+        raise InputError(phrase("{}: the operation belongs to no job and has no base geometry", operation.Label))
     models = list(job.Model.Group)
     if not models:
-        raise InputError(f"{job.Label}: the job has no model")
+        raise InputError(phrase("{}: the job has no model", job.Label))
     return [e for model in models for e in _outline(model.Shape)]
 
 

@@ -31,9 +31,21 @@ from millcorr.path import verification
 from millcorr.production import series as production
 from millcorr.production.process_control import ACCEPTED, LIMITS
 from millcorr.readers import Reading
+from millcorr.report.reader import read_by
 from millcorr.whole_file import refuse_places
 
-from . import base_geometry, candidates, compat, correction, documents, dressup, measurement_object, sources, views
+from . import (
+    base_geometry,
+    candidates,
+    compat,
+    correction,
+    documents,
+    dressup,
+    measurement_object,
+    sources,
+    views,
+    wording,
+)
 
 # FreeCAD brings a document's objects to life only if their modules are there before it is opened.
 from . import profile_object as profile_object
@@ -212,7 +224,8 @@ def export_report(obj: Any, directory: str | Path) -> None:
     # Posts are anybody's code, and end as they like; the report is about the path.
     except (Exception, SystemExit) as error:  # noqa: BLE001
         notes.append(f"The path error is that of the path itself: the job's post processor gave no program ({error}).")
-    _put([], None, corrected.result, directory, {}, notes, reports.NO_EXPORTS)
+    with read_by(wording.reader()):
+        _put([], None, corrected.result, directory, {}, notes, reports.NO_EXPORTS)
 
 
 _READ_BACK = "The path error is that of the program as FreeCAD posted it, read back."

@@ -15,6 +15,7 @@ from millcorr import pipeline
 from millcorr.arrays import Floats
 from millcorr.errors import InputError, UsageError
 from millcorr.geometry.profile import Profile
+from millcorr.messages import phrase
 from millcorr.nc.toolpath import Compensation
 from millcorr.options import field_name, options_of
 from millcorr.production.places import field_of_text
@@ -74,7 +75,7 @@ def properties_of(options: Mapping[str, Any]) -> dict[str, Any]:
     known = ("tool_diameter", "setup", *options_of(pipeline.Settings))
     unknown = sorted(set(options) - set(known))
     if unknown:
-        raise UsageError(f"unknown setting {unknown[0]}; known are {', '.join(known)}")
+        raise UsageError(phrase("unknown setting {}; known are {}", unknown[0], ", ".join(known)))
     return {field_name(name): value for name, value in options.items() if value is not None}
 
 
@@ -187,15 +188,18 @@ def cut_with(request: pipeline.Request) -> str:
 def _described(obj: Any) -> _Asked:
     """All that FreeCAD has to say."""
     if obj.Base is None:
-        raise UsageError(f"{obj.Label}: the dressup has no operation below it")
+        raise UsageError(phrase("{}: the dressup has no operation below it", obj.Label))
     path = compat.path_of(obj.Base)
     commands = list(path.Commands)
     if not commands:
-        raise InputError(f"{obj.Base.Label}: the operation has no path; recompute it")
+        raise InputError(phrase("{}: the operation has no path; recompute it", obj.Base.Label))
     if not any(command.Name in motion.FEEDS for command in commands):
         raise InputError(
-            f"{obj.Base.Label}: the operation cuts along no contour; check its base geometry, and that its FinalDepth "
-            "lies below the edges that are selected"
+            phrase(
+                "{}: the operation cuts along no contour; check its base geometry, and that its FinalDepth "
+                "lies below the edges that are selected",
+                obj.Base.Label,
+            )
         )
     program = motion.program_of_path(path, obj.Base.Label)
     operation = compat.bottom_operation(obj.Base)

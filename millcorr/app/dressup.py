@@ -13,9 +13,10 @@ import Path
 
 from millcorr.correction.settings import Settings
 from millcorr.errors import InputError
+from millcorr.messages import Message, phrase
 from millcorr.options import options_of
 
-from . import compat, correction, draft, rounds, views
+from . import compat, correction, draft, rounds, views, wording
 from .properties import HIDDEN, QT_TRANSLATE_NOOP, READ_ONLY, Property, of_option, store
 from .stored import Proxy
 
@@ -258,10 +259,13 @@ _RESULTS = tuple(
 )
 
 
-CHANGED = (
-    "the path of {} is not the one the measured part was cut with: the difference between the two counts as an "
-    "error of the machine; measure a part cut with the path as it is now"
-)
+def changed(operation: str) -> Message:
+    """What to know where an operation's path, by its label, is another one by now."""
+    return phrase(
+        "the path of {} is not the one the measured part was cut with: the difference between the two counts as an "
+        "error of the machine; measure a part cut with the path as it is now",
+        operation,
+    )
 
 
 class DressupMillcorr(Proxy):
@@ -291,7 +295,8 @@ class DressupMillcorr(Proxy):
         _empty_profiles(obj)
         if obj.Base is None or not compat.is_active(obj.Base):
             return
-        corrected = correction.correct(obj)
+        with wording.shown_by_freecad():
+            corrected = correction.correct(obj)
         obj.Path = corrected.path()
         _state(obj, corrected)
         self._remember(obj, corrected)
@@ -305,7 +310,7 @@ class DressupMillcorr(Proxy):
             obj.Corrected = datetime.now().astimezone().isoformat(timespec="seconds")
             obj.CutPath = now
         if corrected.otherwise_cut:
-            obj.Warnings = [*obj.Warnings, CHANGED.format(obj.Base.Label)]
+            obj.Warnings = [*obj.Warnings, wording.stored(changed(obj.Base.Label))]
         if fresh or not corrected.cuts:
             take_note(obj)
 
@@ -343,8 +348,8 @@ def _state(obj: Any, corrected: correction.Correction) -> None:
     store(obj, "LargestCorrection", _known(summary["correction"]["max"]))
     store(obj, "PathError", _known(summary["verification"]["path_error_max"]))
     store(obj, "PointsUsed", int(summary["points"]["used"]))
-    store(obj, "PointsRejected", len(summary["points"]["rejected"]))
-    store(obj, "Warnings", list(summary["warnings"]))
+    store(obj, "PointsRejected", int(summary["points"]["left_out"]))
+    store(obj, "Warnings", list(map(wording.stored, summary["warnings"])))
     measurement = corrected.request.measurement
     if measurement is not None:
         store(obj, "Source", measurement.source)
@@ -380,9 +385,9 @@ def create(base: Any, measurement: Any = None, **settings: Any) -> Any:
     """
     job = compat.parent_job(base)
     if job is None:
-        raise InputError(f"{base.Label}: the operation stands in no job")
+        raise InputError(phrase("{}: the operation stands in no job", base.Label))
     if base.Name not in [obj.Name for obj in compat.operations(job)]:
-        raise InputError(f"{base.Label}: a dressup lies on this operation; choose the dressup")
+        raise InputError(phrase("{}: a dressup lies on this operation; choose the dressup", base.Label))
     obj = base.Document.addObject("Path::FeaturePython", "DressupMillcorr")
     DressupMillcorr(obj)
     obj.Base = base
@@ -446,7 +451,7 @@ def take_note(obj: Any) -> None:
 
 
 def doubts_of(obj: Any) -> list[str]:
-    """Warnings of a dressup that came since the user last looked at it, whatever their figures."""
+    """Warnings of a dressup, as it stores them, that came since the user last looked at it, whatever their figures."""
     known = {_bare(text) for text in obj.Noted}
     return [text for text in obj.Warnings if _bare(text) not in known]
 

@@ -17,12 +17,14 @@ from pathlib import Path
 from typing import Any
 
 from millcorr.errors import FormatError, InputError, MillcorrError
+from millcorr.messages import phrase
 from millcorr.readers import Reading
 from millcorr.readers.measurement import Measurement
 
 from . import views
 from .properties import HIDDEN, QT_TRANSLATE_NOOP, READ_ONLY, Property, store
 from .stored import Proxy
+from .wording import shown_by_freecad
 
 AS_FILE = "as the file says"
 """Value of Points and Unit where the file itself tells."""
@@ -117,7 +119,8 @@ class MeasurementObject(Proxy):
         """Read the file and fill the read-only properties; raises FormatError or InputError."""
         for name in ("Count", "Levels"):
             store(obj, name, 0)
-        measurement = measurement_of(obj)
+        with shown_by_freecad():
+            measurement = measurement_of(obj)
         store(obj, "Digest", measurement.digest)
         store(obj, "Count", len(measurement))
         store(obj, "Levels", level_count(measurement))
@@ -210,10 +213,10 @@ def load(obj: Any, source: str | Path | bytes, name: str | None = None) -> None:
 def _content(path: Path) -> bytes:
     try:
         if not path.is_file():
-            raise FormatError("no such file", path)
+            raise FormatError(phrase("no such file"), path)
         return path.read_bytes()
     except OSError as error:
-        raise FormatError(f"cannot be read: {error.strerror or error}", path) from error
+        raise FormatError(phrase("cannot be read: {}", error.strerror or error), path) from error
 
 
 def _keep(obj: Any, prop: str, name: str, data: bytes) -> None:
@@ -264,7 +267,7 @@ def reader_of(obj: Any) -> Callable[[], Measurement]:
         If no file is stored.
     """
     if not obj.File:
-        raise InputError(f"{obj.Label}: the measurement holds no file")
+        raise InputError(phrase("{}: the measurement holds no file", obj.Label))
     return reader_of_file(Path(obj.File), reading_of(obj), obj.Source)
 
 

@@ -16,6 +16,7 @@ from millcorr.production import contour_check
 from . import convert, correction, views
 from .properties import QT_TRANSLATE_NOOP, READ_ONLY, Property, store
 from .stored import Proxy
+from .wording import shown_by_freecad
 
 _text = QT_TRANSLATE_NOOP
 
@@ -99,7 +100,8 @@ class ProfileObject(Proxy):
             store(obj, name, 0)
         if obj.Correction is None:
             raise UsageError(f"{obj.Label}: the profile has no dressup")
-        result = correction.correct(obj.Correction).result
+        with shown_by_freecad():
+            result = correction.correct(obj.Correction).result
         profile = result.compensated if obj.Shown == "compensated" else result.nominal
         obj.Shape = _SHAPES[obj.Shown](result, obj)
         curves = [c for contour in profile.contours for c in contour.curves]

@@ -21,6 +21,9 @@ from millcorr.correction.settings import Settings
 from millcorr.errors import UsageError
 from millcorr.production.process_control import LIMITS
 from millcorr.readers import Reading
+from millcorr.report.reader import read_by
+
+from .wording import reader
 
 _MEASURED = str | Path | Sequence[str | Path]
 
@@ -70,19 +73,20 @@ def correct(
     """
     series = {name: options.pop(name) for name in ("control", *LIMITS) if name in options}
     reading, settings = _said(options)
-    return session.correct_program(
-        Path(program),
-        measured=_files(measured),
-        reading=reading,
-        nominal=nominal,
-        tool_diameter=tool_diameter,
-        output=None if output is None else Path(output),
-        report=None if report is None else Path(report),
-        settings=settings,
-        setup=None if setup is None else Path(setup),
-        journal=journal,
-        **series,
-    )
+    with read_by(reader()):
+        return session.correct_program(
+            Path(program),
+            measured=_files(measured),
+            reading=reading,
+            nominal=nominal,
+            tool_diameter=tool_diameter,
+            output=None if output is None else Path(output),
+            report=None if report is None else Path(report),
+            settings=settings,
+            setup=None if setup is None else Path(setup),
+            journal=journal,
+            **series,
+        )
 
 
 def check(

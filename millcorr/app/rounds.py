@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from millcorr.errors import UsageError
+from millcorr.messages import phrase
 from millcorr.process import setup_file
 from millcorr.process.setup_file import Setup
 
@@ -129,7 +130,9 @@ def added(obj: Any, settings: Mapping[str, Any], measurement: Any, begun: str) -
         If the part is there already.
     """
     if measurement.Name in {part.Name for part in parts_of(obj)}:
-        raise UsageError(f"{measurement.Label} is a measured part of {obj.Label} already: switch it on instead")
+        raise UsageError(
+            phrase("{} is a measured part of {} already: switch it on instead", measurement.Label, obj.Label)
+        )
     if obj.Measurement is None:
         return {"Measurement": measurement}
     kept = {name: value for name, value in settings.items() if name not in _ALL_ROUNDS}

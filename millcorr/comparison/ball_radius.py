@@ -20,7 +20,7 @@ from millcorr.arrays import Floats, Ints
 from millcorr.errors import InputError
 from millcorr.geometry.footpoint import FootPointSearch, Place
 from millcorr.geometry.profile import Profile
-from millcorr.messages import message, option, remedy
+from millcorr.messages import mm, option, phrase, remedy, um
 from millcorr.readers.measurement import Measurement
 from millcorr.readers.measurement import Probe as Probe
 
@@ -45,9 +45,9 @@ _SAMPLE = 500
 _ON_THE_PART = 4.0
 
 _REASONS = (
-    "touched along X or along Y: the slope is too near to 45 degrees to tell, and the file does not say",
-    "touched neither along X nor along Y by the slope of the profile, and the file does not say",
-    "the probe did not travel towards the material here",
+    phrase("touched along X or along Y: the slope is too near to 45 degrees to tell, and the file does not say"),
+    phrase("touched neither along X nor along Y by the slope of the profile, and the file does not say"),
+    phrase("the probe did not travel towards the material here"),
 )
 _EITHER, _NEITHER, _AWAY = range(3)
 
@@ -102,12 +102,15 @@ def contact_known(measurement: Measurement, nominal: Profile) -> Measurement:
     if not len(rows):
         why = _REASONS[int(np.bincount(reasons).argmax())]
         raise InputError(
-            f"{measurement.source}: the probe's radius can be taken back at none of {len(points)} ",
-            f"points, most are {why}: check ",
-            option("points"),
-            ", ",
-            option("probe_radius"),
-            " and the work frame, or give each point's direction of travel",
+            phrase(
+                "{}: the probe's radius can be taken back at none of {} points, most are {}: check {}, {} "
+                "and the work frame, or give each point's direction of travel",
+                measurement.source,
+                len(points),
+                why,
+                option("points"),
+                option("probe_radius"),
+            ),
         )
     known = _of(measurement, rows, points[rows], radius, reasons)
     if probe is None or probe.directions is None:
@@ -192,14 +195,17 @@ def axis_signature(measurement: Measurement, nominal: Profile) -> tuple[str, str
     if radius < SMALLEST_BALL or not after < 0.5 * before:
         return None
     low, high = np.percentile(distance, [2, 98])
-    text = message(
-        f"the points lie {low:+.3f} to {high:+.3f} mm off the profile, by its slope, as if the ",
-        f"control had shifted them along X and Y by the radius of a ball of about {radius:.2f} mm; ",
-        f"taken back, {after * 1000:.0f} of {before * 1000:.0f} um of scatter are left: ",
+    text = phrase(
+        "the points lie {:+.3f} to {} off the profile, by its slope, as if the control had shifted "
+        "them along X and Y by the radius of a ball of about {}; taken back, {:.0f} of {} of scatter "
+        "are left: {} with {} from the probe's calibration",
+        low,
+        mm(high, "+.3f"),
+        mm(radius, ".2f"),
+        after * 1000,
+        um(before, ".0f"),
         remedy("points", "axis"),
-        " with ",
         option("probe_radius"),
-        " from the probe's calibration",
     )
     return "axis-compensated", text, True
 
@@ -241,21 +247,25 @@ def axis_residue(shifted: Measurement, known: Measurement, nominal: Profile) -> 
     if abs(excess) * slope.std() < FOLLOWS_SLOPE or not after < _LEFT * before:
         return None
     radius = max(shifted.axis_radii)
-    seen = (
-        f"with the shift by {radius:g} mm along the axis of travel taken back, {excess:+.3f} mm times (1 - cos) of the "
-        f"slope is left, {before * 1000:.0f} um of scatter, {after * 1000:.0f} without it"
+    seen = phrase(
+        "with the shift by {} along the axis of travel taken back, {} times (1 - cos) of the slope "
+        "is left, {} of scatter, {} without it",
+        mm(radius, "g"),
+        mm(excess, "+.3f"),
+        um(before, ".0f"),
+        um(after, ".0f"),
     )
     if abs(excess + radius) < _NO_SHIFT * radius:
-        text = message(
-            f"{seen}: the points were not shifted along the axis: ",
+        text = phrase(
+            "{}: the points were not shifted along the axis: {}, or centre with {}",
+            seen,
             remedy("points", "contact"),
-            ", or centre with ",
             option("probe_radius"),
         )
         return "not-axis-compensated", text, True
     return (
         "axis-radius",
-        message(f"{seen}: ", option("probe_radius"), f" seems to be about {radius + excess:.2f}; see its calibration"),
+        phrase("{}: {} seems to be about {:.2f}; see its calibration", seen, option("probe_radius"), radius + excess),
         True,
     )
 
@@ -307,12 +317,17 @@ def _shift(measurement: Measurement, travel: Floats, radii: tuple[float, float])
     x, y = radii
     if x != y:
         if measurement.probe is None:
-            raise InputError(f"{measurement.source}: two radii of a shift need a probe that says the effective one")
+            raise InputError(
+                phrase("{}: two radii of a shift need a probe that says the effective one", measurement.source)
+            )
         oblique = np.flatnonzero((np.abs(travel) > 1e-9).sum(axis=1) > 1)
         if len(oblique):
             raise InputError(
-                f"{measurement.origin(int(oblique[0]))}: the probe travelled along no axis, and control_radius has "
-                "one radius for X and another one for Y"
+                phrase(
+                    "{}: the probe travelled along no axis, and control_radius has one radius for X and another "
+                    "one for Y",
+                    measurement.origin(int(oblique[0])),
+                )
             )
     out: Floats = travel * np.array([x, y, x])
     return out

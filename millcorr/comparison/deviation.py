@@ -15,7 +15,7 @@ from millcorr.arrays import Bools, Floats, Ints
 from millcorr.errors import InputError
 from millcorr.geometry.footpoint import FootPoints, FootPointSearch, Place
 from millcorr.geometry.profile import CORNER_ANGLE, Profile
-from millcorr.messages import option
+from millcorr.messages import mm, option, phrase
 from millcorr.readers.measurement import Measurement
 
 REACH = 1.0
@@ -131,8 +131,10 @@ def deviations(
     """
     if measurement.axis_radii is not None or measurement.probe is not None:
         raise InputError(
-            f"{measurement.source}: the probe's radius is not taken off yet: "
-            "comparison.ball_radius.contact_known comes first"
+            phrase(
+                "{}: the probe's radius is not taken off yet: comparison.ball_radius.contact_known comes first",
+                measurement.source,
+            )
         )
     points = measurement.points[:, :2]
     search = FootPointSearch(profile, margin=max(reach, 1.0) + measurement.ball_radius)
@@ -173,12 +175,12 @@ def deviations(
         z = measurement.points[rows, 2]
         reasons[rows[_out_of_reach(profile, span[rows], t[rows], z, cutter_radius)]] = 4
     texts = (
-        f"farther than {reach:g} mm from the profile",
-        "beyond the end of the open profile",
-        "at a corner, where the profile has no single normal and the file gives none",
-        "two branches of the profile are equally near and the file gives no normal",
-        "in an inner corner or hollow that the cutter cannot reach",
-        "touched on another surface: its own normal is more than 60 degrees off the profile's there",
+        phrase("farther than {} from the profile", mm(reach, "g")),
+        phrase("beyond the end of the open profile"),
+        phrase("at a corner, where the profile has no single normal and the file gives none"),
+        phrase("two branches of the profile are equally near and the file gives no normal"),
+        phrase("in an inner corner or hollow that the cutter cannot reach"),
+        phrase("touched on another surface: its own normal is more than 60 degrees off the profile's there"),
     )
     used = np.flatnonzero(reasons < 0)
     rejected = tuple(Rejected(int(i), texts[reasons[i]]) for i in np.flatnonzero(reasons >= 0))
@@ -186,11 +188,14 @@ def deviations(
         counts = {t: int((reasons == k).sum()) for k, t in enumerate(texts)}
         why = max(counts, key=lambda t: counts[t])
         raise InputError(
-            f"{measurement.source}: none of the {len(points)} points can be used, most are {why}; ",
-            "check unit, work frame, ",
-            option("points"),
-            " and ",
-            option("nominal"),
+            phrase(
+                "{}: none of the {} points can be used, most are {}; check unit, work frame, {} and {}",
+                measurement.source,
+                len(points),
+                why,
+                option("points"),
+                option("nominal"),
+            ),
         )
     span, t = span[used], t[used]
     return Deviation(
@@ -222,8 +227,12 @@ def require_heights(measurement: Measurement, profile: Profile) -> None:
         return
     down_to = ", ".join(f"Z{z:g}" for z in profile.heights(np.array(wall[::-1]))[0])
     raise InputError(
-        f"{measurement.source}: the program cuts the wall in steps down to {down_to}, and the points have no height: "
-        "on which of them each lies cannot be told; give the file with its third coordinate"
+        phrase(
+            "{}: the program cuts the wall in steps down to {}, and the points have no height: on which "
+            "of them each lies cannot be told; give the file with its third coordinate",
+            measurement.source,
+            down_to,
+        )
     )
 
 

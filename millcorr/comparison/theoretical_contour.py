@@ -20,7 +20,7 @@ from millcorr.arrays import Bools, Floats, Ints
 from millcorr.errors import InputError
 from millcorr.geometry.nurbs import NurbsCurve
 from millcorr.geometry.profile import CORNER_ANGLE, GAP, Contour, Profile
-from millcorr.messages import option
+from millcorr.messages import mm, option, phrase, xy
 from millcorr.nc.toolpath import Compensation, Kind, Plane, Toolpath
 from millcorr.tolerances import EXACT
 
@@ -442,11 +442,13 @@ def _trimmed(pieces: list[_Piece], radius: float, closed: bool) -> list[_Piece]:
     runs = _on_the_surface(pieces, offset, radius)
     if not runs:
         raise InputError(
-            f"the path only circles points at the tool radius {radius:g} mm, or turns tighter than it ",
-            "everywhere: there is no contour; check ",
-            option("tool_diameter"),
-            " and ",
-            option("side"),
+            phrase(
+                "the path only circles points at the tool radius {}, or turns tighter than it everywhere: "
+                "there is no contour; check {} and {}",
+                mm(radius, "g"),
+                option("tool_diameter"),
+                option("side"),
+            ),
         )
     # A piece whose two intersections have changed places is a sliver between samples: it vanishes, too.
     while True:
@@ -574,12 +576,13 @@ def _gap(a: _Piece, b: _Piece) -> float:
 def _refuse_gap(a: _Piece) -> NoReturn:
     x, y = a.at(a.high)[0]
     raise InputError(
-        f"the offset path does not close near X{x:.3f} Y{y:.3f}: check ",
-        option("tool_diameter"),
-        " and ",
-        option("side"),
-        ", or give the contour with ",
-        option("nominal"),
+        phrase(
+            "the offset path does not close near {}: check {} and {}, or give the contour with {}",
+            xy(x, y),
+            option("tool_diameter"),
+            option("side"),
+            option("nominal"),
+        ),
     )
 
 

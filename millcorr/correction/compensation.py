@@ -15,7 +15,7 @@ from millcorr.arrays import Floats, Ints
 from millcorr.errors import LimitError
 from millcorr.geometry.correction import Correction, Course, along
 from millcorr.geometry.profile import Profile, Stretch
-from millcorr.messages import option
+from millcorr.messages import mm, option, phrase, xy
 
 NEAR = 0.01
 """Points nearer to each other than this, in mm, are averaged: no machine follows waves so short."""
@@ -97,10 +97,16 @@ def correction_from(
         if bridges:
             a, b = max(bridges, key=lambda bridge: bridge[1] - bridge[0])
             p, _ = profile.at(stretch.contour, np.array([stretch.begin + a, stretch.begin + b]))
-            more = f" and {len(bridges) - 1} shorter gaps" if len(bridges) > 1 else ""
+            more = phrase(" and {} shorter gaps", len(bridges) - 1) if len(bridges) > 1 else ""
             warnings.append(
-                f"no usable point on {b - a:.2f} mm between X{p[0, 0]:.3f} Y{p[0, 1]:.3f} and "
-                f"X{p[1, 0]:.3f} Y{p[1, 1]:.3f}{more}: the correction runs straight across or holds its last value"
+                phrase(
+                    "no usable point on {} between {} and {}{}: the correction runs straight across or holds its "
+                    "last value",
+                    mm(b - a, ".2f"),
+                    xy(p[0, 0], p[0, 1]),
+                    xy(p[1, 0], p[1, 1]),
+                    more,
+                )
             )
     _fill_unmeasured(profile, stretches, courses, warnings)
     return Correction(stretches, tuple(c for c in courses if c is not None)), tuple(warnings)
@@ -108,9 +114,11 @@ def correction_from(
 
 def _one_place(profile: Profile, stretch: Stretch, at: float, value: float) -> str:
     p, _ = profile.at(stretch.contour, np.array([stretch.begin + at]))
-    return (
-        f"the stretch of {stretch.length:.3f} mm through X{p[0, 0]:.3f} Y{p[0, 1]:.3f} was measured at that place "
-        f"only: {value:+.4f} mm hold all along it"
+    return phrase(
+        "the stretch of {} through {} was measured at that place only: {} hold all along it",
+        mm(stretch.length),
+        xy(p[0, 0], p[0, 1]),
+        mm(value, "+.4f"),
     )
 
 
@@ -118,12 +126,15 @@ def beyond_the_limit(value: Floats, worst: int, place: tuple[float, float], limi
     """The error that the largest of some corrections, in mm, is beyond the limit at a place."""
     x, y = place
     return LimitError(
-        f"a correction of {value[worst]:+.4f} mm is needed at X{x:.3f} Y{y:.3f} ",
-        f"({int((np.abs(value) > limit).sum())} points), more than ",
-        option("limit", limit),
-        " mm; nothing was corrected: look at the place in the report of `check`, and say a larger ",
-        option("limit"),
-        " if it is right",
+        phrase(
+            "a correction of {} is needed at {} (points: {}), more than {}; nothing was corrected: look at the place "
+            "in the report of a check, and say a larger {} if it is right",
+            mm(value[worst], "+.4f"),
+            xy(x, y),
+            int((np.abs(value) > limit).sum()),
+            option("limit", limit),
+            option("limit"),
+        ),
         place=place,
         figure=float(value[worst]),
     )
@@ -135,12 +146,14 @@ def refuse_swing(profile: Profile, stretch: Stretch, course: Course, limit: floa
     if abs(value) > limit * (1 + 1e-9):
         p, _ = profile.at(stretch.contour, np.array([stretch.begin + at]))
         raise LimitError(
-            f"between the points the correction swings to {value:+.4f} mm at X{p[0, 0]:.3f} ",
-            f"Y{p[0, 1]:.3f}, more than ",
-            option("limit", limit),
-            " mm: use a stronger ",
-            option("filter"),
-            "; nothing was corrected",
+            phrase(
+                "between the points the correction swings to {} at {}, more than {}: use a stronger {}; "
+                "nothing was corrected",
+                mm(value, "+.4f"),
+                xy(p[0, 0], p[0, 1]),
+                option("limit", limit),
+                option("filter"),
+            ),
             place=(float(p[0, 0]), float(p[0, 1])),
             figure=float(value),
         )
@@ -248,10 +261,10 @@ def _fill_unmeasured(
             continue
         measured = [i for i in with_points if stretches[i].contour == stretch.contour]
         p, _ = profile.at(stretch.contour, np.array([stretch.begin + stretch.length / 2]))
-        where = f"the stretch of {stretch.length:.3f} mm near X{p[0, 0]:.3f} Y{p[0, 1]:.3f} has no usable point"
+        where = phrase("the stretch of {} near {} has no usable point", mm(stretch.length), xy(p[0, 0], p[0, 1]))
         if not measured:
             courses[k] = Course.constant(0.0, stretch.length, stretch.closed)
-            warnings.append(f"{where}: it is not corrected")
+            warnings.append(phrase("{}: it is not corrected", where))
             continue
         total = float(profile.total[stretch.contour])
         middle = stretch.begin + stretch.length / 2
@@ -273,4 +286,4 @@ def _fill_unmeasured(
         x = np.array([0.0, stretch.length])
         y = np.interp(x - stretch.length / 2, [first[0], last[0]], [first[1], last[1]])
         courses[k] = Course.through(x, y, stretch.length, False)
-        warnings.append(f"{where}: it follows its neighbours, {y[0]:+.4f} to {y[1]:+.4f} mm")
+        warnings.append(phrase("{}: it follows its neighbours, {} to {}", where, mm(y[0], "+.4f"), mm(y[1], "+.4f")))

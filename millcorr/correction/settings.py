@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from millcorr.comparison import alignment
 from millcorr.errors import UsageError
-from millcorr.messages import Message, message, option
+from millcorr.messages import Message, message, mm, option, phrase
 from millcorr.nc.toolpath import named_tool
 from millcorr.options import declared, options_of
 from millcorr.separation.filters import Filter
@@ -180,32 +180,42 @@ class Settings:
             one.refuse(value)
             if value != one.default and not one.counts_with(self.method):
                 raise UsageError(
-                    option(one.key), " belongs to ", _either(one.methods), ", not to ", option("method", self.method)
+                    phrase(
+                        "{} belongs to {}, not to {}",
+                        option(one.key),
+                        _either(one.methods),
+                        option("method", self.method),
+                    )
                 )
         alignment.Freedom.parse(self.align)
         Filter.parse(self.filter)
         if self.tolerance > LARGEST_TOLERANCE:
             raise UsageError(
-                option("tolerance", self.tolerance),
-                f": more than {LARGEST_TOLERANCE:g} mm would hide what is to be corrected",
+                phrase(
+                    "{}: more than {} would hide what is to be corrected",
+                    option("tolerance", self.tolerance),
+                    mm(LARGEST_TOLERANCE, "g"),
+                ),
             )
         _ = self.tool_diameters
         if self.method == "transfer" and not self.depths:
             raise UsageError(
-                option("method", "transfer"),
-                " needs ",
-                option("depth", of="MM"),
-                ", the depth that the measured part was cut at",
+                phrase(
+                    "{} needs {}, the depth that the measured part was cut at",
+                    option("method", "transfer"),
+                    option("depth", of="MM"),
+                ),
             )
         if self.with_setup and self.leave_stock:
-            raise UsageError("a first cut that leaves stock is made before anything is measured or predicted")
+            raise UsageError(phrase("a first cut that leaves stock is made before anything is measured or predicted"))
         if self.iterate is not None and (self.gain != 1.0 or self.dead_band):
             raise UsageError(
-                option("iterate"),
-                " takes the whole error out: it goes with neither ",
-                option("gain"),
-                " nor ",
-                option("dead_band"),
+                phrase(
+                    "{} takes the whole error out: it goes with neither {} nor {}",
+                    option("iterate"),
+                    option("gain"),
+                    option("dead_band"),
+                ),
             )
 
     @property
@@ -233,9 +243,11 @@ class Settings:
                 value = 0.0
             if not tool or not 0 < value < math.inf:
                 raise UsageError(
-                    option("tools", text),
-                    ": write the number or name and the diameter of a tool in mm, as ",
-                    option("tools", of="3=16"),
+                    phrase(
+                        "{}: write the number or name and the diameter of a tool in mm, as {}",
+                        option("tools", text),
+                        option("tools", of="3=16"),
+                    ),
                 )
             out.append((named_tool(tool.encode()), value))
         return tuple(out)
@@ -267,10 +279,13 @@ class Settings:
         given = self.depths if key == "depth" else self.allowances
         if len(given) > 1 and len(given) != parts:
             raise UsageError(
-                option(key),
-                f" is given {len(given)} times for {parts} measured {'part' if parts == 1 else 'parts'}: give it ",
-                "once, or once for each ",
-                option("measured"),
+                phrase(
+                    "{} is given {} times and measured parts {}: give it once, or once for each {}",
+                    option(key),
+                    len(given),
+                    parts,
+                    option("measured"),
+                ),
             )
         return given if len(given) > 1 else (given or (0.0,)) * parts
 
@@ -301,7 +316,7 @@ def _lengths(value: float | Sequence[float] | None) -> tuple[float, ...]:
 def _either(methods: Sequence[str]) -> Message:
     """Method combined or predicted, as an option names it."""
     first, *others = methods
-    return message(option("method", first), *(f" or {other}" for other in others))
+    return message(option("method", first), *(phrase(" or {}", other) for other in others))
 
 
 def _listed(values: Sequence[float]) -> str:

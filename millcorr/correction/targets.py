@@ -18,7 +18,7 @@ from millcorr.comparison.wall_steps import in_order
 from millcorr.errors import UsageError
 from millcorr.geometry.correction import Correction, Course, along
 from millcorr.geometry.profile import Profile, Stretch
-from millcorr.messages import message, option, remedy
+from millcorr.messages import option, phrase, remedy, um
 from millcorr.separation import Filter, Observed, Separated, filtered, interpolated
 from millcorr.separation.parts import averaged, same_levels
 from millcorr.separation.steps import Systematic, steps_of
@@ -117,18 +117,24 @@ class Elastic:
         out = []
         if settings.gain != 1.0:
             left = 100 * (1 - settings.gain)
-            out.append(f"gain {settings.gain:g} leaves {left:.0f} % of what the next part would show on purpose")
+            out.append(
+                phrase("gain {:g} leaves {:.0f} % of what the next part would show on purpose", settings.gain, left)
+            )
         if not self.transfer.offset_known:
             out.append(
-                "one depth cannot tell a constant offset (tool radius, backlash, edge force) from elastic response: "
-                "all of it is taken as elastic, which is right at the depth measured; for another depth measure two"
+                phrase(
+                    "one depth cannot tell a constant offset (tool radius, backlash, edge force) from elastic "
+                    "response: all of it is taken as elastic, which is right at the depth measured; for another "
+                    "depth measure two"
+                )
             )
         if settings.depth_along != "normal":
             more = self.system.correction(self.next_depth) - self.transfer.correction(self.next_depth)
             out.append(
-                message(
-                    f"deviations along {settings.depth_along.upper()} with depths along the normal correct by ",
-                    f"{1000 * more.mean():.1f} um more on average than ",
+                phrase(
+                    "deviations along {} with depths along the normal correct by {} more on average than {}",
+                    settings.depth_along.upper(),
+                    um(more.mean()),
                     remedy("depth_along", "normal"),
                 )
             )
@@ -355,9 +361,10 @@ def _next_depth(parts: list[Part], depths: tuple[float, ...], settings: Settings
     allowances = {part.allowance for part in parts}
     if len(set(depths)) > 1 or len(allowances) > 1:
         raise UsageError(
-            "the parts were cut at different depths: say with ",
-            option("next_depth", of="MM"),
-            " what the next one takes off",
+            phrase(
+                "the parts were cut at different depths: say with {} what the next one takes off",
+                option("next_depth", of="MM"),
+            ),
         )
     allowance = allowances.pop()
     # The second half of an allowance is cut from the real surface, not from where the first half was to end.
@@ -441,8 +448,12 @@ def _at_several_depths(
         aim = reading(b, b_std, at_middle, level_std, factor)
     listed = ", ".join(f"{d:g}" for d in sorted(set(depths)))
     warnings.append(
-        f"{len(parts)} parts cut {listed} mm deep: the transfer function is taken from the difference, the constant "
-        "offset apart; deviations are shown as at the depth of the first"
+        phrase(
+            "{} parts cut {} mm deep: the transfer function is taken from the difference, the constant "
+            "offset apart; deviations are shown as at the depth of the first",
+            len(parts),
+            listed,
+        )
     )
     first_depth = b * (h[0] - middle)
     random_std = line.std if math.isfinite(line.std) else levels.separated.random_std * math.sqrt(len(parts))
@@ -577,7 +588,7 @@ def correction_through(
         refuse_swing(nominal, stretch, course, settings.limit)
         courses.append(course)
     if left:
-        warnings.append(f"{left} stretches of contours without a measured point are left as they are")
+        warnings.append(phrase("{} stretches of contours without a measured point are left as they are", left))
     return in_order(Correction(stretches, tuple(courses)), nominal)
 
 

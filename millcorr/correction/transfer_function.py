@@ -29,7 +29,7 @@ from numpy.typing import ArrayLike
 
 from millcorr.arrays import Floats, ReadOnlyArrays
 from millcorr.errors import InputError, RefusedError
-from millcorr.messages import message, option, remedy
+from millcorr.messages import mm, option, phrase, remedy, xy
 
 IMPLAUSIBLE = 0.5
 """A transfer function from this on means that a third of the depth stays: no finishing cut, and worth a look."""
@@ -181,17 +181,25 @@ def identify(
     delta, h, u = np.broadcast_arrays(*(np.asarray(x, dtype=np.float64) for x in (deviation, depth, std)))
     if (bad := np.flatnonzero(~(h > 0.0))).size:
         raise InputError(
-            f"{_at(place, bad[0])}the commanded depth is {h.flat[bad[0]]:.4f} mm, not above 0: a ",
-            "transfer function needs a cut; check ",
-            option("depth"),
+            phrase(
+                "{}the commanded depth is {}, not above 0: a transfer function needs a cut; check {}",
+                _at(place, bad[0]),
+                mm(h.flat[bad[0]], ".4f"),
+                option("depth"),
+            ),
         )
     removed = h - delta
     if (bad := np.flatnonzero(~(removed >= LEAST_REMOVED * h))).size:
         i = bad[0]
         raise RefusedError(
-            f"{_at(place, i)}{delta.flat[i]:.4f} mm of a commanded depth of {h.flat[i]:.4f} mm ",
-            "stayed: the transfer function delta/(H - delta) has no meaning there; check ",
-            option("depth"),
+            phrase(
+                "{}{} of a commanded depth of {} stayed: the transfer function delta/(H - delta) has no "
+                "meaning there; check {}",
+                _at(place, i),
+                mm(delta.flat[i], ".4f"),
+                mm(h.flat[i], ".4f"),
+                option("depth"),
+            ),
         )
     ms = delta / removed
     return TransferFunction(ms, (1.0 + ms) ** 2 * u / h, np.zeros(h.shape), np.zeros(h.shape), np.zeros(h.shape))
@@ -249,7 +257,9 @@ def line_over_depth(deviation: Floats, depth: Floats) -> Line:
         two = spread > 1e-12 * centre**2
         slope = np.where(two, (x * y).sum(axis=0) / spread, math.nan)
     if not two.any():
-        raise InputError("the parts of different depth were measured at different places: nothing can be compared")
+        raise InputError(
+            phrase("the parts of different depth were measured at different places: nothing can be compared")
+        )
     residual = np.where(known & two, y - slope * x, 0.0)
     freedom = int((count - 2)[two].sum())
     std = math.sqrt(float((residual**2).sum()) / freedom) if freedom > 0 else math.nan
@@ -296,9 +306,13 @@ def from_line(
     )
     if (bad := np.flatnonzero(~(1.0 - b >= LEAST_REMOVED))).size:
         raise RefusedError(
-            f"{_at(place, bad[0])}{100 * b[bad[0]]:.0f} % of the difference between the depths stayed: ",
-            "no transfer function follows from that; check ",
-            option("depth"),
+            phrase(
+                "{}{:.0f} % of the difference between the depths stayed: no transfer function follows from "
+                "that; check {}",
+                _at(place, bad[0]),
+                100 * b[bad[0]],
+                option("depth"),
+            ),
         )
     ms = b / (1.0 - b)
     growth = (1.0 + ms) ** 2
@@ -358,9 +372,14 @@ def along_axis(normal: Floats, foot: Floats, along: str) -> Floats:
     worst = int(np.argmin(cosine)) if len(cosine) else 0
     if len(cosine) and cosine[worst] < LEAST_COSINE:
         raise RefusedError(
-            f"{_at(foot, worst)}the normal is {math.degrees(math.acos(cosine[worst])):.0f} degrees off ",
-            f"{along.upper()}: a deviation along {along.upper()} says little there; use ",
-            remedy("depth_along", "normal"),
+            phrase(
+                "{}the normal is {:.0f} degrees off {}: a deviation along {} says little there; use {}",
+                _at(foot, worst),
+                math.degrees(math.acos(cosine[worst])),
+                along.upper(),
+                along.upper(),
+                remedy("depth_along", "normal"),
+            ),
         )
     out: Floats = 1.0 / cosine
     return out
@@ -400,34 +419,44 @@ def examine(transfer: TransferFunction, foot: Floats) -> tuple[str, ...]:
     if ms[low] < -bound[low] - 1e-9:
         x, y = foot[low]
         way_out = (
-            message("check ", option("depth"), " and which part was cut at which")
+            phrase("check {} and which part was cut at which", option("depth"))
             if transfer.offset_known
-            else message(
-                "the tool may be larger than stated or the path off; measure a part cut at another ",
+            else phrase(
+                "the tool may be larger than stated or the path off; measure a part cut at another {} as "
+                "well, or use {}",
                 option("depth"),
-                " as well, or use ",
                 remedy("method", "mirror"),
             )
         )
         raise RefusedError(
-            f"at X{x:.3f} Y{y:.3f} the transfer function would be {ms[low]:+.4f}, negative beyond its uncertainty of ",
-            f"{std[low]:.4f}: no elastic system removes more than it is told to; ",
-            way_out,
+            phrase(
+                "at {} the transfer function would be {:+.4f}, negative beyond its uncertainty of {:.4f}: no "
+                "elastic system removes more than it is told to; {}",
+                xy(x, y),
+                ms[low],
+                std[low],
+                way_out,
+            ),
         )
     middle = float(np.median(ms))
     if middle >= IMPLAUSIBLE:
         raise RefusedError(
-            f"the transfer function would be {middle:.3f} in the middle: ",
-            f"{100 * middle / (1 + middle):.0f} % of the depth would stay, which no machine is left to do; ",
-            "check ",
-            option("depth"),
+            phrase(
+                "the transfer function would be {:.3f} in the middle: {:.0f} % of the depth would stay, "
+                "which no machine is left to do; check {}",
+                middle,
+                100 * middle / (1 + middle),
+                option("depth"),
+            ),
         )
     # The middle is known better than a single point: its own uncertainty is at most that of the points.
     if 3.0 * float(np.median(std)) < middle < STIFF:
         return (
-            message(
-                f"the transfer function is {middle:.4f} in the middle: only {100 * middle:.1f} % of the ",
-                "depth stays, less than milling machines give way; check ",
+            phrase(
+                "the transfer function is {:.4f} in the middle: only {:.1f} % of the depth stays, less than "
+                "milling machines give way; check {}",
+                middle,
+                100 * middle,
                 option("depth"),
             ),
         )
@@ -435,9 +464,11 @@ def examine(transfer: TransferFunction, foot: Floats) -> tuple[str, ...]:
     if ms[high] >= IMPLAUSIBLE:
         x, y = foot[high]
         return (
-            message(
-                f"the transfer function is {ms[high]:.3f} at X{x:.3f} Y{y:.3f}: ",
-                f"{100 * ms[high] / (1 + ms[high]):.0f} % of the depth stays; check ",
+            phrase(
+                "the transfer function is {:.3f} at {}: {:.0f} % of the depth stays; check {}",
+                ms[high],
+                xy(x, y),
+                100 * ms[high] / (1 + ms[high]),
                 option("depth"),
             ),
         )
@@ -445,4 +476,4 @@ def examine(transfer: TransferFunction, foot: Floats) -> tuple[str, ...]:
 
 
 def _at(place: Floats | None, row: int) -> str:
-    return "" if place is None else f"at X{place[row, 0]:.3f} Y{place[row, 1]:.3f} "
+    return "" if place is None else phrase("at {}: ", xy(place[row, 0], place[row, 1]))

@@ -8,9 +8,8 @@ from collections.abc import Callable
 from typing import Any
 
 from millcorr import progress
+from millcorr.app.text import QT_TRANSLATE_NOOP
 from millcorr.progress import Stopped
-
-from .text import QT_TRANSLATE_NOOP
 
 _text = QT_TRANSLATE_NOOP
 

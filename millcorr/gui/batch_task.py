@@ -9,6 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from millcorr.app.properties import QT_TRANSLATE_NOOP, Property
+from millcorr.app.text import translate
+from millcorr.app.unit import unit
 from millcorr.cli import jobs, session
 from millcorr.errors import MillcorrError
 from millcorr.production import history, journal
@@ -17,8 +19,6 @@ from . import file_task, recorder
 from .batch_run import BatchRun, Ended
 from .options import Expression, call
 from .qt import QtCore, QtWidgets
-from .text import translate
-from .unit import unit
 
 _text = QT_TRANSLATE_NOOP
 

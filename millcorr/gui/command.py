@@ -9,9 +9,10 @@ from typing import Any
 
 import FreeCADGui
 
-from . import guide
+from millcorr.app.text import QT_TRANSLATE_NOOP, translate
+
+from . import guide, packages
 from .icons import icon
-from .text import QT_TRANSLATE_NOOP, translate
 
 _text = QT_TRANSLATE_NOOP
 
@@ -60,7 +61,9 @@ class Command:
     def IsActive(self) -> bool:
         """Whether the command can run; its tooltip tells what is missing otherwise."""
         busy = not self.beside and bool(FreeCADGui.Control.activeDialog())
-        lacking = _text("Millcorr", "the open task ended: OK or Cancel") if busy else self.lacks()
+        lacking = packages.lacking()
+        if not lacking:
+            lacking = _text("Millcorr", "the open task ended: OK or Cancel") if busy else self.lacks()
         self._tell(lacking)
         return not lacking
 

@@ -7,11 +7,11 @@ import FreeCAD
 import FreeCADGui
 
 from millcorr.app import candidates
+from millcorr.app.text import QT_TRANSLATE_NOOP, translate
 
 from . import selection, shop_commands
 from .command import Command
 from .qt import QtWidgets
-from .text import QT_TRANSLATE_NOOP, translate
 
 _text = QT_TRANSLATE_NOOP
 

@@ -10,9 +10,13 @@ from typing import Any
 import FreeCADGui
 
 from millcorr.app import candidates, correction, draft, dressup, rounds
+from millcorr.app.text import translate
+from millcorr.app.unit import unit
+from millcorr.app.wording import stored, worded
 from millcorr.errors import MillcorrError, RefusedError
 from millcorr.options import field_name
 from millcorr.report.scene.measured import lines_of
+from millcorr.report.verdict import what_to_do
 
 from . import methods, picture, picture_properties, preferences
 from .figures import COLUMNS, figures_of
@@ -22,9 +26,7 @@ from .line_set import LineLayer
 from .magnification import MagnificationFields
 from .panel import Panel, clear, narrow
 from .qt import QtCore, QtWidgets
-from .remedies import Remedy, accepted_by, first_field, remedies_in, worded
-from .text import translate
-from .unit import unit
+from .remedies import Remedy, accepted_by, first_field, remedies_in
 from .worker import Worker
 
 _COMMON = ("Filter", "Align", "Gain", "Limit", "DeadBand")
@@ -321,10 +323,11 @@ class DressupPanel(Panel):
         self.magnification.show(self.outcome.overlay.magnification)
         self.look.change("Magnification", self.fields["Magnification"].value)
         clear(self.notes)
-        warnings = [*summary["warnings"], *([dressup.CHANGED.format(self.base.Label)] if otherwise_cut else [])]
-        doubts = [] if self.obj is None else [text for text in dressup.doubts_of(self.obj) if text in warnings]
-        # What came up since the user last looked stands where it is seen.
-        self.say("\n".join(map(worded, doubts)), "doubt")
+        warnings = [*summary["warnings"], *([dressup.changed(self.base.Label)] if otherwise_cut else [])]
+        doubts = [] if self.obj is None else [text for text in warnings if stored(text) in dressup.doubts_of(self.obj)]
+        do, why = what_to_do(summary)
+        # What came up since the user last looked stands where it is seen, above what to do.
+        self.say("\n".join([*map(worded, doubts), f"{worded(do)}: {worded(why)}"]), "doubt" if doubts else "note")
         for text in warnings:
             if text not in doubts:
                 self._note(worded(text), "doubt")

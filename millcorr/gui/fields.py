@@ -6,9 +6,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from millcorr.app.text import QT_TRANSLATE_NOOP, label_of, translate
+from millcorr.app.unit import unit
+
 from .qt import QtCore, QtWidgets
-from .text import QT_TRANSLATE_NOOP, label_of, translate
-from .unit import unit
 from .wheel import calm
 
 _text = QT_TRANSLATE_NOOP

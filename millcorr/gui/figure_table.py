@@ -6,9 +6,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from millcorr.app.text import translate
+
 from .panel import narrow
 from .qt import QtCore, QtWidgets
-from .text import translate
 
 
 class FigureTable(QtWidgets.QGroupBox):

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from math import isfinite
 from typing import Any
 
-from .text import QT_TRANSLATE_NOOP, translate
-from .unit import unit
+from millcorr.app.text import QT_TRANSLATE_NOOP, translate
+from millcorr.app.unit import unit
 
 _text = QT_TRANSLATE_NOOP
 
@@ -96,7 +96,7 @@ def figures_of(summary: Mapping[str, Any] | None) -> list[Figure]:
     counts = (NONE, NONE)
     if summary is not None:
         points = summary["points"]
-        counts = f"{points['used']} / {points['read']}", str(len(points["rejected"]))
+        counts = f"{points['used']} / {points['read']}", str(points["left_out"])
     return out + [_figure(label, meaning, text) for (label, meaning), text in zip(_COUNTS, counts, strict=True)]
 
 

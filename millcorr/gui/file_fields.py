@@ -7,10 +7,11 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from millcorr.app.text import QT_TRANSLATE_NOOP, translate
+
 from . import fields, preferences
 from .fields import Field
 from .qt import QtWidgets
-from .text import QT_TRANSLATE_NOOP, translate
 
 KEPT = QT_TRANSLATE_NOOP("Millcorr", "Settings (*.toml);;All files (*)")
 """Files that a document keeps beside the measured one."""

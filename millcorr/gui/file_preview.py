@@ -6,11 +6,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from millcorr.app.text import translate
 from millcorr.readers.mapping import COLUMNS
 from millcorr.readers.preview import Preview
 
 from .qt import QtGui, QtWidgets
-from .text import translate
 from .wheel import calm
 
 

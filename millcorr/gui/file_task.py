@@ -15,14 +15,15 @@ from typing import Any
 
 import FreeCAD
 
+from millcorr.app.text import label_of, translate
+from millcorr.app.wording import worded
 from millcorr.errors import InputError
 
 from . import recorder
 from .panel import Panel
 from .qt import QtCore, QtGui, QtWidgets
-from .remedies import accepted_by, remedies_in, worded, wrong_field
+from .remedies import accepted_by, remedies_in, wrong_field
 from .task_window import Dock, Window
-from .text import label_of, translate
 from .worker import Worker
 
 _open: dict[str, Any] = {}
@@ -166,7 +167,7 @@ class FileTask(Panel):
 
     def show_written(self, text: str) -> None:
         """Show what was written."""
-        self.say(worded(spaced(text)), "good")
+        self.say(spaced(worded(text)), "good")
 
     def _failed(self, error: BaseException) -> None:
         self._unfit = True

@@ -8,9 +8,10 @@ from typing import Any
 
 import FreeCADGui
 
+from millcorr.app.text import translate
+
 from .qt import QtCore, QtGui, QtWidgets
 from .screen import fit
-from .text import translate
 
 DIRECTORY = Path(__file__).resolve().parents[2] / "docs"
 """Directory of the pages."""

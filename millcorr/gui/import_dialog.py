@@ -11,6 +11,9 @@ import FreeCAD
 import FreeCADGui
 
 from millcorr.app import candidates, doubts, measurement_object
+from millcorr.app.text import translate
+from millcorr.app.unit import unit
+from millcorr.app.wording import worded
 from millcorr.errors import MillcorrError
 from millcorr.messages import message_of
 from millcorr.readers import FORMATS, Reading
@@ -26,11 +29,9 @@ from .icons import qt_icon
 from .keys import keep
 from .panel import clear
 from .qt import QtCore, QtWidgets
-from .remedies import Remedy, first_field, remedies_in, worded
+from .remedies import Remedy, first_field, remedies_in
 from .screen import fit
-from .text import translate
-from .theme import STYLE
-from .unit import unit
+from .theme import STYLE, mark
 from .wheel import calm
 from .worker import Worker
 
@@ -282,7 +283,7 @@ class ImportDialog(QtWidgets.QDialog):
         text = translate("Millcorr", "Points: {}, heights: {}. {} {}. Format: {}, unit in the file: {}").format(
             len(measurement), levels, size, shown.name, measurement.format, measurement.unit
         )
-        self._say("\n".join([text, *_known(measurement), *measurement.notes]), "good")
+        self._say("\n".join([text, *_known(measurement), *map(worded, measurement.notes)]), "good")
 
     def _failed(self, error: BaseException) -> None:
         self._state()
@@ -326,9 +327,7 @@ class ImportDialog(QtWidgets.QDialog):
         self.findings.addWidget(box)
 
     def _say(self, text: str, kind: str) -> None:
-        self.found.setProperty("millcorr", kind)
-        self.found.style().unpolish(self.found)
-        self.found.style().polish(self.found)
+        mark(self.found, kind)
         self.found.setText(text)
         self.found.setVisible(bool(text))
 

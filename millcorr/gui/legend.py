@@ -8,14 +8,14 @@ from typing import Any
 
 from pivy import coin
 
+from millcorr.app.text import QT_TRANSLATE_NOOP, translate
+from millcorr.app.unit import unit
 from millcorr.report.scene import correction as overlay
 from millcorr.report.scene.correction import Overlay
 from millcorr.report.scene.scale import Look
 from millcorr.report.scene.wall import UNKNOWN
 
 from .qt import QtCore, QtGui
-from .text import QT_TRANSLATE_NOOP, translate
-from .unit import unit
 
 _text = QT_TRANSLATE_NOOP
 

@@ -13,11 +13,11 @@ from pathlib import Path
 
 import FreeCADGui
 
+from millcorr.app.text import translate
 from millcorr.errors import MillcorrError
 
-from . import told
+from . import packages, told
 from .icons import icon
-from .text import translate
 
 DIRECTORY = Path(__file__).resolve().parents[2] / "resources" / "macros"
 """Directory of the macros."""
@@ -55,8 +55,8 @@ class Macro:
         }
 
     def IsActive(self) -> bool:
-        """Always: the macro itself says what it misses."""
-        return True
+        """Where there is what millcorr needs; the macro itself says what else it misses."""
+        return not packages.lacking()
 
     def Activated(self) -> None:
         """Run the macro: it asks, and has what it does recorded by `run`, which asks nothing."""
@@ -79,7 +79,9 @@ def run(title: str, lines: Sequence[str], *written: str) -> bool:
         for line in lines:
             FreeCADGui.doCommand(line)
     except (MillcorrError, OSError) as error:
-        told.failed(title, str(error))
+        from millcorr.app.wording import worded
+
+        told.failed(title, worded(error))
         return False
     told.done(title, written)
     return True

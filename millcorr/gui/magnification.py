@@ -6,9 +6,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from millcorr.app.text import translate
 from millcorr.report.magnification import GREATEST
-
-from .text import translate
 
 
 class MagnificationFields:

@@ -9,6 +9,8 @@ from typing import Any
 
 from millcorr.app import candidates, draft, measuring
 from millcorr.app.properties import QT_TRANSLATE_NOOP, Property
+from millcorr.app.text import translate
+from millcorr.app.wording import worded
 from millcorr.errors import UsageError
 from millcorr.messages import option
 from millcorr.probing import TOUCHES
@@ -19,8 +21,6 @@ from .line_set import LineLayer
 from .options import Expression, call
 from .program_task import PROGRAMS
 from .qt import QtWidgets
-from .remedies import worded
-from .text import translate
 
 _text = QT_TRANSLATE_NOOP
 
@@ -213,7 +213,7 @@ class MeasuringTask(file_task.FileTask):
 
     def show_outcome(self, outcome: Any) -> None:
         """What is touched, what is not and why, and the program."""
-        self.say(worded(file_task.spaced(outcome.words())), "doubt" if outcome.warnings else "good")
+        self.say(file_task.spaced(worded(outcome.words())), "doubt" if outcome.warnings else "good")
         self.text.setPlainText(outcome.text)
         self.fields["Z"].show_value(outcome.z)
         self.fields["SafeZ"].show_value(outcome.safe_z)

@@ -3,9 +3,8 @@
 
 from __future__ import annotations
 
+from millcorr.app.text import QT_TRANSLATE_NOOP, translate
 from millcorr.readers.measurement import Basis
-
-from .text import QT_TRANSLATE_NOOP, translate
 
 _WHATS = {
     "unit": QT_TRANSLATE_NOOP("Millcorr", "unit"),

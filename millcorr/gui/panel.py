@@ -13,6 +13,8 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
+from millcorr.app.text import translate
+from millcorr.app.wording import worded
 from millcorr.errors import MillcorrError
 from millcorr.messages import message_of
 
@@ -23,8 +25,7 @@ from .fold import Fold
 from .icons import qt_icon
 from .keys import keep
 from .qt import QtCore, QtWidgets
-from .text import translate
-from .theme import STYLE
+from .theme import STYLE, mark
 from .worker import Worker
 
 PAUSE = 250
@@ -224,9 +225,7 @@ class Panel:
     def say(self, text: str, kind: str = "note") -> None:
         """Say something at the top: a note, a "doubt", or what is "wrong"."""
         clear(self.buttons)
-        self.message.setProperty("millcorr", kind)
-        self.message.style().unpolish(self.message)
-        self.message.style().polish(self.message)
+        mark(self.message, kind)
         self.message.setText(text)
         self.message.setVisible(bool(text))
 
@@ -333,7 +332,7 @@ def run(document: Any, title: str, lines: Sequence[str], after: Callable[[], Non
         after()
     except MillcorrError as error:
         document.abortTransaction()
-        told.failed(title, str(error))
+        told.failed(title, worded(error))
         return False
     except BaseException:
         document.abortTransaction()

@@ -10,6 +10,8 @@ import numpy as np
 from pivy import coin
 
 from millcorr.app import compat
+from millcorr.app.unit import unit
+from millcorr.app.wording import worded
 from millcorr.pipeline import Result
 from millcorr.report.scene import correction as overlay
 from millcorr.report.scene.correction import Overlay
@@ -21,7 +23,6 @@ from .face_set import Faces, FaceSet, faces_of
 from .layer import Layer, over_everything
 from .legend import Legend
 from .line_set import LineSet, Lists, lists_of
-from .unit import unit
 
 PARTS: dict[str, tuple[tuple[str, float, bool], ...]] = {
     "Band": (("band", 1.0, False),),
@@ -173,9 +174,12 @@ class Picture(Layer):
             else:
                 number = int(coin.cast(picked.getDetail(), "SoLineDetail").getLineIndex())
                 if name == "rejected":
-                    return Pick(overlay.rejected_text(result, number, unit()), -1, d.rejected[number].index)
+                    index = result.left_out[number].index
+                    rows = np.flatnonzero(d.index == index)
+                    text = worded(overlay.rejected_text(result, number, unit()))
+                    return Pick(text, int(rows[0]) if len(rows) else -1, index)
                 row = int(self.drawn.overlay.rows[number])
-            return Pick(overlay.whisker_text(result, row, unit()), row, int(d.index[row]))
+            return Pick(worded(overlay.whisker_text(result, row, unit())), row, int(d.index[row]))
         return None
 
 

@@ -11,12 +11,12 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 from numpy import isfinite
 
+from millcorr.app.text import translate
+from millcorr.app.unit import unit
 from millcorr.report.length_unit import MM
 from millcorr.report.scene.plots import Along, Distribution, Series
 
 from .qt import QtCore, QtWidgets
-from .text import translate
-from .unit import unit
 
 ENTRY = 190
 """Width of an entry of the legend, pixels."""

@@ -6,11 +6,11 @@ from __future__ import annotations
 from functools import lru_cache
 from pathlib import Path
 
+from millcorr.app.text import translate
 from millcorr.errors import FormatError
 from millcorr.readers.decoding import decode
 
 from .qt import QtGui, QtWidgets
-from .text import translate
 
 ABOUT = 100
 """So many lines before and behind the one looked for are shown."""

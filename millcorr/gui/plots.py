@@ -14,6 +14,9 @@ import FreeCAD
 import FreeCADGui
 
 from millcorr.app import candidates, correction
+from millcorr.app.text import translate
+from millcorr.app.unit import unit
+from millcorr.app.wording import worded
 from millcorr.errors import MillcorrError
 from millcorr.report import history as report_history
 from millcorr.report import plots as report_plots
@@ -25,9 +28,7 @@ from .line_set import LineLayer
 from .plot_file import FilePage
 from .plot_link import PlotLink
 from .qt import QtCore, QtWidgets
-from .text import translate
 from .theme import ThemeWatch, colours, theme, tint
-from .unit import unit
 from .worker import Worker
 
 _dock: list[Any] = []
@@ -251,7 +252,7 @@ class Plots(QtWidgets.QDockWidget):
         self.link.start()
 
     def _failed(self, error: BaseException) -> None:
-        self._say("document", f"{self.obj.Label}: {error}")
+        self._say("document", f"{self.obj.Label}: {worded(error)}")
 
     def show_history(self, chains: Sequence[Any]) -> None:
         """Plot the parts of a journal's series, the first of them at first."""

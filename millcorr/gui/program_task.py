@@ -8,6 +8,9 @@ from typing import Any
 
 from millcorr.app import dressup, measurement_object, programs
 from millcorr.app.properties import QT_TRANSLATE_NOOP, Property, of_option
+from millcorr.app.text import translate
+from millcorr.app.unit import unit
+from millcorr.app.wording import worded
 from millcorr.correction.settings import Settings
 from millcorr.errors import UsageError
 from millcorr.messages import option
@@ -19,9 +22,6 @@ from .figures import COLUMNS, figures_of
 from .options import call, reading_options, setting_options
 from .panel import clear
 from .qt import QtWidgets
-from .remedies import worded
-from .text import translate
-from .unit import unit
 
 _text = QT_TRANSLATE_NOOP
 

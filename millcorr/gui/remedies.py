@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from millcorr.messages import Option, message_of
+from millcorr.app.text import label_of, translate
+from millcorr.app.wording import value_worded
+from millcorr.messages import message_of
 from millcorr.options import field_name
-
-from .text import label_of, translate
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,8 +36,7 @@ class Remedy:
             return translate("Millcorr", "Go to {}").format(label_of(self.field))
         if self.value is True:
             return translate("Millcorr", "Switch on {}").format(label_of(self.field))
-        value = f"{self.value:g}" if isinstance(self.value, float) else self.value
-        return translate("Millcorr", "Set {} to {}").format(label_of(self.field), value)
+        return translate("Millcorr", "Set {} to {}").format(label_of(self.field), value_worded(self.field, self.value))
 
 
 def accepted_by(said: str) -> str:
@@ -54,16 +53,6 @@ def remedies_in(said: str) -> tuple[Remedy, ...]:
             value = option.value if option.proposed and isinstance(option.value, str | float) else None
             found[field] = Remedy(field, True if option.proposed and option.value is True else value)
     return tuple(sorted(found.values(), key=lambda remedy: remedy.value is None))
-
-
-def worded(said: str) -> str:
-    """A message with fields in place of options."""
-
-    def in_words(option: Option) -> str:
-        label = label_of(field_name(option.key))
-        return f"\u201c{label}\u201d {option.shown}".rstrip()
-
-    return message_of(said).in_words(in_words)
 
 
 def first_field(said: str) -> str:

@@ -10,8 +10,7 @@ import FreeCADGui
 
 from millcorr.app import candidates, compat
 from millcorr.app.rounds import parts_of
-
-from .text import QT_TRANSLATE_NOOP
+from millcorr.app.text import QT_TRANSLATE_NOOP
 
 _text = QT_TRANSLATE_NOOP
 

@@ -8,11 +8,11 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
-from millcorr.app import base_geometry, candidates, compat
+from millcorr.app import candidates, compat
+from millcorr.app.text import QT_TRANSLATE_NOOP, translate
 
 from . import selection
 from .command import Command
-from .text import QT_TRANSLATE_NOOP, translate
 
 _text = QT_TRANSLATE_NOOP
 
@@ -71,6 +71,9 @@ def to_measure() -> Any:
     chosen = selected[0] if selected else selection.correction() or selection.operation()
     if chosen is None or not chosen.Path.Commands:
         return None
+    # It needs packages that may be missing when FreeCAD starts.
+    from millcorr.app import base_geometry
+
     return chosen if base_geometry.gives_contour(compat.bottom_operation(chosen)) else None
 
 

@@ -9,10 +9,10 @@ from typing import Any
 from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 from matplotlib.figure import Figure
 
+from millcorr.app.text import translate
 from millcorr.report.scene.simulation import Trace
 
 from .qt import QtCore
-from .text import translate
 
 
 class SignalCanvas(FigureCanvasQTAgg):
@@ -64,7 +64,10 @@ class SignalCanvas(FigureCanvasQTAgg):
             for spine in axes.spines.values():
                 spine.set_color(c["soft"])
             axes.plot(trace.t, trace.value, color=c["ink"], linewidth=1.0)
-            axes.set_ylabel(f"{translate('Millcorr', trace.name)}\n{trace.unit}", color=c["soft"], fontsize=8)
+            # Above, where there is room for a long word; beside, it is cut off.
+            axes.set_title(
+                f"{translate('Millcorr', trace.name)}, {trace.unit}", color=c["soft"], fontsize=8, loc="left", pad=2
+            )
             axes.margins(x=0)
             self._uprights.append(axes.axvline(0, color=c["undercut"], linewidth=1.4, animated=True))
         rows[-1].set_xlabel(translate("Millcorr", "time, s"), color=c["soft"], fontsize=8)

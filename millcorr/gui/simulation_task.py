@@ -8,6 +8,9 @@ from typing import Any
 
 from millcorr.app import draft, simulating
 from millcorr.app.properties import QT_TRANSLATE_NOOP, Property
+from millcorr.app.text import translate
+from millcorr.app.unit import unit
+from millcorr.app.wording import worded
 from millcorr.errors import UsageError
 from millcorr.report import simulation_view
 from millcorr.report.scene import simulation as simulation_arrays
@@ -19,9 +22,7 @@ from .line_set import LineLayer
 from .magnification import MagnificationFields
 from .options import Expression, call
 from .qt import QtCore, QtWidgets
-from .text import translate
 from .theme import ThemeWatch, colours, theme
-from .unit import unit
 from .wheel import calm
 
 _text = QT_TRANSLATE_NOOP
@@ -175,7 +176,7 @@ class SimulateTask(file_task.FileTask):
             "contour, <span style='color:#2e9a1c'>\u2014</span> corrected contour, errors {:g}:1",
         ).format(times)
         cautions = [*played.before.cautions, *([played.refused] if played.refused else [])]
-        self.found.setText("<br>".join([text, *cautions]))
+        self.found.setText("<br>".join([text, *map(worded, cautions)]))
         self._draw()
         for widget in (self.play, self.slider):
             widget.setEnabled(True)

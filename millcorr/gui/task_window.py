@@ -11,10 +11,11 @@ from typing import Any
 
 import FreeCADGui
 
+from millcorr.app.text import translate
+
 from . import guide
 from .qt import QtCore, QtWidgets
 from .screen import fit
-from .text import translate
 
 WIDTH = 440
 """Width of a dock, pixels."""

@@ -11,7 +11,7 @@ import FreeCADGui
 from millcorr.report.plots import COLOURS
 
 from . import preferences
-from .qt import QtCore, QtGui
+from .qt import QtCore, QtGui, QtWidgets
 
 _KINDS = {"wrong": "220, 40, 40", "doubt": "230, 160, 0", "good": "40, 160, 80"}
 
@@ -23,6 +23,15 @@ STYLE = "\n".join(f'QLabel[millcorr="{kind}"] {{ {_LABEL.format(rgb)} }}' for ki
 The text keeps the window's own colour: style sheets change it without the palette telling, so a tint that lets
 the window's background through is all that can be read in both.
 """
+
+
+def mark(label: Any, kind: str) -> None:
+    """Say what a label is that is there already: a note, a "doubt", "good", or what is "wrong"."""
+    label.setProperty("millcorr", kind)
+    label.style().unpolish(label)
+    label.style().polish(label)
+    # Qt takes frame and padding of a style sheet anew only when it is told of a change.
+    QtWidgets.QApplication.sendEvent(label, QtCore.QEvent(QtCore.QEvent.Type.StyleChange))
 
 
 def theme() -> str:

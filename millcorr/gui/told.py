@@ -10,8 +10,9 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
+from millcorr.app.text import translate
+
 from .qt import QtCore, QtGui, QtWidgets
-from .text import translate
 
 _box: list[Any] = []
 

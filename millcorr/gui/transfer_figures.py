@@ -7,8 +7,9 @@ from collections.abc import Mapping
 from math import isfinite
 from typing import Any
 
+from millcorr.app.text import QT_TRANSLATE_NOOP, translate
+
 from .figures import NONE, Figure, length
-from .text import QT_TRANSLATE_NOOP, translate
 
 _text = QT_TRANSLATE_NOOP
 

@@ -10,16 +10,17 @@ import FreeCADGui
 
 from millcorr.app import candidates, correction, draft, dressup, rounds
 from millcorr.app.properties import QT_TRANSLATE_NOOP, Property
+from millcorr.app.text import translate
+from millcorr.app.unit import unit
+from millcorr.app.wording import worded
 from millcorr.errors import RefusedError, UsageError
 
 from .figure_table import FigureTable
 from .figures import COLUMNS, figures_of
 from .panel import Panel, clear
 from .qt import QtCore, QtWidgets
-from .remedies import remedies_in, worded
-from .text import translate
+from .remedies import remedies_in
 from .transfer_figures import transfer_figures
-from .unit import unit
 
 _text = QT_TRANSLATE_NOOP
 

@@ -220,10 +220,12 @@ class DressupView(View):
         self._worker.start(function)
 
     def _failed(self, error: BaseException) -> None:
+        from millcorr.app.wording import worded
+
         if self._picture is not None:
             self._picture.hide()
         self._end_hover()
-        FreeCAD.Console.PrintWarning(f"{self.Object.Label}: {error}\n")
+        FreeCAD.Console.PrintWarning(f"{self.Object.Label}: {worded(error)}\n")
 
     def _show(self, drawn: Any) -> None:
         from .picture import Picture

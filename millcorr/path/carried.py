@@ -18,6 +18,7 @@ from millcorr.errors import LimitError
 from millcorr.geometry.correction import Correction, along
 from millcorr.geometry.footpoint import FootPointSearch, Place
 from millcorr.geometry.profile import Profile
+from millcorr.messages import at_z, mm, phrase, xy
 from millcorr.nc.toolpath import Toolpath
 from millcorr.path.reconstruction import CompensatedContour
 
@@ -128,9 +129,16 @@ def _refuse_unclear(
     a, b = at[mine[at]][0], at[others[at]][0]
     point, _ = profile.at(profile.stretches()[stretch[a]].contour, s[[a]])
     raise LimitError(
-        f"near X{point[0, 0]:.3f} Y{point[0, 1]:.3f} the program runs {off[a]:+.3f} mm off the profile at "
-        f"Z{z[a]:.3f} and {off[b]:+.3f} mm off it at Z{z[b]:.3f}: which pass carries the correction cannot be told; "
-        "correct the first, uncorrected program, or one that holds the finishing pass alone",
+        phrase(
+            "near {} the program runs {} off the profile at {} and {} off it at {}: which pass "
+            "carries the correction cannot be told; correct the first, uncorrected program, or one that "
+            "holds the finishing pass alone",
+            xy(point[0, 0], point[0, 1]),
+            mm(off[a], "+.3f"),
+            at_z(z[a]),
+            mm(off[b], "+.3f"),
+            at_z(z[b]),
+        ),
         place=(float(point[0, 0]), float(point[0, 1])),
         figure=float(off[a] - off[b]),
     )

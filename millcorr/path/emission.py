@@ -17,7 +17,7 @@ from millcorr.errors import FitError, FormatError, LimitError
 from millcorr.geometry.correction import Correction
 from millcorr.geometry.nurbs import NurbsCurve
 from millcorr.geometry.profile import Contour, Profile
-from millcorr.messages import message, remedy
+from millcorr.messages import mm, phrase, remedy, um, xy
 from millcorr.nc.toolpath import Plane, Toolpath
 from millcorr.path.free_ends import keep_coordinate
 from millcorr.path.leads import own_work
@@ -156,7 +156,9 @@ def emit(
     goes = ~_nowhere(regeneration.toolpath)
     planned, following_now = regeneration.toolpath.take(goes), regeneration.following[goes]
     if len(emitted) != len(planned):
-        raise LimitError(f"the written program reads back with {len(emitted)} moves in place of {len(planned)}")
+        raise LimitError(
+            phrase("the written program reads back with {} moves in place of {}", len(emitted), len(planned))
+        )
     compared = regeneration.lines
     if proven.unplaced is not None:
         compared = compared[~proven.unplaced[program.lines_of(compared)]]
@@ -184,23 +186,31 @@ def emit(
     notes = []
     if stays > settings.tolerance:
         notes.append(
-            f"{stays:.3f} mm stays at X{place[0]:.3f} Y{place[1]:.3f}: what is wanted there is too narrow for a cutter "
-            f"of {2 * radius:g} mm; a smaller one would reach it"
+            phrase(
+                "{} stays at {}: what is wanted there is too narrow for a cutter of {}; a smaller one would reach it",
+                mm(stays),
+                xy(place[0], place[1]),
+                mm(2 * radius, "g"),
+            )
         )
     if line:
         notes.append(
-            message(
-                f"line {line} of the corrected program, which is not corrected itself, cuts ",
-                f"{held * 1000:.1f} um into the corrected surface at X{beside[0]:.3f} Y{beside[1]:.3f}, ",
-                "beyond what was measured: if that is a wall of the part and no lead, ",
+            phrase(
+                "line {} of the corrected program, which is not corrected itself, cuts {} into the corrected "
+                "surface at {}, beyond what was measured: if that is a wall of the part and no lead, {} "
+                "moves such passes along",
+                line,
+                um(held),
+                xy(beside[0], beside[1]),
                 remedy("keep_allowance"),
-                " moves such passes along",
             )
         )
     moved = np.intersect1d(toolpath.source[along], regeneration.lines)
     if len(moved):
-        which = f"{_listed(np.unique(program.lines_of(moved)) + 1)} of {program.name}"
-        notes.append(f"other passes on the corrected wall are moved along with it: {which}")
+        which = _listed(np.unique(program.lines_of(moved)) + 1)
+        notes.append(
+            phrase("other passes on the corrected wall are moved along with it: lines {} of {}", which, program.name)
+        )
     compensated, residual = compensated_profile(nominal, correction, after)
     return Emission(compensated, residual, regeneration, proof, text), tuple(notes)
 
@@ -221,7 +231,7 @@ def _beyond(surface: WantedSurface, measured: Deviation) -> Bools:
 def _listed(lines: Ints) -> str:
     """Numbers of lines in rising order, those that follow one another as from and to."""
     runs = np.split(lines, np.flatnonzero(np.diff(lines) > 1) + 1)
-    return "lines " + ", ".join(f"{run[0]}" if len(run) == 1 else f"{run[0]}-{run[-1]}" for run in runs)
+    return ", ".join(f"{run[0]}" if len(run) == 1 else f"{run[0]}-{run[-1]}" for run in runs)
 
 
 def _refuse_other_moves(planned: Toolpath, emitted: Toolpath, lines: Ints, tolerance: float) -> None:
@@ -238,8 +248,11 @@ def _refuse_other_moves(planned: Toolpath, emitted: Toolpath, lines: Ints, toler
         row = rows[int(np.argmax(off))]
         x, y = emitted.end[row, :2]
         raise LimitError(
-            f"line {emitted.line(row)} of the written program goes to X{x:.3f} Y{y:.3f} and not where it "
-            "was planned to go"
+            phrase(
+                "line {} of the written program goes to {} and not where it was planned to go",
+                emitted.line(row),
+                xy(x, y),
+            )
         )
 
 

@@ -17,7 +17,7 @@ from millcorr.errors import InputError, LimitError
 from millcorr.geometry.correction import Correction
 from millcorr.geometry.footpoint import FootPoints, FootPointSearch, Place
 from millcorr.geometry.profile import Profile
-from millcorr.messages import option
+from millcorr.messages import mm, option, phrase, xy
 from millcorr.nc.toolpath import Kind, Toolpath
 from millcorr.path.carried import carried_correction
 from millcorr.path.leads import sections
@@ -339,12 +339,14 @@ class Commanded:
         parts = follow(toolpath, expected, radius, band=BAND, rows=usable)
         if not len(parts.row):
             raise LimitError(
-                f"no move of the program follows the profile at {radius:g} mm: the nearest runs ",
-                f"{parts.distance:.3f} mm off; check ",
-                option("tool_diameter"),
-                ", ",
-                option("side"),
-                ", stock to leave and the work frame",
+                phrase(
+                    "no move of the program follows the profile at {}: the nearest runs {} off; check {}, {}, "
+                    "stock to leave and the work frame",
+                    mm(radius, "g"),
+                    mm(parts.distance),
+                    option("tool_diameter"),
+                    option("side"),
+                ),
             )
         following = np.zeros(len(toolpath), dtype=bool)
         following[parts.row] = True
@@ -400,10 +402,12 @@ def commanded_offset(
     if 2 * len(lost) > len(out):
         x, y = deviation.foot[lost[0]]
         raise InputError(
-            f"the program does not cut the profile near X{x:.3f} Y{y:.3f}, where points were measured: ",
-            "give the ",
-            option("operation"),
-            " that cuts it, or only the points that belong to it",
+            phrase(
+                "the program does not cut the profile near {}, where points were measured: give the {} that "
+                "cuts it, or only the points that belong to it",
+                xy(x, y),
+                option("operation"),
+            ),
             place=(float(x), float(y)),
         )
     return out

@@ -20,7 +20,7 @@ from millcorr.errors import FitError, LimitError
 from millcorr.geometry.correction import Correction, along
 from millcorr.geometry.nurbs import NurbsCurve
 from millcorr.geometry.profile import CORNER_ANGLE, GAP, Contour, Profile
-from millcorr.messages import message, option
+from millcorr.messages import mm, option, phrase, um, xy
 
 KINK = 2e-4
 """Joints that turn less, in rad, are passed as smooth: their gap at 5 mm offset is 1 um along the tangent and
@@ -92,8 +92,11 @@ class CompensatedContour:
         if len(gone):
             p = self.evaluate(gone[:1], self.length[gone[:1]] / 2)[0][0]
             raise LimitError(
-                f"the correction leaves nothing of the {self.length[gone[0]]:.3f} mm long piece of the profile "
-                f"near X{p[0]:.3f} Y{p[1]:.3f}"
+                phrase(
+                    "the correction leaves nothing of the {} long piece of the profile near {}",
+                    mm(self.length[gone[0]]),
+                    xy(p[0], p[1]),
+                )
             )
 
     def _cut_into_pieces(self) -> None:
@@ -321,7 +324,7 @@ class CompensatedContour:
             bad = np.flatnonzero(~flat | ~(np.abs(off) < GAP / 2))
             if len(bad):
                 x, y = self.joints.point[joint[lost[bad[0]]]]
-                raise LimitError(f"the corrected contour does not close at the corner X{x:.3f} Y{y:.3f}")
+                raise LimitError(phrase("the corrected contour does not close at the corner {}", xy(x, y)))
         return a, b
 
     def to_profile(self) -> tuple[Profile, float]:
@@ -548,9 +551,11 @@ class CompensatedContour:
 
     def _cannot_fit(self, piece: int, error: float) -> str:
         x, y = self._sample(piece, self.length[piece : piece + 1] / 2)[0]
-        return message(
-            f"the compensated profile near X{x:.3f} Y{y:.3f} cannot be fitted better than ",
-            f"{error * 1000:.2f} um: the deviations change too fast; use a stronger ",
+        return phrase(
+            "the compensated profile near {} cannot be fitted better than {}: the deviations change too "
+            "fast; use a stronger {}",
+            xy(x, y),
+            um(error, ".2f"),
             option("filter"),
         )
 

@@ -13,7 +13,7 @@ from millcorr.comparison.path_distance import PathDistance, SegmentTree
 from millcorr.comparison.theoretical_contour import SAME_POINT
 from millcorr.errors import LimitError
 from millcorr.geometry.footpoint import FootPointSearch, Place
-from millcorr.messages import remedy
+from millcorr.messages import phrase, remedy, um, xy
 from millcorr.nc.toolpath import Toolpath
 from millcorr.path.moves import BAND
 from millcorr.path.path_following import length_in_plane
@@ -200,7 +200,7 @@ def _refuse_lost(made: Bools, now: Floats, after: WantedSurface) -> None:
     lost = np.flatnonzero(made & np.isnan(now))
     if len(lost) or not made.any():
         x, y = after.place[lost[0] if len(lost) else 0]
-        raise LimitError(f"the written program leaves no surface near X{x:.3f} Y{y:.3f} that could be proven")
+        raise LimitError(phrase("the written program leaves no surface near {} that could be proven", xy(x, y)))
 
 
 def _heights(toolpath: Toolpath, made_by: Bools, surface: WantedSurface) -> list[Floats | None]:
@@ -263,11 +263,14 @@ def _refuse_gouging_others(
         held = float(-cut[worst]), (x, y), int(written.toolpath.line(row[0]))
         if refused:
             raise LimitError(
-                f"line {held[2]} of the corrected program, which is not corrected itself, would cut ",
-                f"{held[0] * 1000:.1f} um into the corrected surface at X{x:.3f} Y{y:.3f}: it leaves too ",
-                "little stock for it; ",
-                remedy("keep_allowance"),
-                " moves such passes along",
+                phrase(
+                    "line {} of the corrected program, which is not corrected itself, would cut {} into the "
+                    "corrected surface at {}: it leaves too little stock for it; {} moves such passes along",
+                    held[2],
+                    um(held[0]),
+                    xy(x, y),
+                    remedy("keep_allowance"),
+                ),
                 place=(x, y),
                 figure=held[0],
             )

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from millcorr import progress
 from millcorr.arrays import Bools, Floats, Ints, ReadOnlyArrays
 from millcorr.errors import LimitError
+from millcorr.messages import phrase
 from millcorr.nc.toolpath import Kind
 from millcorr.tolerances import ARITHMETIC, EXACT
 
@@ -688,7 +689,7 @@ class _Prover:
     def refuse(self, w: int, what: str) -> NoReturn:
         line = int(self.new.reading.line[w]) if w < len(self.new) else len(self.new)
         number = line + 1 + (self.added if line >= self.top else 0)
-        raise LimitError(f"the written program differs where it must not: line {number}: {what}")
+        raise LimitError(phrase("the written program differs where it must not: line {}: {}", number, what))
 
     def _differs_in_run(self, first: int, last: int, places: range) -> NoReturn:
         """Refuse lines that stand nowhere as they were, at the place where most of them do."""
@@ -757,7 +758,9 @@ def _header_lines(original: bytes, written: bytes, header: Sequence[str], langua
         found += _signs(line.decode("latin-1"))
         count += 1
     if found != wanted:
-        raise LimitError(f"the written program differs where it must not: line {top + 1}: its header is another one")
+        raise LimitError(
+            phrase("the written program differs where it must not: line {}: its header is another one", top + 1)
+        )
     return top, count
 
 

@@ -12,7 +12,7 @@ from millcorr.comparison.theoretical_contour import cutting_runs
 from millcorr.errors import LimitError
 from millcorr.geometry.footpoint import FootPoints, FootPointSearch, Place
 from millcorr.geometry.profile import Profile
-from millcorr.messages import message, option
+from millcorr.messages import option, phrase, um, xy
 from millcorr.nc.toolpath import Toolpath
 
 SPACING = 0.25
@@ -146,7 +146,9 @@ def following_by_place(emitted: Toolpath, planned: Toolpath, following: Bools, n
         close = np.flatnonzero((np.abs(have[at:] - target) < near).all(axis=1))
         if not len(close):
             x, y = target[-3], target[-2]
-            raise LimitError(f"the posted program lacks the move to X{x:.3f} Y{y:.3f} (command {row + 1} of the path)")
+            raise LimitError(
+                phrase("the posted program lacks the move to {} (command {} of the path)", xy(x, y), row + 1)
+            )
         at += int(close[0]) + 1
         out[index[at - 1]] = True
     return out
@@ -156,12 +158,16 @@ def too_far_off(what: str, off: float, place: tuple[float, float], tolerance: fl
     """The error that a corrected path or surface is off by more than the tolerance, mm; negative where it gouges."""
     x, y = place
     gouges = off < 0
+    how = um(abs(off), ".2f"), xy(x, y), um(tolerance, "g")
+    seen = phrase(
+        "the corrected {} would be {} off at {}, more than the tolerance of {}",
+        phrase("path") if what == "path" else phrase("surface"),
+        *how,
+    )
     return LimitError(
-        f"the corrected {what} would be {abs(off) * 1000:.2f} um off at X{x:.3f} Y{y:.3f}, more than the tolerance of ",
-        f"{tolerance * 1000:g} um",
-        " (the cutter gouges there)"
+        phrase("{} (the cutter gouges there)", seen)
         if gouges
-        else message(": where that does no harm, a larger ", option("tolerance")),
+        else phrase("{}: where that does no harm, a larger {}", seen, option("tolerance")),
         place=place,
         figure=off,
     )

@@ -12,7 +12,7 @@ from millcorr.arrays import Bools, Floats, Ints
 from millcorr.comparison.deviation import Deviation
 from millcorr.geometry.footpoint import FootPointSearch
 from millcorr.geometry.profile import Profile
-from millcorr.messages import message, option
+from millcorr.messages import at_z, joined, mm, option, phrase, um, xy
 from millcorr.nc.toolpath import Toolpath
 
 from . import elastic
@@ -171,12 +171,17 @@ def _rejected(deviation: Deviation) -> list[Finding]:
     reasons = [r.reason for r in rejected]
     commonest = max(sorted(set(reasons)), key=reasons.count)
     if len(rejected) > MANY_REJECTED * read:
-        text = (
-            f"only {len(deviation)} of {read} points can be used, most others are {commonest}: is the program whole, "
-            "and is it the one that cut the part?"
+        text = phrase(
+            "only {} of {} points can be used, most others are {}: is the program whole, and is it the "
+            "one that cut the part?",
+            len(deviation),
+            read,
+            commonest,
         )
         return [Finding("many-rejected", text, True, figure=len(rejected) / read)]
-    text = f"{len(rejected)} of {read} points are left out, most are {commonest}: see the report for which"
+    text = phrase(
+        "{} of {} points cannot be used, most are {}: see the report for which", len(rejected), read, commonest
+    )
     return [Finding("many-rejected", text, False, figure=len(rejected) / read)]
 
 
@@ -188,37 +193,53 @@ def _heights(deviation: Deviation, heights: CutHeights) -> list[Finding]:
     z, floor = deviation.z, heights.bottom[deviation.contour]
     below = z < floor - TIP
     above = z > heights.top + TIP
-    remedy, explained = "check the height of the work frame of the measurement", False
+    remedy, explained = phrase("check the height of the work frame of the measurement"), False
     if below.sum() + above.sum() > NEARLY_ALL * len(z):
         deepest, top = float(np.nanmin(heights.bottom)), heights.top
-        there = f"Z{deepest:.3f}" + (f" to Z{top:.3f}" if np.isfinite(top) else " up")
-        for how, other in (("times 25.4", z * 25.4), ("divided by 25.4", z / 25.4), ("with z reversed", -z)):
+        there = phrase("{} to {}", at_z(deepest), at_z(top)) if np.isfinite(top) else phrase("{} up", at_z(deepest))
+        for how, other in (
+            (phrase("times 25.4"), z * 25.4),
+            (phrase("divided by 25.4"), z / 25.4),
+            (phrase("with z reversed"), -z),
+        ):
             # Whatever is near height 0 fits any unit.
             fits = (other >= floor - TIP) & (other <= top + TIP) & (np.minimum(np.abs(z), np.abs(other)) > 1.0)
             if fits.mean() > NEARLY_ALL:
-                remedy = f"{how} they would lie there; check the unit of z and the height of the work frame"
+                remedy = phrase("{} they would lie there; check the unit of z and the height of the work frame", how)
                 explained = True
                 break
         outside = int(below.sum() + above.sum())
-        where = "below" if below.sum() >= above.sum() else "above"
-        text = (
-            f"{outside} of {len(z)} points on the profile "
-            f"(Z{float(z.min()):.3f} to Z{float(z.max()):.3f}) lie {where} all that the "
-            f"program cuts, {there}: {remedy}, or leave the column z out"
+        where = phrase("below") if below.sum() >= above.sum() else phrase("above")
+        text = phrase(
+            "{} of {} points on the profile ({} to {}) lie {} all that the program cuts, {}: "
+            "{}, or leave the column z out",
+            outside,
+            len(z),
+            at_z(z.min()),
+            at_z(z.max()),
+            where,
+            there,
+            remedy,
         )
         return [Finding("wrong-level", text, bool(where == "below" or explained))]
     found = []
     if below.any():
         worst = int(np.argmax(np.where(below, floor - z, -np.inf)))
-        text = (
-            f"{int(below.sum())} points (from Z{float(z[below].min()):.3f}) lie below the deepest pass at "
-            f"Z{floor[worst]:.3f}: {remedy}"
+        text = phrase(
+            "{} points (from {}) lie below the deepest pass at {}: {}",
+            int(below.sum()),
+            at_z(z[below].min()),
+            at_z(floor[worst]),
+            remedy,
         )
         found.append(Finding("below-the-cut", text, False))
     if above.any():
-        text = (
-            f"{int(above.sum())} points (up to Z{float(z.max()):.3f}) lie above Z{heights.top:.3f}, from where the "
-            f"cutter comes down: {remedy}"
+        text = phrase(
+            "{} points (up to {}) lie above {}, from where the cutter comes down: {}",
+            int(above.sum()),
+            at_z(z.max()),
+            at_z(heights.top),
+            remedy,
         )
         found.append(Finding("above-the-cut", text, False))
     return found
@@ -258,22 +279,27 @@ def _mean(
     if abs(mean) < max(LARGE_MEAN, MEAN_OVER_FORM * height) or elastic.expected(mean, mean, depth):
         return []
     more = mean > 0
-    causes = [
-        f"a probe's radius {ball_radius + mean:.3f} for {ball_radius:g}"
-        if ball_radius
-        else f"a probe's radius {abs(mean):.3f} too {'small' if more else 'large'}",
-        f"a tool D{2 * (cutter_radius - mean):.3f} for D{2 * cutter_radius:g}",
-    ]
+    if ball_radius:
+        probe = phrase("a probe's radius {} for {}", mm(ball_radius + mean), mm(ball_radius, "g"))
+    elif more:
+        probe = phrase("a probe's radius {} too small", mm(mean))
+    else:
+        probe = phrase("a probe's radius {} too large", mm(-mean))
+    tool = phrase("a tool's diameter {} for {}", mm(2 * (cutter_radius - mean)), mm(2 * cutter_radius, "g"))
+    causes = [probe, tool]
     if more:
-        causes.append(f"{mean:.3f} mm of stock left")
+        causes.append(phrase("{} of stock left", mm(mean)))
     left, bottom, right, top = profile.bounding_box()
     arm = float(((deviation.foot - [(left + right) / 2, (bottom + top) / 2]) * deviation.normal).sum(axis=1).mean())
     degrees = mean / (GROWTH * arm) if arm else np.inf
     if abs(degrees) <= PLAUSIBLE_DEGREES:
-        causes.append(f"steel measured {abs(degrees):.0f} K too {'warm' if degrees > 0 else 'cold'}")
-    text = (
-        f"mean {mean * 1000:+.0f} um all along, form only {height * 1000:.0f} um: check for {', '.join(causes)}; else "
-        "the machine gives way"
+        warm = phrase("steel measured {:.0f} K too warm", degrees)
+        causes.append(warm if degrees > 0 else phrase("steel measured {:.0f} K too cold", -degrees))
+    text = phrase(
+        "mean {} all along, form only {}: check for {}; else the machine gives way",
+        um(mean, "+.0f"),
+        um(height, ".0f"),
+        joined(causes),
     )
     return [Finding("constant-offset", text, False, figure=mean)]
 
@@ -303,10 +329,14 @@ def _step(deviation: Deviation, profile: Profile) -> tuple[Finding | None, int]:
     others = groups[1] if off is groups[0] else groups[0]
     step = float(median[off].mean() - median[others].mean())
     x, y = deviation.foot[sides[off[0]]].mean(axis=0)
-    which = f"the side at X{x:.1f} Y{y:.1f} lies" if len(off) == 1 else f"{len(off)} sides (X{x:.1f} Y{y:.1f} …) lie"
-    text = (
-        f"{which} {step * 1000:+.0f} um from the other {len(others)} all along (each within {varies * 1000:.0f} um): "
-        "compare that dimension with the drawing; another revision, or a wall that gives way"
+    text = phrase(
+        "sides that lie {} off the other {} all along (each within {}): {}, the first at {}; compare that dimension "
+        "with the drawing: another revision, or a wall that gives way",
+        um(step, "+.0f"),
+        len(others),
+        um(varies, ".0f"),
+        len(off),
+        xy(x, y),
     )
     # Nothing that gives way cuts deeper than it is told to on one side and rightly on the others.
     deeper = step < -NO_MACHINE and float(median[off].max()) < -NO_MACHINE
@@ -351,12 +381,14 @@ def _moved_or_scaled(deviation: Deviation, profile: Profile, depth: float) -> tu
     fitted, explained, moved = _explained(clipped, np.column_stack([n, turn]))
     if 1.0 - explained <= left_over and moved >= NOTICEABLE:
         dx, dy, turned = fitted
-        text = message(
-            f"{100 * explained:.0f} % of the deviations are what a shift of X{dx * 1000:+.0f} ",
-            f"Y{dy * 1000:+.0f} um and a turn of {np.degrees(turned / size) * 3600:+.0f} arc seconds ",
-            "would give: check the alignment of the measurement (",
+        text = phrase(
+            "{:.0f} % of the deviations are what a shift of X{} Y{} and a turn of {:+.0f} arc "
+            "seconds would give: check the alignment of the measurement ({}), or correct the work offset",
+            100 * explained,
+            um(dx, "+.0f"),
+            um(dy, "+.0f"),
+            np.degrees(turned / size) * 3600,
             option("align"),
-            "), or correct the work offset",
         )
         misaligned = Finding("misalignment", text, moved > MISALIGNED, figure=moved)
     growth = (arm * n).sum(axis=1)
@@ -366,10 +398,13 @@ def _moved_or_scaled(deviation: Deviation, profile: Profile, depth: float) -> tu
     # The simpler goes first: of what a mean, a shift and a turn leave.
     if 1.0 - scaled <= left_over * (1.0 - explained) and moved > MISALIGNED:
         factor = 1.0 + float(fitted[3]) / size
-        text = message(
-            f"{100 * scaled:.0f} % of the deviations are what a size of {factor:.6f} times the profile's would "
-            f"give ({moved * 1000:.0f} um at the rim; steel makes 11.5 um per metre and degree): check temperature, "
-            "unit and scale of the measurement; no scale is ever applied"
+        text = phrase(
+            "{:.0f} % of the deviations are what a size of {:.6f} times the profile's would give ({} at "
+            "the rim; steel grows by 11.5 millionths a degree): check temperature, unit and scale of "
+            "the measurement; no scale is ever applied",
+            100 * scaled,
+            factor,
+            um(moved, ".0f"),
         )
         grown = Finding("scale", text, True, figure=factor)
     return misaligned, grown

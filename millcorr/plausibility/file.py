@@ -7,7 +7,7 @@ import numpy as np
 
 from millcorr import progress
 from millcorr.arrays import Floats
-from millcorr.messages import message, option, remedy
+from millcorr.messages import mm, option, phrase, remedy, um
 from millcorr.nc.codes import INCH
 from millcorr.readers.measurement import Measurement
 from millcorr.tolerances import EXACT
@@ -81,12 +81,14 @@ def identical_to_nominal(value: Floats, step: float) -> Finding | None:
     if largest > max(EXACT, ROUNDING * step):
         return None
     if largest <= EXACT:
-        seen = "every deviation is 0"
+        seen = phrase("every deviation is 0")
     else:
-        seen = f"no deviation is larger than {largest * 1000:.2f} um, what rounding to {step:g} mm alone makes"
-    text = (
-        f"{seen}: the nominal was probably exported in place of the measured points; export the actual points, to "
-        "0.0001 mm"
+        seen = phrase(
+            "no deviation is larger than {}, what rounding to {} alone makes", um(largest, ".2f"), mm(step, "g")
+        )
+    text = phrase(
+        "{}: the nominal was probably exported in place of the measured points; export the actual points, to 0.0001 mm",
+        seen,
     )
     return Finding("identical-to-nominal", text, False)
 
@@ -119,11 +121,20 @@ def _stated(measurement: Measurement, step: float) -> Finding | None:
         return None
     known = int((np.isfinite(recomputed) & np.isfinite(stated)).sum())
     turned = np.nan_to_num(np.abs(recomputed + stated)).max() <= allowed
-    remedy = "its sign is the other way round, positive into the material" if turned else "check what its columns mean"
-    text = (
-        f"{measurement.origin(worst)} states a deviation of {stated[worst]:+.4f} mm, its points give "
-        f"{recomputed[worst]:+.4f} mm ({int((gap > allowed).sum())} of {known} disagree): {remedy}; leave the column "
-        "of deviations out, or correct it"
+    remedy = (
+        phrase("its sign is the other way round, positive into the material")
+        if turned
+        else phrase("check what its columns mean")
+    )
+    text = phrase(
+        "{} states a deviation of {}, its points give {} ({} of {} disagree): {}; leave the column "
+        "of deviations out, or correct it",
+        measurement.origin(worst),
+        mm(stated[worst], "+.4f"),
+        mm(recomputed[worst], "+.4f"),
+        int((gap > allowed).sum()),
+        known,
+        remedy,
     )
     return Finding("stated-deviations", text, True)
 
@@ -132,9 +143,10 @@ def _height_map(measurement: Measurement) -> Finding | None:
     """Whether the points were touched from above, on a grid, for levelling."""
     if measurement.format != "height-map":
         return None
-    text = (
-        f"the {len(measurement)} points are a height map, touched along Z: they show nothing of a contour; touch its "
-        "walls, as `probe` writes it"
+    text = phrase(
+        "the {} points are a height map, touched along Z: they show nothing of a contour; touch its "
+        "walls with a measuring program",
+        len(measurement),
     )
     return Finding("height-map", text, True)
 
@@ -145,14 +157,20 @@ def _radius(measurement: Measurement) -> Finding | None:
     radius = next((r for r in radii if not BALLS[0] <= r <= BALLS[1]), None)
     if radius is None:
         return None
-    text = f"a ball of radius {radius:.4g} mm is on no touch probe ({BALLS[0]:g} to {BALLS[1]:g} mm)"
+    text = phrase(
+        "a ball of radius {} is on no touch probe ({} to {})", mm(radius, ".4g"), *(mm(ball, "g") for ball in BALLS)
+    )
     inch = radius * INCH
     if _assumed(measurement) and BALLS[0] <= inch <= BALLS[1]:
-        text += message(
-            f"; {radius:.4g} inch are {inch:.4g} mm, and the file does not say its unit: ", remedy("units", "inch")
+        text = phrase(
+            "{}; {:.4g} inch are {}, and the file does not say its unit: {}",
+            text,
+            radius,
+            mm(inch, ".4g"),
+            remedy("units", "inch"),
         )
     else:
-        text += message(": ", option("probe_radius"), " takes a radius in mm")
+        text = phrase("{}: {} takes a radius in mm", text, option("probe_radius"))
     return Finding("implausible-radius", text, True)
 
 
@@ -163,13 +181,13 @@ def _extent(measurement: Measurement) -> Finding | None:
     extent = float(np.ptp(measurement.points[:, :2], axis=0).max())
     if EXTENTS[0] <= extent <= EXTENTS[1]:
         return None
-    other = "metres or inches" if extent < EXTENTS[0] else "micrometres"
-    text = message(
-        f"the points extend over {extent:.4g} mm, and the file does not say its unit: {other}? Say ",
+    other = phrase("metres or inches") if extent < EXTENTS[0] else phrase("micrometres")
+    text = phrase(
+        "the points extend over {}, and the file does not say its unit: {}? Say {} if it is right, {}, or export in mm",
+        mm(extent, ".4g"),
+        other,
         remedy("units", "mm"),
-        " if it is right, ",
         remedy("units", "inch"),
-        ", or export in mm",
     )
     return Finding("implausible-extent", text, True)
 
@@ -183,8 +201,10 @@ def _coarse(step: float) -> Finding | None:
     if step <= COARSE:
         return None
     # A rounded number is uniformly distributed over a step: standard deviation step / sqrt(12).
-    text = (
-        f"the coordinates are given in steps of {step:g} mm, which alone scatters deviations by "
-        f"{step / np.sqrt(12) * 1000:.1f} um (standard deviation): export to 0.0001 mm"
+    text = phrase(
+        "the coordinates are given in steps of {}, which alone scatters deviations by {} (standard "
+        "deviation): export to 0.0001 mm",
+        mm(step, "g"),
+        um(step / np.sqrt(12)),
     )
     return Finding("coarse-resolution", text, False)

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 
 from millcorr.errors import DistrustError, UsageError
-from millcorr.messages import message, option
+from millcorr.messages import message, option, phrase
 
 NAMES = (
     "unit",
@@ -98,14 +98,16 @@ def refuse_dangerous(findings: Iterable[Finding], accepted: Collection[str], sou
     """
     unknown = sorted(set(accepted) - set(NAMES))
     if unknown:
-        raise UsageError(option("accept", unknown[0]), f": there is no such finding; known are {', '.join(NAMES)}")
+        raise UsageError(
+            phrase("{}: there is no such finding; known are {}", option("accept", unknown[0]), ", ".join(NAMES))
+        )
     notes = []
     for finding in findings:
         if finding.dangerous and finding.name not in accepted:
             raise DistrustError(
                 f"{source}: ", finding.text, finding=finding.name, place=finding.place, figure=finding.figure
             )
-        notes.append(message(f"accepted {finding.name}: ", finding.text) if finding.dangerous else finding.text)
+        notes.append(phrase("accepted {}: {}", finding.name, finding.text) if finding.dangerous else finding.text)
     return tuple(notes)
 
 

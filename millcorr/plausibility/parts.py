@@ -11,7 +11,7 @@ from millcorr import progress
 from millcorr.arrays import Floats
 from millcorr.comparison.deviation import Deviation
 from millcorr.geometry.profile import Profile
-from millcorr.messages import message, option
+from millcorr.messages import option, phrase, um
 from millcorr.readers.measurement import Measurement
 from millcorr.separation.parts import interpolated
 
@@ -79,9 +79,13 @@ def examine_parts(
             if share <= MOST:
                 share, within = _in_coarser_digits(parts[few], parts[many])
             if share > (MOST if within == SAME else REPRINTED):
-                text = (
-                    f"{100 * share:.0f} % of the points of {parts[few][0].source} lie within {within * 1000:.2g} um of "
-                    f"those of {parts[many][0].source}: the same part again, and no mean of two; give each part once"
+                text = phrase(
+                    "{:.0f} % of the points of {} lie within {} of those of {}: the same part again, and no mean "
+                    "of two; give each part once",
+                    100 * share,
+                    parts[few][0].source,
+                    um(within, ".2g"),
+                    parts[many][0].source,
                 )
                 found.append(Finding("same-part", text, True))
     name, first = parts[0][0].source, parts[0][1]
@@ -91,12 +95,13 @@ def examine_parts(
         unused = float((~np.isfinite(ahead)).mean()) if len(other) else 0.0
         # Where nothing at all is shared, averaging says so.
         if UNUSED < unused < 1.0:
-            text = message(
-                f"{100 * unused:.0f} % of the points of {source} lie where {name} has none, and only ",
-                "places of the first part tell the transfer function: name first the part that was measured ",
-                "all round (",
+            text = phrase(
+                "{:.0f} % of the points of {} lie where {} has none, and only places of the first part tell "
+                "the transfer function: name first the part that was measured all round ({})",
+                100 * unused,
+                source,
+                name,
                 option("measured", source),
-                ")",
             )
             found.append(Finding("first-part", text, True))
     return tuple(found)
@@ -162,10 +167,13 @@ def examine_program(deviation: Deviation, offset: Floats, gain: float = 1.0) -> 
     explained = min(1.0, 1.0 - unexplained)
     if explained < EXPLAINED:
         return ()
-    text = (
-        f"the part shows {100 * slope:.0f} % of just the errors (up to {np.abs(offset).max() * 1000:.0f} um) that the "
-        f"program takes away already, {100 * explained:.0f} % of its deviations: was it cut with this program, and not "
-        "with the earlier one? Measure a part cut with this program, or give the program that cut this one"
+    text = phrase(
+        "the part shows {:.0f} % of just the errors (up to {}) that the program takes away already, "
+        "{:.0f} % of its deviations: was it cut with this program, and not with the earlier one? "
+        "Measure a part cut with this program, or give the program that cut this one",
+        100 * slope,
+        um(np.abs(offset).max(), ".0f"),
+        100 * explained,
     )
     return (Finding("earlier-program", text, True),)
 

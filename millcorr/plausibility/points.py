@@ -11,7 +11,7 @@ from millcorr.comparison.ball_radius import axis_signature
 from millcorr.comparison.deviation import REACH
 from millcorr.geometry.footpoint import FootPoints, FootPointSearch, Place
 from millcorr.geometry.profile import Profile
-from millcorr.messages import message, option, remedy
+from millcorr.messages import message, mm, option, phrase, remedy, xy
 from millcorr.nc.codes import INCH
 from millcorr.readers.measurement import Measurement
 
@@ -115,10 +115,10 @@ def _other_nominal(measurement: Measurement, search: FootPointSearch, step: int)
     away = float(np.median(np.abs(search.find(nominal).distance))) if len(nominal) else 0.0
     if away <= OTHER_NOMINAL:
         return ()
-    text = message(
-        f"the file's own nominal points lie {away:.3f} mm off the profile: check ",
+    text = phrase(
+        "the file's own nominal points lie {} off the profile: check {}, the operation and the work frame",
+        mm(away),
         option("nominal"),
-        ", the operation and the work frame",
     )
     return (Finding("other-nominal", text, True, figure=away),)
 
@@ -138,9 +138,11 @@ def _normals_reversed(
     other = np.where(moved, np.abs(said.distance - measurement.ball_radius), np.inf)
     if np.median(np.abs(value[against])) > FAR_BETTER * np.median(other[against]):
         return ()
-    text = (
-        f"the normals of {int(against.sum())} of {int(belongs.sum())} points point into the material: export normals "
-        "out of the material, not directions of approach"
+    text = phrase(
+        "the normals of {} of {} points point into the material: export normals out of the material, "
+        "not directions of approach",
+        int(against.sum()),
+        int(belongs.sum()),
     )
     return (Finding("normals-reversed", text, bool(moved[against].any())),)
 
@@ -159,10 +161,13 @@ def _thin_walls(
     worst = int(np.argmin(np.where(doubtful, wall, np.inf)))
     x, y = measurement.points[worst * step, :2]
     count = int(doubtful.sum())
-    text = (
-        f"{count} {'point' if count == 1 else 'points'} on a wall of {wall[worst]:.3f} mm (X{x:.3f} Y{y:.3f}, "
-        f"{measurement.origin(worst * step)}) {'lies' if count == 1 else 'lie'} so far off that the other side may be "
-        "meant, and the file has no normals: export normals"
+    text = phrase(
+        "points on thin walls that lie so far off that the other side may be meant: {}, the thinnest wall {} ({}, {}); "
+        "the file has no normals: export normals",
+        count,
+        mm(wall[worst]),
+        xy(x, y),
+        measurement.origin(worst * step),
     )
     return (Finding("thin-wall", text, bool(count >= 3 and count > SOME * len(value)), place=(float(x), float(y))),)
 
@@ -196,22 +201,28 @@ def _wrong_frame(points: Floats, search: FootPointSearch, ball: float, near: flo
     its own mirror image has all of them nearly on it.
     """
     x, y = points.T
-    mirror, turn = "mirror the work frame of the measurement", "turn the work frame of the measurement back"
+    mirror = phrase("mirror the work frame of the measurement")
+    turn = phrase("turn the work frame of the measurement back")
     attempts = (
-        ("unit", f"times {INCH}", points * INCH, message("the file is in inches: ", remedy("units", "inch"))),
         (
             "unit",
-            f"divided by {INCH}",
-            points / INCH,
-            message("the file is in millimetres or was converted twice: ", remedy("units", "mm")),
+            phrase("times {:g}", INCH),
+            points * INCH,
+            phrase("the file is in inches: {}", remedy("units", "inch")),
         ),
-        ("mirrored", "with x reversed", np.column_stack([-x, y]), mirror),
-        ("mirrored", "with y reversed", np.column_stack([x, -y]), mirror),
-        ("mirrored", "with x and y exchanged", np.column_stack([y, x]), "exchange the columns x and y"),
-        ("mirrored", "with x and y exchanged and reversed", np.column_stack([-y, -x]), mirror),
-        ("turned", "turned by 180 degrees", -points, turn),
-        ("turned", "turned by 90 degrees", np.column_stack([-y, x]), turn),
-        ("turned", "turned by -90 degrees", np.column_stack([y, -x]), turn),
+        (
+            "unit",
+            phrase("divided by {:g}", INCH),
+            points / INCH,
+            phrase("the file is in millimetres or was converted twice: {}", remedy("units", "mm")),
+        ),
+        ("mirrored", phrase("with x reversed"), np.column_stack([-x, y]), mirror),
+        ("mirrored", phrase("with y reversed"), np.column_stack([x, -y]), mirror),
+        ("mirrored", phrase("with x and y exchanged"), np.column_stack([y, x]), phrase("exchange the columns x and y")),
+        ("mirrored", phrase("with x and y exchanged and reversed"), np.column_stack([-y, -x]), mirror),
+        ("turned", phrase("turned by {} degrees", 180), -points, turn),
+        ("turned", phrase("turned by {} degrees", 90), np.column_stack([-y, x]), turn),
+        ("turned", phrase("turned by {} degrees", -90), np.column_stack([y, -x]), turn),
     )
     best: tuple[float, Finding] | None = None
     # A part with its zero at a corner lies on the profile as a speck, too: in its unit it is as large as the profile.
@@ -224,13 +235,13 @@ def _wrong_frame(points: Floats, search: FootPointSearch, ball: float, near: flo
         value = np.abs(search.find(np.ascontiguousarray(changed)).distance - ball)
         share, middle = float((value <= REACH).mean()), float(np.median(value))
         if share > max(0.5, 1.2 * near):
-            seen = f"{100 * near:.0f} % of the points lie on the profile, but {how} {100 * share:.0f} %: "
+            seen = phrase("{:.0f} % of the points lie on the profile, but {} {:.0f} %", 100 * near, how, 100 * share)
         elif share >= near and typical > LARGE and middle < FAR_BETTER * typical:
-            seen = f"the points lie typically {typical:.3f} mm off the profile, but {how} {middle:.3f} mm: "
+            seen = phrase("the points lie typically {} off the profile, but {} {}", mm(typical), how, mm(middle))
         else:
             continue
         if best is None or middle < best[0]:
-            best = middle, Finding(name, message(seen, way_out), True)
+            best = middle, Finding(name, message(seen, ": ", way_out), True)
     return None if best is None else best[1]
 
 
@@ -242,63 +253,66 @@ def _extent(points: Floats) -> float:
 def _constant_offset(
     offset: float, scatter: float, ball: float, cutter_radius: float, depth: float, allowance: float
 ) -> Finding:
-    surface = f"the surface {allowance:g} mm over the profile" if allowance else "the profile"
-    seen = f"the points lie {offset:+.3f} mm off {surface} all along, with only {scatter:.3f} mm of scatter"
+    surface = phrase("the surface {} over the profile", mm(allowance, "g")) if allowance else phrase("the profile")
+    seen = phrase(
+        "the points lie {} off {} all along, with only {} of scatter", mm(offset, "+.3f"), surface, mm(scatter)
+    )
     near = SMALL_SCATTER
     if ball > 0 and abs(offset + ball) < near * ball:
         return Finding(
             "compensated-twice",
-            message(f"{seen}: they are contact points already: ", remedy("points", "contact")),
+            phrase("{}: they are contact points already: {}", seen, remedy("points", "contact")),
             True,
         )
     if ball > 0 and abs(offset + ball / 2) < near * ball / 2:
-        text = message(
-            f"{seen}: ", option("probe_radius"), " seems to be the diameter: ", remedy("probe_radius", ball / 2)
+        text = phrase(
+            "{}: {} seems to be the diameter: {}", seen, option("probe_radius"), remedy("probe_radius", ball / 2)
         )
         return Finding("diameter-for-radius", text, True, figure=offset)
     if ball > 0 and abs(offset - ball) < near * ball:
-        text = message(
-            f"{seen}: ",
+        text = phrase(
+            "{}: {} seems to be half of what it should be: {}",
+            seen,
             option("probe_radius"),
-            " seems to be half of what it should be: ",
             remedy("probe_radius", 2 * ball),
         )
         return Finding("radius-for-diameter", text, True, figure=offset)
     if abs(abs(offset) - 2 * cutter_radius) < near * cutter_radius:
-        text = message(
-            f"{seen}, the cutter's diameter: the profile was taken on the wrong side of the path: ", option("side")
+        text = phrase(
+            "{}, the cutter's diameter: the profile was taken on the wrong side of the path: {}", seen, option("side")
         )
         return Finding("wrong-side", text, True, figure=offset)
     if elastic.expected(offset, offset, depth) and (ball > 0 or not elastic.like_a_ball(offset)):
-        seen = f"{seen}: what a transfer function of {elastic.transfer(offset, depth):.3f} leaves of {depth:g} mm"
+        seen = phrase(
+            "{}: what a transfer function of {:.3f} leaves of {}", seen, elastic.transfer(offset, depth), mm(depth, "g")
+        )
         return Finding(
-            "constant-offset", message(f"{seen}; check ", option("tool_diameter"), " if that seems much"), False
+            "constant-offset", phrase("{}; check {} if that seems much", seen, option("tool_diameter")), False
         )
     if allowance:
-        text = message(
-            f"{seen}: check ",
+        text = phrase(
+            "{}: check {}, by this {} were left, and {} and {}",
+            seen,
             option("allowance", allowance),
-            f", by this {allowance + offset:.2f} mm were left, and ",
+            mm(allowance + offset, ".2f"),
             option("points"),
-            " and ",
             option("probe_radius"),
         )
         return Finding("constant-offset", text, True, figure=offset)
     if ball == 0 and CONSTANT_OFFSET < offset < 10:
-        text = message(
-            f"{seen}: they look like centres of a ball of about that radius: ",
+        text = phrase(
+            "{}: they look like centres of a ball of about that radius: {} with the radius from the "
+            "probe's calibration; or stock was left there ({}), or the tool differs from {}",
+            seen,
             remedy("points", "centre"),
-            " with the radius from the probe's calibration; or stock was left there (",
             option("allowance"),
-            "), or the tool differs from ",
             option("tool_diameter"),
         )
         return Finding("ball-not-compensated", text, True, figure=offset)
-    stock = message(" ", option("allowance"), " (stock left on the part),") if offset > 0 else ""
-    return Finding(
-        "constant-offset",
-        message(
-            f"{seen}: check ", option("tool_diameter"), ",", stock, " ", option("probe_radius"), " and the work frame"
-        ),
-        True,
-    )
+    tool, probe = option("tool_diameter"), option("probe_radius")
+    if offset > 0:
+        left = option("allowance")
+        text = phrase("{}: check {}, {} (stock left on the part), {} and the work frame", seen, tool, left, probe)
+    else:
+        text = phrase("{}: check {}, {} and the work frame", seen, tool, probe)
+    return Finding("constant-offset", text, True)

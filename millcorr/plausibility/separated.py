@@ -10,7 +10,7 @@ import numpy as np
 
 from millcorr.comparison.deviation import Deviation
 from millcorr.geometry.profile import Profile, Stretch
-from millcorr.messages import message, option
+from millcorr.messages import at_z, option, phrase, um, xy
 from millcorr.separation import Separated
 
 from .findings import Finding
@@ -135,11 +135,13 @@ def _unmeasured(separated: Separated, profile: Profile, most: float) -> tuple[Fi
     if profile.contours[widest.contour].closed:
         ends %= float(profile.total[widest.contour])
     (x0, y0), (x1, y1) = profile.at(np.full(2, widest.contour), ends)[0]
-    text = message(
-        f"{100 * share:.0f} % of the contour has no measured point near, most of it between ",
-        f"X{x0:.3f} Y{y0:.3f} and X{x1:.3f} Y{y1:.3f}: measure there, or say with ",
+    text = phrase(
+        "{:.0f} % of the contour has no measured point near, most of it between {} and {}: measure "
+        "there, or say with {} how much may be left to the mean",
+        100 * share,
+        xy(x0, y0),
+        xy(x1, y1),
         option("unmeasured_share", of="SHARE"),
-        " how much may be left to the mean",
     )
     return (Finding("unmeasured", text, True, place=(float(x0), float(y0)), figure=share),)
 
@@ -150,11 +152,13 @@ def _outliers(deviation: Deviation, separated: Separated) -> tuple[Finding, ...]
     if share <= NOTICEABLE:
         return ()
     first = np.flatnonzero(wrong[: len(deviation)])
-    place = ""
+    counts = int(wrong.sum()), len(wrong)
+    text = phrase("{} of {} points are outliers: clean the part and the probe, measure again", *counts)
     if len(first):
-        x, y = deviation.foot[first[0]]
-        place = f", the first at X{x:.3f} Y{y:.3f}"
-    text = f"{int(wrong.sum())} of {len(wrong)} points are outliers{place}: clean the part and the probe, measure again"
+        place = xy(*deviation.foot[first[0]])
+        text = phrase(
+            "{} of {} points are outliers, the first at {}: clean the part and the probe, measure again", *counts, place
+        )
     return (Finding("outliers", text, share > MANY, figure=share),)
 
 
@@ -165,7 +169,7 @@ def _heights(separated: Separated, profile: Profile) -> tuple[Finding, ...]:
         return ()
     mean = {one.level: one.mean for one in separated.levels}
     differing = [one.level for one in separated.levels if one.significant]
-    most, low, high, where = 0.0, 0, 0, "all along"
+    most, low, high, where = 0.0, 0, 0, phrase("all along")
     if len(differing) >= 2:
         low, high = min(differing, key=mean.__getitem__), max(differing, key=mean.__getitem__)
         most = mean[high] - mean[low]
@@ -182,14 +186,18 @@ def _heights(separated: Separated, profile: Profile) -> tuple[Finding, ...]:
             if profile.contours[contour].closed:
                 at %= float(profile.total[contour])
             x, y = profile.at(np.array([contour]), np.array([at]))[0][0]
-            where = f"at X{x:.3f} Y{y:.3f}, {(mean[high] - mean[low]) * 1000:+.1f} um on the average"
+            where = phrase("at {}, {} on the average", xy(x, y), um(mean[high] - mean[low], "+.1f"))
     if most < LEANING:
         return ()
     seen = separated.observed
     height = seen.level if seen.z is None else seen.z
     z = [float(height[seen.level == level].mean()) for level in (high, low)]
-    text = (
-        f"the wall leans: at Z{z[0]:g} it has {most * 1000:.1f} um more than at Z{z[1]:g} {where}; one path corrects "
-        "the mean of the heights: a spring pass or less overhang of the tool takes the lean away"
+    text = phrase(
+        "the wall leans: at {} it has {} more than at {} {}; one path corrects the mean of the "
+        "heights: a spring pass or less overhang of the tool takes the lean away",
+        at_z(z[0]),
+        um(most),
+        at_z(z[1]),
+        where,
     )
     return (Finding("many-levels", text, False),)

@@ -18,7 +18,6 @@ from millcorr.decimal_text import lines
 from millcorr.geometry import step
 from millcorr.pipeline import Result
 from millcorr.production import contour_check
-from millcorr.separation import Filter
 from millcorr.whole_file import write_together
 
 from .exports import Exports
@@ -156,8 +155,8 @@ def deviation_lines(result: Result) -> Iterator[bytes]:
         return out
 
     used = np.zeros(rows, dtype=np.int64)
-    leaves_out = Filter.parse(result.request.settings.filter).leaves_out
-    used[d.index] = ~result.outlier if leaves_out else 1
+    used[d.index] = 1
+    used[[point.index for point in result.left_out]] = 0
     contact = d.foot + d.value[:, None] * d.normal
     yield from lines(
         (

@@ -11,8 +11,8 @@ from millcorr.comparison.deviation import statistics
 from millcorr.pipeline import Result
 from millcorr.process.prediction.foreseen import Foreseen
 
-from .html import html_facts, html_table, mm, plural, um
-from .plots import MICRO
+from . import reader
+from .html import capital, html_facts, html_table, mm, plural, um, with_unit
 
 _BESIDE = "\N{PLUS-MINUS SIGN}"
 
@@ -50,9 +50,9 @@ def foreseen_section(result: Result) -> str:
         s = statistics(cut.deviation.value)
         signed = [um(s[key], True) for key in ("mean", "min", "max")]
         rows.append((name, um(cut.largest), *signed, um(s["height"]), um(s["std"])))
-    table = html_table((f"error expected / {MICRO}", "largest", "mean", "min", "max", "height", "std"), rows)
+    table = html_table((f"error expected / {reader.fine()}", "largest", "mean", "min", "max", "height", "std"), rows)
     notes = [text for text in result.advice if text not in foreseen.advice()]
-    more = "".join(f"<p>{escape(text[:1].upper() + text[1:])}.</p>" for text in notes)
+    more = "".join(f"<p>{escape(capital(text))}.</p>" for text in notes)
     return f"<h2>Predicted by the model</h2><p>{words}</p>{html_facts(_facts(result, foreseen))}{table}{more}"
 
 
@@ -60,24 +60,24 @@ def _facts(result: Result, foreseen: Foreseen) -> list[tuple[str, str]]:
     axes, machine = foreseen.axes, foreseen.machine
     its = foreseen.before.setup.machine
     kx, ky = its.stiffness()
-    along = "".join(f"; at s = {at:g} mm {x:.0f}, {y:.0f}" for at, x, y in its.stiffness_along)
+    along = "".join(f"; at s = {reader.length(at)} {x:.0f}, {y:.0f}" for at, x, y in its.stiffness_along)
     facts = [("Setup", setup_name(foreseen))]
     if axes is not None and machine is not None:
         (x, y), (ux, uy) = axes.ms, axes.ms_std
         told = "" if axes.separate else "; the touches do not tell the axes apart: both are taken alike"
         facts += [
             ("Transfer function of the axes", f"MSx {_with(x, ux)}, MSy {_with(y, uy)} at the first touch{told}"),
-            ("Depth of the touched part", f"{mm(axes.depth)} mm"),
+            ("Depth of the touched part", f"{mm(axes.depth)} {reader.coarse()}"),
             (
                 "Machine that leaves what was touched",
                 f"stiffness X {kx:.4g} N/mm, Y {ky:.4g} N/mm{along} with the setup's forces, within "
-                f"{um(machine.misfit)} {MICRO} of the touches",
+                f"{with_unit(machine.misfit)} of the touches",
             ),
         ]
     else:
         facts.append(("Machine of the setup", f"stiffness X {kx:.4g} N/mm, Y {ky:.4g} N/mm{along}"))
     bound = result.request.settings.iterate
-    wanted = "" if bound is None else f", until at most {um(bound)} {MICRO} are expected"
+    wanted = "" if bound is None else f", until at most {with_unit(bound)} are expected"
     return [*facts, ("Corrected and simulated", f"{plural(len(foreseen.after), 'time')}{wanted}")]
 
 

@@ -14,8 +14,9 @@ from millcorr.production import history
 from millcorr.production.journal import Chain, Entry
 from millcorr.whole_file import write_together
 
-from .html import figure, html_facts, html_page, html_table
-from .plots import MICRO, UM, WIDTH, Plot, frame, value_axis
+from . import reader
+from .html import figure, html_facts, html_page, html_table, um
+from .plots import WIDTH, Plot, frame, value_axis
 from .svg import MARKERS, Axis, Canvas, bars, markers, polyline
 
 FILES = ("history.html", "history.csv")
@@ -70,7 +71,7 @@ def _chain(chain: Chain) -> str:
     for e in entries:
         d = e.statistics["deviation"]
         values = (d["mean"], d["std"], d["height"], e.statistics["determined"], e.statistics.get("smoothed", np.nan))
-        numbers = [f"{v * UM:.2f}" if np.isfinite(v) else "" for v in (*values, e.statistics["correction"])]
+        numbers = [um(v) if np.isfinite(v) else "" for v in (*values, e.statistics["correction"])]
         rows.append([f"{e.part}", e.time, *numbers, history.decision_in_words(e)])
     head = ("part", "time (UTC)", "mean", "std", "height", "largest", "smoothed", "correction", "decision")
     out.append(html_table(head, rows))
@@ -85,9 +86,9 @@ def _chain(chain: Chain) -> str:
         )
     )
     out.append(
-        f"<p class=small>Deviations in {MICRO}, positive where material is left. largest: determined deviation at its "
-        "largest; smoothed: what was compared with the limit; correction: sum of all corrections in force for the "
-        "next part, at its largest place.</p></section>"
+        f"<p class=small>Deviations in {reader.fine()}, positive where material is left. largest: determined deviation "
+        "at its largest; smoothed: what was compared with the limit; correction: sum of all corrections in force for "
+        "the next part, at its largest place.</p></section>"
     )
     return "\n".join(part for part in out if part)
 
@@ -115,12 +116,14 @@ def deviations(entries: Sequence[Entry]) -> Plot:
     )
     x = _parts_axis(entries)
     part = np.array([e.part for e in entries], dtype=np.float64)
-    low, mean, high = (np.array([e.statistics["deviation"][k] for e in entries]) * UM for k in ("min", "mean", "max"))
-    smoothed = np.array([e.statistics.get("smoothed", np.nan) for e in entries]) * UM
-    limit = np.array([e.settings.get("control", {}).get("limit", np.nan) for e in entries]) * UM
+    low, mean, high = (
+        np.array([e.statistics["deviation"][k] for e in entries]) * reader.fine_per_mm() for k in ("min", "mean", "max")
+    )
+    smoothed = np.array([e.statistics.get("smoothed", np.nan) for e in entries]) * reader.fine_per_mm()
+    limit = np.array([e.settings.get("control", {}).get("limit", np.nan) for e in entries]) * reader.fine_per_mm()
     shown = np.concatenate([low, high, smoothed, limit, -limit])
     y = value_axis(shown[np.isfinite(shown)], 30 + HEIGHT, 30.0)
-    frame(canvas, x, y, "part", f"deviation / {MICRO}")
+    frame(canvas, x, y, "part", f"deviation / {reader.fine()}")
     for e in entries:
         if e.corrected:
             canvas.line(x.at(e.part + 0.5), y.start, x.at(e.part + 0.5), y.end, "corner")
@@ -145,10 +148,10 @@ def machine(entries: Sequence[Entry]) -> Plot:
     canvas.legend(56, 14, [(name, [(css, MARKERS[shape])]) for name, (css, shape) in _SHAPES.items()])
     x = _parts_axis(entries)
     part = np.array([e.part for e in entries], dtype=np.float64)
-    value = {name: own * UM for name, (own, _) in history.machine(entries).items()}
+    value = {name: own * reader.fine_per_mm() for name, (own, _) in history.machine(entries).items()}
     shown = np.concatenate(list(value.values()))
     y = value_axis(shown[np.isfinite(shown)], 30 + HEIGHT, 30.0)
-    frame(canvas, x, y, "part", f"deviation / {MICRO}")
+    frame(canvas, x, y, "part", f"deviation / {reader.fine()}")
     for name, v in value.items():
         known = np.isfinite(v)
         css, shape = _SHAPES[name]
@@ -158,7 +161,7 @@ def machine(entries: Sequence[Entry]) -> Plot:
         at = x.at(entries[change.part].part - 0.5)
         if change.kind == "jump":
             canvas.line(at, y.start, at, y.end, "corner")
-            canvas.text(at + 3, y.end + 10, f"{change.size * UM:+.1f} {MICRO}")
+            canvas.text(at + 3, y.end + 10, reader.shown(change.size, "+.1f"))
     return Plot(
         str(canvas),
         "Measured deviation less what the program commands, so that corrections do not show: mean along the contour, "

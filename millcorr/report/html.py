@@ -10,7 +10,9 @@ from html import escape
 
 from millcorr import __version__
 
-from .plots import COLOURS, STYLE, UM, Plot
+from . import reader
+from .length_unit import MM
+from .plots import COLOURS, STYLE, Plot
 
 MINUS, DASH, DOT = "\N{MINUS SIGN}", "\N{EN DASH}", "\N{MIDDLE DOT}"
 
@@ -121,28 +123,41 @@ footer{border-top:1px solid var(--faint);margin-top:28px;padding-top:8px}
 
 
 def um(value: float, signed: bool = False) -> str:
-    """Micrometres with two decimals."""
+    """A deviation given in mm, in the reader's small unit: micrometres with two decimals."""
     if not math.isfinite(value):
         return DASH
-    text = f"{value * UM:+.2f}" if signed else f"{value * UM:.2f}"
+    digits = 1 + reader.unit().fine_digits
+    text = f"{value * reader.fine_per_mm():{'+' if signed else ''}.{digits}f}"
     if float(text) == 0:
-        text = "0.00"
+        text = f"{0.0:.{digits}f}"
     return text.replace("-", MINUS)
 
 
+def with_unit(value: float, signed: bool = False) -> str:
+    """The same with the unit's name."""
+    return f"{um(value, signed)} {reader.fine()}"
+
+
 def mm(value: float, digits: int = 3) -> str:
-    """Millimetres, or a dash."""
-    return f"{value:.{digits}f}".replace("-", MINUS) if math.isfinite(value) else DASH
+    """A length given in mm, in the reader's unit, to the last digit of one in mm; or a dash."""
+    digits += reader.unit().digits - MM.digits
+    return f"{value / reader.unit().mm:.{digits}f}".replace("-", MINUS) if math.isfinite(value) else DASH
 
 
 def coordinates(x: float, y: float) -> str:
-    """A place as a machinist writes it, mm."""
+    """A place as a machinist writes it."""
     return f"X{mm(x)} Y{mm(y)}"
 
 
 def grouped(count: int) -> str:
     """A whole number in groups of three digits."""
     return f"{count:,}".replace(",", "\N{NARROW NO-BREAK SPACE}")
+
+
+def capital(said: str) -> str:
+    """A message in the reader's words, as a sentence begins."""
+    text = reader.worded(said)
+    return text[:1].upper() + text[1:]
 
 
 def plural(count: int, thing: str) -> str:
@@ -163,7 +178,7 @@ def html_table(head: Sequence[str], rows: Iterable[Sequence[str]], css: str = "n
 
 def html_notes(notes: Iterable[str]) -> str:
     """Statements for the top of a page."""
-    return "".join(f"<p class=note>{escape(note)}</p>" for note in notes)
+    return "".join(f"<p class=note>{escape(reader.worded(note))}</p>" for note in notes)
 
 
 def html_tiles(tiles: Iterable[tuple[str, str]]) -> str:

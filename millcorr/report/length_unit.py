@@ -6,6 +6,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import isfinite
 
+from millcorr.messages import Coordinates, Length
+
 
 @dataclass(frozen=True, slots=True)
 class LengthUnit:
@@ -38,6 +40,23 @@ class LengthUnit:
     def fine_number(self, value: float, sign: str = "+") -> str:
         """The same in the small unit."""
         return f"{value / self.fine_mm:{sign}z.{self.fine_digits}f}"
+
+    def said(self, length: Length) -> str:
+        """A length of a message, to as many digits as it is given in mm."""
+        number = length.mm / (self.fine_mm if length.fine else self.mm)
+        form = length.form
+        if form.endswith("f"):
+            sign, _, digits = form[:-1].rpartition(".")
+            coarser = (self.fine_digits - MM.fine_digits) if length.fine else (self.digits - MM.digits)
+            form = f"{sign}.{int(digits) + coarser}f"
+        elif self.mm != MM.mm:
+            form = ".4g"
+        return f"{number:{form}} {self.fine if length.fine else self.name}"
+
+    def coordinates(self, place: Coordinates) -> str:
+        """A place of a message; its numbers are in this unit."""
+        digits = self.digits - 1
+        return " ".join(f"{axis}{v / self.mm:.{digits}f}" for axis, v in zip(place.axes, place.values, strict=True))
 
     def in_fine(self, micrometres: float) -> float:
         """A length given in micrometres, in the small unit."""

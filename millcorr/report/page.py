@@ -15,12 +15,16 @@ from millcorr.arrays import Floats
 from millcorr.comparison.deviation import statistics
 from millcorr.correction import provenance
 from millcorr.correction.largest import LargestCorrection, largest_correction
+from millcorr.correction.settings import Settings
+from millcorr.options import options_of
 from millcorr.pipeline import Result
 
+from . import reader
 from .foreseen import foreseen_section, nothing_measured, setup_name
 from .html import (
     DOT,
     MINUS,
+    capital,
     coordinates,
     figure,
     grouped,
@@ -32,8 +36,9 @@ from .html import (
     mm,
     plural,
     um,
+    with_unit,
 )
-from .plots import COVERAGE, MICRO, Plot, along_contour, histogram
+from .plots import COVERAGE, Plot, along_contour, histogram
 from .posterior import posteriors
 from .transfer import transfer_section
 from .verdict import what_to_do
@@ -124,11 +129,11 @@ def _corrected_before(result: Result) -> bool:
 def _verdict(result: Result, largest: LargestCorrection) -> str:
     d, settings, proof = result.deviation, result.request.settings, result.verification
     words = []
-    do, why = what_to_do(result.summary()).split(": ", 1)
-    first = f"<p class=verdict><b>{escape(do[:1].upper() + do[1:])}</b>: {escape(why)}.</p>"
+    do, why = what_to_do(result.summary())
+    first = f"<p class=verdict><b>{escape(capital(do))}</b>: {escape(reader.worded(why))}.</p>"
     if len(d):
         s, count = statistics(d.value), len(d) + len(d.rejected)
-        span = f"{um(s['min'], True)} to {um(s['max'], True)} {MICRO}, {um(s['mean'], True)} {MICRO} in the mean."
+        span = f"{um(s['min'], True)} to {with_unit(s['max'], True)}, {with_unit(s['mean'], True)} in the mean."
         measurement, foreseen = result.request.measurement, result.foreseen
         if foreseen is not None and nothing_measured(result):
             words.append(f"<b>Nothing was measured</b>: the model of {escape(setup_name(foreseen))} leaves {span}")
@@ -138,8 +143,8 @@ def _verdict(result: Result, largest: LargestCorrection) -> str:
             words.append(f"{plural(count, 'measured point')} ({escape(name)}) {show} deviations of {span}")
         if foreseen is not None:
             words.append(
-                f"The model expects at most {um(foreseen.before.largest)} {MICRO} along the whole contour before the "
-                f"correction and {um(foreseen.after[-1].largest)} {MICRO} after it."
+                f"The model expects at most {with_unit(foreseen.before.largest)} along the whole contour before the "
+                f"correction and {with_unit(foreseen.after[-1].largest)} after it."
             )
     else:
         words.append("No measurement: the path is laid on the exact parallel of the nominal contour.")
@@ -150,13 +155,13 @@ def _verdict(result: Result, largest: LargestCorrection) -> str:
         words.append(f"<b>{plural(moves.changed, 'move')} of the program change</b> by the path's own error only.")
     else:
         words.append(
-            f"<b>The correction moves the contour by up to {um(largest.value, True)} {MICRO}</b> (at "
+            f"<b>The correction moves the contour by up to {with_unit(largest.value, True)}</b> (at "
             f"{coordinates(*largest.point)}) and changes {plural(moves.changed, 'move')}."
         )
     kept = "within" if proof.path_error_max <= settings.tolerance else "<b>outside</b>"
     words.append(
-        f"Read back, the program keeps the exact path to {um(proof.path_error_max)} {MICRO}, {kept} its tolerance of "
-        f"{um(settings.tolerance)} {MICRO}."
+        f"Read back, the program keeps the exact path to {with_unit(proof.path_error_max)}, {kept} its tolerance of "
+        f"{with_unit(settings.tolerance)}."
     )
     return f"{first}<p class=verdict>{' '.join(words)}</p>"
 
@@ -167,40 +172,41 @@ def _tiles(result: Result, largest: LargestCorrection) -> str:
         before, after = statistics(result.deviation.value), statistics(result.predicted)
         mean = f"{um(before['mean'], True)} {ARROW} {um(after['mean'], True)}"
         height = f"{um(before['height'])} {ARROW} {um(after['height'])}"
-        tiles.append((mean, f"mean deviation, {MICRO}, before and predicted"))
-        tiles.append((height, f"height (max {MINUS} min), {MICRO}, before and predicted"))
-    tiles.append((f"{um(largest.value, True)} {MICRO}", "largest correction of the contour"))
+        tiles.append((mean, f"mean deviation, {reader.fine()}, before and predicted"))
+        tiles.append((height, f"height (max {MINUS} min), {reader.fine()}, before and predicted"))
+    tiles.append((f"{with_unit(largest.value, True)}", "largest correction of the contour"))
     if len(result.deviation) == 0:
         tiles.append((plural(result.regeneration.changed, "move"), "changed in the program"))
-    tiles.append((f"{um(result.verification.path_error_max)} {MICRO}", "largest path error of the program, read back"))
+    tiles.append((f"{with_unit(result.verification.path_error_max)}", "largest path error of the program, read back"))
     return html_tiles(tiles)
 
 
 def _warnings(result: Result) -> str:
     if not result.warnings:
         return ""
-    items = "".join(f"<li>{escape(text)}</li>" for text in result.warnings)
+    items = "".join(f"<li>{escape(reader.worded(text))}</li>" for text in result.warnings)
     title = "Warning" if len(result.warnings) == 1 else f"{len(result.warnings)} warnings"
     return f"<section class=warnings><b>{title}</b><ul>{items}</ul></section>"
 
 
-_SIGN = (
-    "Deviations are signed along the nominal's normal: <b>positive is excess material, negative is undercut</b>. "
-    f"Deviations in {MICRO}, coordinates and lengths in mm."
-)
+def _sign() -> str:
+    return (
+        "Deviations are signed along the nominal's normal: <b>positive is excess material, negative is undercut</b>. "
+        f"Deviations in {reader.fine()}, coordinates and lengths in {reader.coarse()}."
+    )
 
 
 def _deviations(result: Result) -> str:
     d = result.deviation
     if not len(d):
-        return f"<h2>Deviations</h2><p>No points were measured.</p><p class=small>{_SIGN}</p>"
+        return f"<h2>Deviations</h2><p>No points were measured.</p><p class=small>{_sign()}</p>"
     columns = (("before", d.value), ("determined part", result.filtered), ("predicted after", result.predicted))
     rows = []
     for name, value in columns:
         s = statistics(value)
         signed = [um(s[key], True) for key in ("mean", "min", "max")]
         rows.append((name, *signed, um(s["height"]), um(s["std"]), um(profile_value(value))))
-    head = (MICRO, "mean", "min", "max", "height", "std", "profile value")
+    head = (reader.fine(), "mean", "min", "max", "height", "std", "profile value")
     if nothing_measured(result):
         words = "All by the model: the program as it came, and after the correction, each simulated."
     elif result.foreseen is not None:
@@ -211,7 +217,7 @@ def _deviations(result: Result) -> str:
     if result.foreseen is None:
         words += " " + _next_part(result)
     return (
-        f"<h2>Deviations</h2>{html_table(head, rows)}<p class=small>{_SIGN}</p><p class=small>{words}</p>"
+        f"<h2>Deviations</h2>{html_table(head, rows)}<p class=small>{_sign()}</p><p class=small>{words}</p>"
         + _points(result)
         + _by_level(result)
     )
@@ -223,7 +229,7 @@ def _next_part(result: Result) -> str:
     if math.isfinite(again):
         return (
             "The next part brings its own random part: measured the same way, a standard deviation of about "
-            f"<b>{um(again)} {MICRO}</b> is to be expected."
+            f"<b>{with_unit(again)}</b> is to be expected."
         )
     return (
         "The random part is not known here, so the prediction is too favourable: the next part brings its own, "
@@ -238,22 +244,25 @@ def _points(result: Result) -> str:
         return f"<p>{plural(len(d), 'point')} of the simulated surface.</p>"
     kind = "contact points"
     if measurement.ball_radius > 0:
-        kind = f"ball centres, ball radius {measurement.ball_radius:g} mm"
+        kind = f"ball centres, ball radius {reader.length(measurement.ball_radius)}"
     elif measurement.axis_radii is not None:
-        radii = " and ".join(f"{radius:g}" for radius in sorted(set(measurement.axis_radii)))
-        kind = f"ball centres shifted along an axis, ball radius {radii} mm"
+        radii = " and ".join(reader.length(radius) for radius in sorted(set(measurement.axis_radii)))
+        kind = f"ball centres shifted along an axis, ball radius {radii}"
     if measurement.probe is not None:
         kind += f", probe {escape(measurement.probe.source)}" if measurement.probe.source else ", calibrated probe"
-    counts = f"{plural(len(measurement), 'point')} read ({kind}), {grouped(len(d))} used, "
-    counts += f"{grouped(len(d.rejected))} rejected"
+    wrong = result.left_out
+    counts = f"{plural(len(measurement), 'point')} read ({kind}), "
+    counts += f"{grouped(len(d) + len(d.rejected) - len(wrong))} used, {grouped(len(wrong))} left out"
     groups: dict[str, list[int]] = {}
-    for r in d.rejected:
+    for r in wrong:
         groups.setdefault(r.reason, []).append(int(measurement.lines[r.index]))
     items = []
     for reason, lines in sorted(groups.items(), key=lambda group: -len(group[1])):
         listed = ", ".join([*map(str, lines[:_MOST_LINES]), *([ELLIPSIS] if len(lines) > _MOST_LINES else [])])
         word = "line" if len(lines) == 1 else "lines"
-        items.append(f"<li>{grouped(len(lines))} \N{MULTIPLICATION SIGN} {escape(reason)} ({word} {listed})</li>")
+        items.append(
+            f"<li>{grouped(len(lines))} \N{MULTIPLICATION SIGN} {escape(reader.worded(reason))} ({word} {listed})</li>"
+        )
     return f"<p>{counts}.</p>" + (f"<ul>{''.join(items)}</ul>" if items else "")
 
 
@@ -280,7 +289,7 @@ def _by_level(result: Result) -> str:
                 um(after["std"]),
             )
         )
-    head = (MICRO, "points", "mean", "height", "std", "predicted mean", "height", "std")
+    head = (reader.fine(), "points", "mean", "height", "std", "predicted mean", "height", "std")
     more = f"<p class=small>{len(keys) - _MOST_ROWS} more are not listed.</p>" if len(keys) > _MOST_ROWS else ""
     return html_table(head, rows) + more
 
@@ -307,12 +316,12 @@ def _plots(result: Result) -> list[str]:
         parts.append("<h2>Deviation along the contour</h2>" + figure(plot))
     within, why = near_zero(result)
     rejected = None
-    left_out = [r.index for r in d.rejected] + [row["index"] for row in result.outliers()]
+    left_out = [point.index for point in result.left_out]
     if result.request.measurement is not None and left_out:
         rejected = result.request.measurement.points[left_out]
     plot = on_contour(result.nominal, d, result.filtered, within=within, rejected=rejected)
     title = "Deviations on the contour" if len(d) else "Contour"
-    more = f" Near zero: up to {um(within)} {MICRO}, {why}." if len(d) else ""
+    more = f" Near zero: up to {with_unit(within)}, {why}." if len(d) else ""
     parts.append(f"<h2>{title}</h2>" + figure(Plot(plot.svg, plot.caption + more)))
     if len(d):
         parts.append("<h2>Path and contour</h2>" + figure(path_and_contour(result)))
@@ -325,21 +334,23 @@ def _separation(result: Result) -> str:
     if found is None or result.foreseen is not None:
         return ""
     lines = [
-        f"Random part: standard deviation <b>{um(result.random_std)} {MICRO}</b>, process and measurement together. It "
+        f"Random part: standard deviation <b>{with_unit(result.random_std)}</b>, process and measurement together. It "
         "does not repeat and is not corrected."
     ]
-    lines += [escape(text[:1].upper() + text[1:]) + "." for text in result.advice]
+    lines += [escape(capital(text)) + "." for text in result.advice]
     sizes = found.sizes
     lines.append(
-        f"Form: {um(sizes.form)} {MICRO} ({SIGMA}) over {sizes.form_length:.3g} mm; process {um(sizes.process)} "
-        f"{MICRO} over {sizes.memory:.2g} mm; measurement {um(sizes.white)} {MICRO}. The band along the whole contour "
+        f"Form: {with_unit(sizes.form)} ({SIGMA}) over {reader.length(sizes.form_length, '.3g')}; process "
+        f"{with_unit(sizes.process)} over {reader.length(sizes.memory, '.2g')}; measurement {with_unit(sizes.white)}. "
+        "The band along the whole contour "
         f"(95 %) is {found.band:.2g} standard uncertainties wide to either side. "
         f"Filter: {escape(str(found.filter))}."
     )
     if math.isfinite(found.longest_memory):
         lines.append(
-            f"Uncertainty and band hold for a process that remembers less than {found.longest_memory:.2g} mm: one part "
-            "does not tell noise that is smooth over longer from form, a second part does."
+            "Uncertainty and band hold for a process that remembers less than "
+            f"{reader.length(found.longest_memory, '.2g')}: one part does not tell noise that is "
+            "smooth over longer from form, a second part does."
         )
     out = "<h2>What repeats and what does not</h2>" + "".join(f"<p>{line}</p>" for line in lines)
     wrong = result.outliers()
@@ -349,7 +360,7 @@ def _separation(result: Result) -> str:
         (str(row["index"] + 1), *(mm(row[k]) for k in "xyz"), um(row["value"], True), um(row["expected"], True))
         for row in wrong[:_MOST_ROWS]
     ]
-    head = ("point", "X", "Y", "Z", f"measured / {MICRO}", f"expected / {MICRO}")
+    head = ("point", "X", "Y", "Z", f"measured / {reader.fine()}", f"expected / {reader.fine()}")
     left = len(wrong) - _MOST_ROWS
     more = f"<p class=small>{left} more are in report.json.</p>" if left > 0 else ""
     outside = "left out" if found.filter.leaves_out else "not left out by the filter"
@@ -364,12 +375,12 @@ def _own_path_error(result: Result) -> str:
     if _corrected_before(result):
         title = "<h2>The correction in force</h2>"
         words = (
-            f"This program was corrected before: it commands a contour up to <b>{um(error)} {MICRO}</b> off the "
+            f"This program was corrected before: it commands a contour up to <b>{with_unit(error)}</b> off the "
             "nominal. What the part still shows is corrected beside it; where nothing was measured it stays."
         )
     else:
         words = (
-            f"The path of the program is up to <b>{um(error)} {MICRO}</b> off the exact parallel of the nominal. This "
+            f"The path of the program is up to <b>{with_unit(error)}</b> off the exact parallel of the nominal. This "
             "share comes from the CAM system's path, not from the machine: it is known exactly, was taken out of the "
             "deviations before filtering, and the corrected program does not have it."
         )
@@ -379,7 +390,7 @@ def _own_path_error(result: Result) -> str:
     rms = math.sqrt(float((result.commanded**2).mean()))
     signed = [um(s[key], True) for key in ("mean", "min", "max")]
     row = ("at the points", *signed, um(s["height"]), um(s["std"]), um(rms))
-    return f"{title}<p>{words}</p>" + html_table((MICRO, "mean", "min", "max", "height", "std", "rms"), [row])
+    return f"{title}<p>{words}</p>" + html_table((reader.fine(), "mean", "min", "max", "height", "std", "rms"), [row])
 
 
 def _uncertainty(result: Result) -> list[tuple[str, str]]:
@@ -388,12 +399,13 @@ def _uncertainty(result: Result) -> list[tuple[str, str]]:
     if not len(known):
         return []
     gain, parts = result.request.settings.gain, len(result.request.measurements)
+    most, typical = gain * COVERAGE * float(known.max()), gain * COVERAGE * float(np.median(known))
     seen = f"from the spread of {parts} parts" if parts > 1 else "from the scatter of the points of one part"
     return [
         (
             "Uncertainty of the correction",
-            f"expanded (k = {COVERAGE:g}, about 95 %) \N{PLUS-MINUS SIGN}{um(gain * COVERAGE * float(known.max()))} "
-            f"{MICRO} at most, \N{PLUS-MINUS SIGN}{um(gain * COVERAGE * float(np.median(known)))} {MICRO} typically, "
+            f"expanded (k = {COVERAGE:g}, about 95 %) \N{PLUS-MINUS SIGN}{with_unit(most)} at most, "
+            f"\N{PLUS-MINUS SIGN}{with_unit(typical)} typically, "
             f"{seen}. No tolerance is known here, so nothing is said about conformity (ISO 14253-1)",
         )
     ]
@@ -401,26 +413,29 @@ def _uncertainty(result: Result) -> list[tuple[str, str]]:
 
 def _correction(result: Result, largest: LargestCorrection) -> str:
     moves, proof, settings = result.regeneration, result.verification, result.request.settings
-    where = f" at {coordinates(*largest.point)}, s = {mm(largest.s)} mm" if largest.value else ""
+    where = f" at {coordinates(*largest.point)}, s = {mm(largest.s)} {reader.coarse()}" if largest.value else ""
     if largest.value and len(result.nominal.contours) > 1:
         where += f" on contour {largest.contour + 1}"
     side = "out of the material" if largest.value > 0 else "into the material"
     facts = [
-        ("Largest correction", f"{um(largest.value, True)} {MICRO}{where}" + (f" ({side})" if largest.value else "")),
+        (
+            "Largest correction",
+            f"{with_unit(largest.value, True)}{where}" + (f" ({side})" if largest.value else ""),
+        ),
         *_uncertainty(result),
         ("Moves", f"{grouped(moves.changed)} of the program's moves changed, {grouped(len(moves.toolpath))} written"),
-        ("Largest displacement of a vertex", f"{um(moves.largest_shift)} {MICRO}"),
+        ("Largest displacement of a vertex", f"{with_unit(moves.largest_shift)}"),
     ]
     status = "kept" if proof.path_error_max <= settings.tolerance else "exceeded"
     checks = [
         (
             "Largest path error",
-            f"{um(proof.path_error_max)} {MICRO} at {coordinates(*proof.place)}; "
-            f"tolerance {um(settings.tolerance)} {MICRO} {status}",
+            f"{with_unit(proof.path_error_max)} at {coordinates(*proof.place)}; "
+            f"tolerance {with_unit(settings.tolerance)} {status}",
         ),
-        ("Gouge", f"{um(proof.gouge_max)} {MICRO} nearer to the profile than the cutter's radius at most"),
-        ("Profile as NURBS", f"within {um(result.fit_residual)} {MICRO} of the exact compensated contour"),
-        ("Checked length of path", f"{mm(proof.length)} mm"),
+        ("Gouge", f"{with_unit(proof.gouge_max)} nearer to the profile than the cutter's radius at most"),
+        ("Profile as NURBS", f"within {with_unit(result.fit_residual)} of the exact compensated contour"),
+        ("Checked length of path", f"{mm(proof.length)} {reader.coarse()}"),
     ]
     return (
         f"<h2>Correction</h2>{html_facts(facts)}<h2>Verification</h2><p>The emitted program was read back and its path "
@@ -443,14 +458,14 @@ _SETTING_NAMES = {
     "transfer_function": "Transfer function",
     "leave_stock": "Stock left on",
 }
-_LENGTHS = ("limit", "dead_band", "tolerance", "leave_stock")
+_LENGTHS = {key for key, one in options_of(Settings).items() if one.unit == "MM"}
 _ELASTIC_ONLY = ("depth_along", "transfer_function")
 """Settings that say nothing where the deviation is mirrored."""
 
 
 def _settings(result: Result) -> str:
     summary = result.summary()
-    facts = [("Tool diameter", f"{2 * result.request.radius:g} mm")]
+    facts = [("Tool diameter", reader.length(2 * result.request.radius))]
     distance = "the cutter's centre" if result.path_radius else "the contour; the control offsets by the radius"
     facts.append(("Program gives", distance))
     facts.append(("Nominal", "given" if result.request.nominal is not None else "the contour that the program cuts"))
@@ -459,11 +474,15 @@ def _settings(result: Result) -> str:
             continue
         if name == "leave_stock" and not value:
             continue
-        text = f"{value:g}" if isinstance(value, float) else str(value)
-        facts.append((_SETTING_NAMES.get(name, name.replace("_", " ")), text + (" mm" if name in _LENGTHS else "")))
+        values = value if isinstance(value, tuple) else (value,)
+        shown = [reader.length(v) if name in _LENGTHS else f"{v:g}" if isinstance(v, float) else str(v) for v in values]
+        text = ", ".join(shown)
+        facts.append((_SETTING_NAMES.get(name, name.replace("_", " ")), text))
     shift, turn = summary["alignment"]["shift"], summary["alignment"]["rotation_deg"]
     if any(shift) or turn:
-        facts.append(("Aligned by", f"shift X{mm(shift[0], 4)} Y{mm(shift[1], 4)} mm, turn {turn:.5f} degrees"))
+        facts.append(
+            ("Aligned by", f"shift X{mm(shift[0], 4)} Y{mm(shift[1], 4)} {reader.coarse()}, turn {turn:.5f} degrees")
+        )
     return f"<h2>Settings</h2>{html_facts(facts)}"
 
 

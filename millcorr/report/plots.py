@@ -19,6 +19,7 @@ from millcorr.correction.compensation import GAP_SPACINGS
 from millcorr.geometry.correction import along
 from millcorr.geometry.profile import CORNER_ANGLE, Profile, Stretch
 
+from . import reader
 from .posterior import Posterior, runs
 from .svg import MARKERS, Axis, Canvas, bars, columns, markers, number, polyline, round_step
 
@@ -175,13 +176,13 @@ def along_contour(
         panel = _Panel(canvas, top + i * (height + 44), height, title, f"along{k}")
         panel.draw(profile, k, deviation, rows, filtered, half, predicted, levels, wrong, posterior)
     words = [
-        f"Deviation in {MICRO} over the arc length of the nominal, from its start; above zero material is left, "
-        "below too much is gone."
+        f"Deviation in {reader.fine()} over the arc length of the nominal, from its start; above zero material is "
+        "left, below too much is gone."
     ]
     if banded:
         words.append(
             f"Band: the determined part with its expanded uncertainty (k = {COVERAGE:g}, about 95 %), "
-            f"up to \N{PLUS-MINUS SIGN}{np.nanmax(half) * UM:.2f} {MICRO}"
+            f"up to \N{PLUS-MINUS SIGN}{reader.shown(np.nanmax(half), '.2f')}"
             f"{' at the points' if posterior else ''}."
         )
     if posterior:
@@ -191,7 +192,7 @@ def along_contour(
         widest = max(float(COVERAGE * row.std[row.bare].max()) for row in bare)
         words.append(
             "Where the line is dashed the correction rests on no points: it goes on as the form does, then back to "
-            f"the mean, known to \N{PLUS-MINUS SIGN}{widest * UM:.1f} {MICRO} (k = {COVERAGE:g}) at the worst."
+            f"the mean, known to \N{PLUS-MINUS SIGN}{reader.shown(widest, '.1f')} (k = {COVERAGE:g}) at the worst."
         )
     if wrong.any():
         words.append("Crosses are outliers, left out; at the edge of the plot they lie beyond it.")
@@ -254,7 +255,7 @@ def _along_legend(
         # More do not fit; the table by level has them.
         entries += [
             (
-                f"Z {number(round(z, 3))}",
+                f"Z {number(round(z / reader.unit().mm, reader.unit().digits - 1))}",
                 [*([] if posterior else [(f"filtered dash{i % 4}", "m-12 0h24")]), *_level_mark(i, dense)],
             )
             for i, (_, z) in enumerate(levels[: 8 - 2 * len(entries)])
@@ -300,8 +301,8 @@ class _Panel:
             [deviation.value[sound], predicted[sound], filtered[rows] - edge, filtered[rows] + edge]
             + [row.value + sign * COVERAGE * row.std for row in posterior for sign in (-1.0, 1.0)]
         )
-        y = value_axis(values * UM, bottom, self.top)
-        frame(canvas, x, y, "s / mm", f"deviation / {MICRO}")
+        y = value_axis(values * reader.fine_per_mm(), bottom, self.top)
+        frame(canvas, x.scaled(1.0 / reader.unit().mm), y, f"s / {reader.coarse()}", f"deviation / {reader.fine()}")
         if self.title:
             canvas.text(x.end, self.top - 5, self.title, "strong", "end")
         canvas.clip(self.name, x.start, self.top, x.end - x.start, self.height)
@@ -318,7 +319,7 @@ class _Panel:
         # Columns of pixels look alike at all levels.
         for level, here in [(levels[0][0], np.arange(len(rows)))] if dense else groups(deviation.level[rows]):
             i, at = index[level], rows[here]
-            px, py = x(deviation.s[at]), [y(value[at] * UM) for value in (deviation.value, predicted)]
+            px, py = x(deviation.s[at]), [y(value[at] * reader.fine_per_mm()) for value in (deviation.value, predicted)]
             if dense:
                 middle, ranges = columns(px, py)
                 for (low, _, high), css in zip(ranges, ("raw", "predicted"), strict=True):
@@ -327,7 +328,7 @@ class _Panel:
                 for value, css in zip(py, ("raw", "predicted"), strict=True):
                     canvas.path(markers(px, value, i), css)
         # Outliers beyond the axis stand at its edge.
-        height = np.clip(y(deviation.value[far] * UM), self.top + 3.0, bottom - 3.0)
+        height = np.clip(y(deviation.value[far] * reader.fine_per_mm()), self.top + 3.0, bottom - 3.0)
         canvas.path(
             "".join(f"M{a:.1f} {b:.1f}{_CROSS}" for a, b in zip(x(deviation.s[far]), height, strict=True)), "outlier"
         )
@@ -349,7 +350,7 @@ class _Panel:
         for row in posterior:
             px = x(stretches[row.stretch].begin + row.s)
             for factor, css in ((row.band, "whole"), (COVERAGE, "band")):
-                low, high = (y((row.value + sign * factor * row.std) * UM) for sign in (-1.0, 1.0))
+                low, high = (y((row.value + sign * factor * row.std) * reader.fine_per_mm()) for sign in (-1.0, 1.0))
                 data = "".join(
                     polyline(np.append(px, px[::-1]) + shift, np.append(low, high[::-1]), True)
                     for shift in (0.0, -turn, turn)
@@ -383,7 +384,7 @@ class _Panel:
             local = along(stretch, deviation.s[at], profile)
             data = ""
             for s, low, high in by_pixel(local, [filtered[at] - half[at], filtered[at] + half[at]], stretch, pixel):
-                px, py, qy = x(stretch.begin + s), y(low * UM), y(high * UM)
+                px, py, qy = x(stretch.begin + s), y(low * reader.fine_per_mm()), y(high * reader.fine_per_mm())
                 for shift in (0.0, x.start - x.end, x.end - x.start):
                     if (px + shift).max() > x.start and (px + shift).min() < x.end:
                         data += polyline(np.append(px, px[::-1]) + shift, np.append(py, qy[::-1]), True)
@@ -392,7 +393,7 @@ class _Panel:
     @staticmethod
     def _wrapped(x: Axis, y: Axis, s: Floats, value: Floats, total: float) -> str:
         """The line, and once more a turn earlier where it runs past the contour's seam."""
-        px, py = x(s), y(value * UM)
+        px, py = x(s), y(value * reader.fine_per_mm())
         out = polyline(px, py)
         turn = x.end - x.start
         for shift, needed in ((-turn, s.max() > total), (turn, s.min() < 0)):
@@ -439,7 +440,7 @@ def course(
 
 
 def value_axis(values: Floats, bottom: float, top: float) -> Axis:
-    """Axis of values in micrometres that holds zero."""
+    """Axis of values in small units that holds zero."""
     low, high = min(0.0, float(values.min())), max(0.0, float(values.max()))
     room = max(high - low, 0.2)
     return Axis(low - 0.08 * room, high + 0.08 * room, bottom, top)
@@ -470,7 +471,7 @@ def histogram(before: Floats, predicted: Floats, random_std: float) -> Plot:
     random_std : float
         mm; NaN where it is not known.
     """
-    a, b = before * UM, predicted * UM
+    a, b = before * reader.fine_per_mm(), predicted * reader.fine_per_mm()
     low, high = float(min(a.min(), b.min(), 0.0)), float(max(a.max(), b.max(), 0.0))
     width = class_width(a, b, high - low)
     first, last = math.floor(low / width), max(math.floor(high / width) + 1, math.floor(low / width) + 1)
@@ -491,7 +492,7 @@ def histogram(before: Floats, predicted: Floats, random_std: float) -> Plot:
     x = Axis(float(edges[0]) - width, float(edges[-1]) + width, 56, WIDTH - 12)
     tallest = float(max(c.max() for c in counts))
     if random_std > 0:
-        tallest = max(tallest, len(b) * width / (random_std * UM * math.sqrt(2 * math.pi)))
+        tallest = max(tallest, len(b) * width / (random_std * reader.fine_per_mm() * math.sqrt(2 * math.pi)))
     y = Axis(0.0, 1.05 * tallest, bottom, top)
     for value in y.ticks(5):
         if value == int(value):
@@ -512,17 +513,17 @@ def histogram(before: Floats, predicted: Floats, random_std: float) -> Plot:
         for end in (mean - std, mean + std):
             canvas.line(x.at(end), level - 3, x.at(end), level + 3, "spread")
     if math.isfinite(random_std) and random_std > 0:
-        sigma, mean = random_std * UM, float(b.mean())
+        sigma, mean = random_std * reader.fine_per_mm(), float(b.mean())
         at = np.linspace(max(x.low, mean - 4 * sigma), min(x.high, mean + 4 * sigma), 161)
         bell = len(b) * width / (sigma * math.sqrt(2 * math.pi)) * np.exp(-0.5 * ((at - mean) / sigma) ** 2)
         canvas.path(polyline(x(at), y(bell)), "bell")
-    canvas.text((x.start + x.end) / 2, bottom + 32, f"deviation / {MICRO}", anchor="middle")
+    canvas.text((x.start + x.end) / 2, bottom + 32, f"deviation / {reader.fine()}", anchor="middle")
     canvas.text(13, (top + bottom) / 2, "points", anchor="middle", turn=-90)
-    words = f"Classes of {number(width)} {MICRO}; bars above: mean \N{PLUS-MINUS SIGN} standard deviation."
+    words = f"Classes of {number(width)} {reader.fine()}; bars above: mean \N{PLUS-MINUS SIGN} standard deviation."
     if math.isfinite(random_std):
         words += (
-            f" The random part has a standard deviation of {random_std * UM:.2f} {MICRO}: no correction can make the "
-            "spread smaller than what of it comes from the process."
+            f" The random part has a standard deviation of {reader.shown(random_std, '.2f')}: no correction can make "
+            "the spread smaller than what of it comes from the process."
         )
     return Plot(str(canvas), words)
 

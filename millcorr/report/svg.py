@@ -112,6 +112,10 @@ class Axis:
         out: Floats = self.start + share * (self.end - self.start)
         return out
 
+    def scaled(self, factor: float) -> Axis:
+        """The axis of the quantity in another unit, so many of which are one of its own."""
+        return Axis(self.low * factor, self.high * factor, self.start, self.end)
+
     def at(self, value: float) -> float:
         """Place of one value."""
         return float(self(value))

@@ -12,9 +12,10 @@ from millcorr.correction.targets import Elastic
 from millcorr.geometry.correction import along
 from millcorr.pipeline import Result
 
+from . import reader
 from .foreseen import nothing_measured
-from .html import figure, html_facts, mm, um
-from .plots import COVERAGE, MICRO, MOST_MARKERS, UM, WIDTH, Plot, corners, course, frame, groups
+from .html import figure, html_facts, mm, um, with_unit
+from .plots import COVERAGE, MOST_MARKERS, WIDTH, Plot, corners, course, frame, groups
 from .svg import Axis, Canvas, columns, polyline
 
 HEIGHT = 175.0
@@ -27,9 +28,11 @@ def transfer_section(result: Result) -> str:
     if elastic is None:
         return ""
     said = elastic.summary(result.request.settings)
-    depths = ", ".join(f"{depth:g}" for depth in said["depth"])
+    depths = ", ".join(reader.length(depth) for depth in said["depth"])
     low, high = said["next_depth_range"]
-    following = f"{mm(low)} to {mm(high)}" if high - low > 5e-4 else f"{said['next_depth']:g}"
+    following = reader.length(said["next_depth"])
+    if high - low > 5e-4:
+        following = f"{mm(low)} to {mm(high)} {reader.coarse()}"
     readings = {
         "smooth": "smooth along the contour, from the filtered deviations",
         "one": "one value, the mean over the points",
@@ -40,19 +43,18 @@ def transfer_section(result: Result) -> str:
     rows = [
         ("MS", f"{said['ms_mean']:.4f} in the mean, {said['ms_min']:.4f} to {said['ms_max']:.4f}"),
         ("Standard uncertainty of MS", _number(said["ms_uncertainty"], "{:.4f}")),
-        (f"Depth of the {part} part", f"{depths} mm, deviations along {_axis(said['depth_along'])}"),
-        ("Depth that the next part finds", f"{following} mm"),
+        (f"Depth of the {part} part", f"{depths}, deviations along {_axis(said['depth_along'])}"),
+        ("Depth that the next part finds", following),
         ("Taken as", readings[said["taken"]]),
-        ("Uncertainty of the correction", _number(_um(said["correction_uncertainty"]), f"{{:.2f}} {MICRO} (k = 1)")),
+        ("Uncertainty of the correction", _known(said["correction_uncertainty"], " (k = 1)")),
     ]
     offset = said["offset"]
     if offset:
         rows.append(
             (
                 "Constant offset, kept apart",
-                f"{um(offset['mean'], True)} {MICRO} in the mean, {um(offset['min'], True)} to "
-                f"{um(offset['max'], True)} {MICRO}; standard uncertainty "
-                + _number(_um(offset["uncertainty"]), f"{{:.2f}} {MICRO}"),
+                f"{with_unit(offset['mean'], True)} in the mean, {um(offset['min'], True)} to "
+                f"{with_unit(offset['max'], True)}; standard uncertainty " + _known(offset["uncertainty"]),
             )
         )
     words = (
@@ -66,8 +68,8 @@ def _axis(name: str) -> str:
     return "the normal" if name == "normal" else name.upper()
 
 
-def _um(value: float | None) -> float | None:
-    return None if value is None else value * UM
+def _known(value: float | None, more: str = "") -> str:
+    return "not known" if value is None or not math.isfinite(value) else reader.shown(value) + more
 
 
 def _number(value: float | None, form: str) -> str:
@@ -99,7 +101,7 @@ def ms_along_contour(result: Result, elastic: Elastic) -> Plot:
         top = 30.0 + i * (HEIGHT + 44)
         x = Axis(0.0, float(profile.total[contour]), 56.0, WIDTH - 12.0)
         y = Axis(low - room, high + room, top + HEIGHT, top)
-        frame(canvas, x, y, "s / mm", "MS")
+        frame(canvas, x.scaled(1.0 / reader.unit().mm), y, f"s / {reader.coarse()}", "MS")
         if len(profile.contours) > 1:
             canvas.text(x.end, top - 5, f"contour {contour + 1}", "strong", "end")
         name = f"transfer{contour}"

@@ -8,6 +8,8 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+from millcorr.messages import Message, phrase, um, xy
+
 OPEN = 0.05
 """From this share of a contour without points on a word is said: what tags and clamps cover is less."""
 
@@ -15,11 +17,11 @@ MANY_OUTLIERS = 0.1
 """From this share on a word is said of outliers (`millcorr.plausibility.separated`): below it every file has them."""
 
 _ACCEPTED = re.compile(r"(?:^|: )accepted ([a-z-]+): ")
-_PLACE = re.compile(r"X-?\d+\.\d+ Y-?\d+\.\d+")
+_PLACE = re.compile(r"X(-?\d+\.\d+) Y(-?\d+\.\d+)")
 
 
-def what_to_do(summary: Mapping[str, Any]) -> str:
-    """One line a machinist can act on.
+def what_to_do(summary: Mapping[str, Any]) -> tuple[Message, Message]:
+    """What a machinist is to do, and why.
 
     Parameters
     ----------
@@ -28,37 +30,44 @@ def what_to_do(summary: Mapping[str, Any]) -> str:
 
     Returns
     -------
-    str
-        ``look at X… Y…`` where a finding was accepted or more than a tenth of the points are outliers; ``measure
-        again`` where what does not repeat is larger than all that does, mean and form together; else ``use it``.
+    (Message, Message)
+        *Look at X… Y…* where a finding was accepted or more than a tenth of the points are outliers; *measure again*
+        where what does not repeat is larger than all that does, mean and form together; else *use it*.
     """
-    used, outliers, largest = summary["points"]["used"], summary["outliers"], summary["correction"]
-    at = "X{:.3f} Y{:.3f}".format(*largest["place"])
+    points, outliers, largest = summary["points"], summary["outliers"], summary["correction"]
+    found = points["read"] - len(points["rejected"])
+    place = xy(*largest["place"])
     for text in summary["warnings"]:
         if accepted := _ACCEPTED.search(text):
-            found = _PLACE.search(text)
-            return f"look at {found[0] if found else at}: {accepted[1]} was accepted and is not resolved"
-    if len(outliers) > MANY_OUTLIERS * max(used, 1):
+            named = _PLACE.search(text)
+            there = xy(float(named[1]), float(named[2])) if named else place
+            return phrase("look at {}", there), phrase("{} was accepted and is not resolved", accepted[1])
+    if len(outliers) > MANY_OUTLIERS * max(found, 1):
         worst = max(outliers, key=lambda row: abs(row["value"] - row["expected"]))
-        where = f"X{worst['x']:.3f} Y{worst['y']:.3f}"
-        return f"look at {where}: {len(outliers)} of {used} points are outliers, there the largest"
+        return (
+            phrase("look at {}", xy(worst["x"], worst["y"])),
+            phrase("{} of {} points are outliers, there the largest", len(outliers), found),
+        )
     foreseen = summary["foreseen"]
     predicted = foreseen is not None and foreseen["combined"] is None
     systematic, random = summary["filtered"], summary["random_std"]
-    if used and not predicted and random is not None and math.isfinite(random):
+    if found and not predicted and random is not None and math.isfinite(random):
         repeats = math.hypot(systematic["mean"], systematic["std"])
         if random > repeats:
             return (
-                f"measure again or average parts: {random * 1000:.1f} um do not repeat, only {repeats * 1000:.1f} um do"
+                phrase("measure again or average parts"),
+                phrase("{} do not repeat, only {} do", um(random), um(repeats)),
             )
     if not summary["moves"]["changed"]:
-        doing = "nothing is to be corrected, the program stays as it is"
+        doing = phrase("nothing is to be corrected, the program stays as it is")
     elif abs(largest["largest"]) < 5e-9:
-        doing = "only the path's own error changes"
+        doing = phrase("only the path's own error changes")
     else:
-        doing = f"the contour moves by up to {largest['largest'] * 1000:+.1f} um, most at {at}"
+        doing = phrase("the contour moves by up to {}, most at {}", um(largest["largest"], "+.1f"), place)
     if summary["unmeasured"] > OPEN:
-        doing += f"; {100 * summary['unmeasured']:.0f} % of the contour rests on no points"
+        doing = phrase("{}; {:.0f} % of the contour rests on no points", doing, 100 * summary["unmeasured"])
     if predicted:
-        return f"use it, and measure the first part: {doing}, by the model alone"
-    return f"use it{' if what the warnings ask is answered' if summary['warnings'] else ''}: {doing}"
+        return phrase("use it, and measure the first part"), phrase("{}, by the model alone", doing)
+    if summary["warnings"]:
+        return phrase("use it if what the warnings ask is answered"), doing
+    return phrase("use it"), doing

@@ -15,8 +15,9 @@ from millcorr.geometry.profile import Profile
 from millcorr.pipeline import Result
 from millcorr.production.contour_check import path_contours, touched_points
 
+from . import reader
 from .magnification import magnification_for
-from .plots import MICRO, MOST_MARKERS, MOST_PANELS, UM, WIDTH, Plot, corners, course, groups, levels_of
+from .plots import MOST_MARKERS, MOST_PANELS, WIDTH, Plot, corners, course, groups, levels_of
 from .svg import MARKERS, Axis, Canvas, markers, number, polyline, round_step
 
 MOST_WHISKERS = 300
@@ -59,7 +60,8 @@ def on_contour(
     inner = (top - bottom) * scale
     height = inner + 70
     canvas = Canvas(WIDTH, 30 + len(shown) * height, "Deviations on the contour")
-    near = f"within \N{PLUS-MINUS SIGN}{number(round(within * UM, 2))} {MICRO}"
+    small = number(round(within * reader.fine_per_mm(), reader.unit().fine_digits + 1))
+    near = f"within \N{PLUS-MINUS SIGN}{small} {reader.fine()}"
     entries = [
         ("excess material", [("excess", "m-10 0h10"), ("excess tip", MARKERS[0])]),
         (near, [("within", "m-8 0h16")]),
@@ -67,7 +69,7 @@ def on_contour(
         ("determined part", [("course", "m-9 0h18")]),
     ]
     if rejected is not None and len(rejected):
-        entries.append(("rejected", [("rejected", MARKERS[5])]))
+        entries.append(("left out", [("rejected", MARKERS[5])]))
     if len(deviation):
         canvas.legend(56, 14, entries)
     outline = _Outline.of(profile)
@@ -94,10 +96,10 @@ def on_contour(
         if len(deviation):
             _scale_bars(canvas, x, y, scale, times, largest)
         if len(levels) > 1:
-            canvas.text(x.start + 8, y.end + 14, f"level {level + 1}, Z {number(round(z, 3))} mm", "strong")
-    words = ["The nominal contour, seen from above, coordinates in mm; grey is material."]
+            canvas.text(x.start + 8, y.end + 14, f"level {level + 1}, Z {reader.length(z)}", "strong")
+    words = [f"The nominal contour, seen from above, coordinates in {reader.coarse()}; grey is material."]
     if not outline.material:
-        words[0] = "The nominal contour, seen from above, coordinates in mm."
+        words[0] = f"The nominal contour, seen from above, coordinates in {reader.coarse()}."
     if len(deviation):
         words.append(
             f"Whiskers show the deviations along the normal at {number(times)}:1, outward for excess material and into "
@@ -159,7 +161,7 @@ def path_and_contour(result: Result) -> Plot:
     _coordinate_frame(canvas, x, y)
     _scale_bars(canvas, x, y, scale, times, largest)
     gives = "the cutter's centre" if result.path_radius else "the contour itself, which the control offsets"
-    words = [f"The program's path ({gives}) and the theoretical contour, coordinates in mm."]
+    words = [f"The program's path ({gives}) and the theoretical contour, coordinates in {reader.coarse()}."]
     words.append(
         f"Each contact point stands off the contour by its error at {number(times)}:1"
         + (", the ball's radius taken off along the contour's normal." if balls else ".")
@@ -299,6 +301,7 @@ def _draw_start(canvas: Canvas, profile: Profile, x: Axis, y: Axis) -> None:
 def _coordinate_frame(canvas: Canvas, x: Axis, y: Axis) -> None:
     canvas.line(x.start, y.start, x.end, y.start, "axis")
     canvas.line(x.start, y.start, x.start, y.end, "axis")
+    x, y = (axis.scaled(1.0 / reader.unit().mm) for axis in (x, y))
     step = max(round_step((x.high - x.low) / 8), round_step((y.high - y.low) / 8))
     for axis, flat in ((x, True), (y, False)):
         for value in np.arange(math.ceil(axis.low / step), math.floor(axis.high / step) + 1) * step:
@@ -310,21 +313,21 @@ def _coordinate_frame(canvas: Canvas, x: Axis, y: Axis) -> None:
             else:
                 canvas.line(x.start - 4, at, x.start, at, "axis")
                 canvas.text(x.start - 7, at + 4, text, anchor="end")
-    canvas.text(x.end, y.start + 29, "X / mm", anchor="end")
-    canvas.text(x.start - 7, y.end - 4, "Y / mm", anchor="end")
+    canvas.text(x.end, y.start + 29, f"X / {reader.coarse()}", anchor="end")
+    canvas.text(x.start - 7, y.end - 4, f"Y / {reader.coarse()}", anchor="end")
 
 
 def _scale_bars(canvas: Canvas, x: Axis, y: Axis, scale: float, times: float, largest: float) -> None:
     """Two bars below the drawing: a length on the part and a deviation."""
     at = y.start + 32
-    length = round_step(60 / scale)
-    deviation = round_step(30 / (scale * times) * UM)
+    size = round_step(60 / scale / reader.unit().mm)
+    deviation = round_step(30 / (scale * times) * reader.fine_per_mm())
     left = x.start + 2
     for wide, text in (
-        (length * scale, f"{number(length)} mm on the part"),
+        (size * reader.unit().mm * scale, f"{number(size)} {reader.coarse()} on the part"),
         (
-            deviation / UM * times * scale,
-            f"{number(deviation)} {MICRO} of deviation ({number(times)}:1)",
+            deviation / reader.fine_per_mm() * times * scale,
+            f"{number(deviation)} {reader.fine()} of deviation ({number(times)}:1)",
         ),
     ):
         canvas.path(f"M{left:.1f} {at - 4:.1f}v8m0-4h{wide:.2f}m0-4v8", "axis")

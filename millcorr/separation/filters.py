@@ -13,10 +13,11 @@ from numpy.typing import ArrayLike
 from millcorr import progress
 from millcorr.arrays import Floats, Ints
 from millcorr.errors import InputError, UsageError
+from millcorr.messages import mm, phrase
 
 from .gaussian_regression import LocalLine, local_line, local_line_on_grid
 
-_LEGAL = "legal filters: none, mean:5, mean:1,2,3,2,1 (odd number of weights), gauss:MM, robust:MM, auto"
+_LEGAL = phrase("legal filters: none, mean:5, mean:1,2,3,2,1 (odd number of weights), gauss:MM, robust:MM, auto")
 
 # Places nearer than this share of the length are one place: the two ends of a closed contour after rounding.
 _SAME_PLACE = 1e-9
@@ -75,26 +76,26 @@ class Filter:
         if kind in ("none", "auto") and not colon:
             return Filter(kind)
         if kind not in ("mean", "gauss", "robust") or not argument:
-            raise UsageError(f"unknown filter '{text}'; {_LEGAL}")
+            raise UsageError(phrase("unknown filter '{}'; {}", text, _LEGAL))
         try:
             numbers = tuple(float(part) for part in argument.split(","))
         except ValueError:
-            raise UsageError(f"filter '{text}' holds something that is not a number; {_LEGAL}") from None
+            raise UsageError(phrase("filter '{}' holds something that is not a number; {}", text, _LEGAL)) from None
         if not all(math.isfinite(number) for number in numbers):
-            raise UsageError(f"filter '{text}' holds a number that is not finite; {_LEGAL}")
+            raise UsageError(phrase("filter '{}' holds a number that is not finite; {}", text, _LEGAL))
         if kind != "mean":
             if len(numbers) != 1 or numbers[0] <= 0.0:
-                raise UsageError(f"filter '{text}' needs one cutoff in mm above 0; {_LEGAL}")
+                raise UsageError(phrase("filter '{}' needs one cutoff in mm above 0; {}", text, _LEGAL))
             return Filter(kind, cutoff=numbers[0])
         if len(numbers) == 1:
             size = numbers[0]
             if size != int(size) or size < 1 or int(size) % 2 == 0 or size > 1_000_001:
-                raise UsageError(f"filter '{text}' needs an odd whole number of points; {_LEGAL}")
+                raise UsageError(phrase("filter '{}' needs an odd whole number of points; {}", text, _LEGAL))
             return Filter(kind, mask=(1.0,) * int(size))
         if len(numbers) % 2 == 0:
-            raise UsageError(f"filter '{text}' has an even number of weights; {_LEGAL}")
+            raise UsageError(phrase("filter '{}' has an even number of weights; {}", text, _LEGAL))
         if abs(sum(numbers)) <= 1e-12 * sum(abs(number) for number in numbers):
-            raise UsageError(f"the weights of filter '{text}' add up to 0; {_LEGAL}")
+            raise UsageError(phrase("the weights of filter '{}' add up to 0; {}", text, _LEGAL))
         return Filter(kind, mask=numbers)
 
     @property
@@ -251,7 +252,7 @@ def filtered(s: ArrayLike, d: ArrayLike, *, length: float, closed: bool, filter:
     elif filter.kind == "robust":
         parts = _robust_gaussian(row, filter.cutoff)
     else:
-        raise UsageError(f"unknown filter '{filter}'; {_LEGAL}")
+        raise UsageError(phrase("unknown filter '{}'; {}", filter, _LEGAL))
     determined = np.empty_like(deviations)
     determined[row.order] = parts.values + mean
     weights = np.ones_like(deviations)
@@ -262,7 +263,7 @@ def filtered(s: ArrayLike, d: ArrayLike, *, length: float, closed: bool, filter:
     determined.flags.writeable = weights.flags.writeable = variance.flags.writeable = False
     warnings = parts.warnings
     if deviations.size == 1:
-        warnings += ("a single point: its deviation is taken as it is, the random part cannot be known",)
+        warnings += (phrase("a single point: its deviation is taken as it is, the random part cannot be known"),)
 
     def smooth(values: Floats) -> Floats:
         out = np.empty(len(row.order))
@@ -279,13 +280,13 @@ def _unchanged(values: Floats) -> Floats:
 
 def _check(s: Floats, d: Floats, length: float) -> None:
     if s.ndim != 1 or s.shape != d.shape:
-        raise InputError(f"arc lengths and deviations must be equally long rows, not {s.shape}, {d.shape}")
+        raise InputError(phrase("arc lengths and deviations must be equally long rows, not {}, {}", s.shape, d.shape))
     if s.size == 0:
-        raise InputError("there are no deviations to filter")
+        raise InputError(phrase("there are no deviations to filter"))
     if not (np.isfinite(s).all() and np.isfinite(d).all()):
-        raise InputError("an arc length or a deviation is not a finite number")
+        raise InputError(phrase("an arc length or a deviation is not a finite number"))
     if not (math.isfinite(length) and length > 0.0):
-        raise InputError(f"the length of the stretch must be above 0, not {length:g}")
+        raise InputError(phrase("the length of the stretch must be above 0, not {:g}", length))
 
 
 def _row(s: Floats, d: Floats, length: float, closed: bool) -> Row:
@@ -294,7 +295,7 @@ def _row(s: Floats, d: Floats, length: float, closed: bool) -> Row:
         s = np.mod(s, length)
         s = np.where(s >= length, 0.0, s)
     elif np.ptp(s) > length * (1.0 + 1e-6):
-        raise InputError(f"the points spread over {np.ptp(s):g} mm of a stretch of {length:g} mm")
+        raise InputError(phrase("the points spread over {} of a stretch of {}", mm(np.ptp(s), "g"), mm(length, "g")))
     # Sorting ties by value too makes the sums, to the last bit, independent of the order of the input.
     ascending = bool(np.all(np.diff(s) > 0.0))
     order = np.arange(s.size) if ascending else np.lexsort((d, s))
@@ -329,21 +330,25 @@ def _moving_average(row: Row, mask: tuple[float, ...]) -> Parts:
         # A mask longer than the contour would count points twice.
         cut = (f.size - (m - 1 + m % 2)) // 2
         f = f[cut : f.size - cut]
-        warnings.append(f"the mask of {len(mask)} is longer than the row of {m} points: cut to {f.size}")
+        warnings.append(phrase("the mask of {} is longer than the row of {} points: cut to {}", len(mask), m, f.size))
     elif f.size > m:
-        warnings.append(f"the mask of {f.size} is longer than the row of {m} points")
+        warnings.append(phrase("the mask of {} is longer than the row of {} points", f.size, m))
     if not np.array_equal(f, f[::-1]):
-        warnings.append("the mask is not symmetric: it shifts the deviations along the profile")
+        warnings.append(phrase("the mask is not symmetric: it shifts the deviations along the profile"))
     if m > 2 and row.spacing.max() > _UNEVEN * row.typical_spacing:
         warnings.append(
-            f"the points are unevenly spaced (up to {row.spacing.max():.3g} mm, median"
-            f" {row.typical_spacing:.3g} mm) and the moving average counts points: prefer gauss:MM or auto"
+            phrase(
+                "the points are unevenly spaced (up to {}, median {}) and the moving average counts points: "
+                "prefer gauss:MM or auto",
+                mm(row.spacing.max(), ".3g"),
+                mm(row.typical_spacing, ".3g"),
+            )
         )
     divisor = _correlate(np.ones(m), f, row.closed)
     # At an open end the mask is cut off; where what is left of it sums to 0, eq. (5) has no value.
     void = np.abs(divisor) <= 1e-9 * np.abs(f).sum()
     if void.any():
-        warnings.append("the mask sums to 0 at an end of the row: those points are left unfiltered")
+        warnings.append(phrase("the mask sums to 0 at an end of the row: those points are left unfiltered"))
         divisor = np.where(void, 1.0, divisor)
 
     def smooth(d: Floats) -> Floats:
@@ -417,8 +422,11 @@ def _sampling_warnings(row: Row, cutoff: float) -> tuple[str, ...]:
         return ()
     if cutoff < 2.0 * row.typical_spacing:
         warnings.append(
-            f"the cutoff of {cutoff:g} mm is below twice the point spacing ({row.typical_spacing:.3g} mm):"
-            " next to nothing is filtered"
+            phrase(
+                "the cutoff of {} is below twice the point spacing ({}): next to nothing is filtered",
+                mm(cutoff, "g"),
+                mm(row.typical_spacing, ".3g"),
+            )
         )
     return (*warnings, *_gap_warnings(row, cutoff))
 
@@ -485,7 +493,7 @@ def _robust_gaussian(row: Row, cutoff: float) -> Parts:
                 break
         trust = np.clip(1.0 - (size / (_BIWEIGHT * median)) ** 2, 0.0, 1.0) ** 2
     else:
-        warnings.append(f"the robust regression did not settle within {_ROBUST_ROUNDS} rounds")
+        warnings.append(phrase("the robust regression did not settle within {} rounds", _ROBUST_ROUNDS))
     weights = lengths * np.maximum(trust, _LEAST_TRUST)
     fit = _local_line(row, weights, cutoff, figures=True)
 
@@ -498,7 +506,7 @@ def _robust_gaussian(row: Row, cutoff: float) -> Parts:
     std = _biweight_std(row.d - fit.values) / math.sqrt(share) if share > 1e-6 else math.nan
     outliers = int(np.count_nonzero(trust < 1e-3))
     if outliers:
-        warnings.append(f"{outliers} point(s) far off the line were taken as outliers and ignored")
+        warnings.append(phrase("points far off the line, which are outliers and left out: {}", outliers))
     return Parts(
         fit.values,
         std,

@@ -18,6 +18,7 @@ from millcorr.comparison.deviation import Deviation
 from millcorr.errors import InputError
 from millcorr.geometry.correction import along
 from millcorr.geometry.profile import Profile
+from millcorr.messages import phrase
 
 LEVEL_REACH = 0.5
 """Levels of two parts are the same where their heights differ by less than this, in mm."""
@@ -98,7 +99,9 @@ def averaged(parts: Sequence[tuple[Deviation, Floats]], profile: Profile) -> Par
     for number, (other, seen) in enumerate(parts[1:], 2):
         at = interpolated(first, other, seen, profile)
         if not np.isfinite(at).any():
-            raise InputError(f"part {number} was measured at other places than the first: nothing can be averaged")
+            raise InputError(
+                phrase("part {} was measured at other places than the first: nothing can be averaged", number)
+            )
         rows.append(at)
     table = np.stack(rows)
     count = np.isfinite(table).sum(axis=0)

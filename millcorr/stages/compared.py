@@ -18,7 +18,7 @@ from millcorr.correction.targets import Part
 from millcorr.errors import InputError
 from millcorr.geometry.footpoint import FootPointSearch
 from millcorr.geometry.profile import Profile
-from millcorr.messages import option
+from millcorr.messages import mm, option, phrase
 from millcorr.readers.measurement import Measurement
 
 from .prepared import Prepared
@@ -141,12 +141,15 @@ def _refuse_wrong_allowance(surface: Measurement, nominal: Profile, allowance: f
     over = FootPointSearch(nominal, margin=surface.ball_radius + 1.0).find(points).distance - surface.ball_radius
     if np.median(over) < -LEAST_UNDER:
         raise InputError(
-            f"{surface.source}: the points lie {np.median(over) + allowance:+.3f} mm off the profile ",
-            f"and not {allowance:g} mm over it: check ",
-            option("allowance"),
-            "; it belongs to a part with stock left on it, and ",
-            option("program"),
-            " is then the program that finishes it",
+            phrase(
+                "{}: the points lie {} off the profile and not {} over it: check {}; it belongs to a part "
+                "with stock left on it, and {} is then the program that finishes it",
+                surface.source,
+                mm(np.median(over) + allowance, "+.3f"),
+                mm(allowance, "g"),
+                option("allowance"),
+                option("program"),
+            ),
         )
 
 

@@ -19,7 +19,7 @@ from millcorr.correction.settings import Settings
 from millcorr.errors import DistrustError, FormatError, InputError, LimitError, UsageError
 from millcorr.geometry.correction import Correction
 from millcorr.geometry.profile import Profile
-from millcorr.messages import message, option, remedy
+from millcorr.messages import mm, option, phrase, remedy
 from millcorr.nc.toolpath import Compensation, Kind, Toolpath
 from millcorr.path.passes import (
     Commanded,
@@ -191,10 +191,10 @@ def prepare(request: Request, *, check: bool = False) -> Prepared:
     progress.stage("prepare")
     settings, program = request.settings, request.program
     if not 0 < request.radius < np.inf:
-        raise UsageError(f"the tool diameter {2 * request.radius:g} mm must be a length above 0")
+        raise UsageError(phrase("the tool diameter {} must be a length above 0", mm(2 * request.radius, "g")))
     count = len(request.measurements)
     if len({m.fingerprint for m in request.measurements}) < count:
-        raise UsageError("the same measurement is given twice: averaging needs different parts")
+        raise UsageError(phrase("the same measurement is given twice: averaging needs different parts"))
     depths = settings.each("depth", count)
     _require_a_cut(settings, request.radius)
     allowances = settings.each("allowance", count)
@@ -219,15 +219,22 @@ def _history(request: Request, allowances: tuple[float, ...], check: bool, notes
     again = provenance.applied(carried, digests) if check else None
     if again is not None:
         notes.append(
-            f"{program.name} carries the correction from this measurement already, since {again.date}: the part was "
-            "cut by an earlier program, so all is shown as if this one carried no correction"
+            phrase(
+                "{} carries the correction from this measurement already, since {}: the part was cut by an "
+                "earlier program, so all is shown as if this one carried no correction",
+                program.name,
+                again.date,
+            )
         )
     if carried and any(allowances):
         raise InputError(
-            f"{program.name}:{carried[-1].line}: a part with stock left was cut by a first cut of the ",
-            "uncorrected program: give that as ",
-            option("program"),
-            ", not one that was corrected since",
+            phrase(
+                "{}:{}: a part with stock left was cut by a first cut of the uncorrected program: give that "
+                "as {}, not one that was corrected since",
+                program.name,
+                carried[-1].line,
+                option("program"),
+            ),
         )
     unknown = () if again is not None else digests
     provenance.refuse_second_use(carried, unknown, program.name, request.nominal is not None)
@@ -239,22 +246,24 @@ def _require_measured_or_not(request: Request) -> None:
     settings, measured = request.settings, request.measurement is not None
     if settings.method == "combined" and not measured:
         raise UsageError(
-            option("method", "combined"),
-            " needs ",
-            option("measured", of="FILE"),
-            ": one touch or two; without any ",
-            remedy("method", "predicted"),
+            phrase(
+                "{} needs {}: one touch or two; without any {}",
+                option("method", "combined"),
+                option("measured", of="FILE"),
+                remedy("method", "predicted"),
+            ),
         )
     if settings.method == "predicted" and measured:
         raise UsageError(
-            option("method", "predicted"),
-            " takes no ",
-            option("measured"),
-            ": with touches use ",
-            remedy("method", "combined"),
+            phrase(
+                "{} takes no {}: with touches use {}",
+                option("method", "predicted"),
+                option("measured"),
+                remedy("method", "combined"),
+            ),
         )
     if settings.leave_stock and measured:
-        raise UsageError("a first cut that leaves stock is made before anything is measured")
+        raise UsageError(phrase("a first cut that leaves stock is made before anything is measured"))
 
 
 def _passes(request: Request, corrected: bool, measurement: Measurement | None, notes: list[str]) -> Passes:
@@ -273,7 +282,7 @@ def _passes(request: Request, corrected: bool, measurement: Measurement | None, 
             request, request.nominal, path_radius, mine, cutters, drawn, settings.limit if corrected else 0.0
         )
     if not moves.following.any():
-        raise InputError(f"{program.name}: no move runs along the contour that the points lie on")
+        raise InputError(phrase("{}: no move runs along the contour that the points lie on", program.name))
     # The same wall may be another cutter's, too, as beside the corners that it clears.
     others = (usable & np.isfinite(cutters) & ~mine)[moves.origin] & ~moves.following
     if others.any() and request.nominal is None:
@@ -358,9 +367,12 @@ def nominal_from_program(
     carried = provenance.marks(program.comments())
     if carried:
         raise InputError(
-            f"{program.name}:{carried[-1].line}: ",
-            option("nominal"),
-            " names a corrected program; give the first, uncorrected one",
+            phrase(
+                "{}:{}: {} names a corrected program; give the first, uncorrected one",
+                program.name,
+                carried[-1].line,
+                option("nominal"),
+            ),
         )
     usable, path_radius = _usable(program, radius, settings)
     if measurement is not None:
@@ -374,9 +386,12 @@ def _require_a_cut(settings: Settings, radius: float) -> None:
         for value in values:
             if value > 2 * radius:
                 raise UsageError(
-                    option(key, value),
-                    f": a cutter of {2 * radius:g} mm takes no more than its width off; the depth is meant ",
-                    "along the contour's normal, from the stock to the surface, in mm",
+                    phrase(
+                        "{}: a cutter of {} takes no more than its width off; the depth is meant along the contour's "
+                        "normal, from the stock to the surface, in mm",
+                        option(key, value),
+                        mm(2 * radius, "g"),
+                    ),
                 )
 
 
@@ -413,10 +428,11 @@ def _require_side(settings: Settings, toolpath: Toolpath, usable: Bools) -> None
     """UsageError where neither the settings nor the program say on which side the cutter runs."""
     if settings.side == "auto" and not (toolpath.compensation[usable] != Compensation.OFF).any():
         raise UsageError(
-            remedy("side", "left"),
-            " or ",
-            remedy("side", "right"),
-            ": the program has no G41 or G42 that tells the side of the cutter",
+            phrase(
+                "{} or {}: the program has no G41 or G42 that tells the side of the cutter",
+                remedy("side", "left"),
+                remedy("side", "right"),
+            ),
         )
 
 
@@ -473,12 +489,12 @@ def _cutters(
         listed = [f"T{name}" if name.isdigit() else name for name in names]
         listed += ["the tool before the first T word"] if -1 in unknown else []
         way_out = (
-            message(option("tools", of=f"{names[0]}=MM"), " states it")
+            phrase("{} states it", option("tools", of=f"{names[0]}=MM"))
             if names
-            else "a T word before its cuts gives it a number to state"
+            else phrase("a T word before its cuts gives it a number to state")
         )
-        what = f"the diameter of {', '.join(listed)} is not known"
-        notes.append(message(f"{what}: what it cuts stays as it is and is not looked at; ", way_out))
+        what = phrase("the diameter of {} is not known", ", ".join(listed))
+        notes.append(phrase("{}: what it cuts stays as it is and is not looked at; {}", what, way_out))
     return np.where(other, np.nan, radii)
 
 
@@ -503,8 +519,11 @@ def _other_parts(
     away = abs(path_radius - measurement.ball_radius), abs(request.radius - measurement.ball_radius)
     mine = nearest_group(toolpath, cuts, offset, frames, away, measurement)
     notes.append(
-        f"what is cut under {_offset_name(frames[0] if frames[0] != mine else frames[1])} is another part than the "
-        f"measured one, cut under {_offset_name(mine)}: it stays as it is"
+        phrase(
+            "what is cut under {} is another part than the measured one, cut under {}: it stays as it is",
+            _offset_name(frames[0] if frames[0] != mine else frames[1]),
+            _offset_name(mine),
+        )
     )
     other: Bools = out | (offset != mine)
     return other
@@ -523,14 +542,17 @@ def _usable(program: nc.Program, radius: float, settings: Settings) -> tuple[Boo
     usable = ~program.opaque_moves()
     feeds = program.toolpath.kind != Kind.RAPID
     if not feeds.any():
-        raise InputError(f"{program.name}: the program has no feed move that could follow a contour")
+        raise InputError(phrase("{}: the program has no feed move that could follow a contour", program.name))
     if not (feeds & usable).any():
         program.require_plain(feeds)
     if program.opaque and not any(usable[run].any() for run in cutting_runs(program.toolpath)):
         why = program.opaque[0]
         raise FormatError(
-            f"nothing that runs along a contour is read: {why.reason}; write the moves in place of this line, as "
-            f"{program.plain_moves}",
+            phrase(
+                "nothing that runs along a contour is read: {}; write the moves in place of this line, as {}",
+                why.reason,
+                program.plain_moves,
+            ),
             program.name,
             program.line_of(why.first) + 1,
         )

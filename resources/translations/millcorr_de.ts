@@ -548,6 +548,10 @@
         <translation>Länge</translation>
     </message>
     <message>
+        <source>Path tolerance</source>
+        <translation>Bahntoleranz</translation>
+    </message>
+    <message>
         <source>Batch</source>
         <translation>Stapel</translation>
     </message>
@@ -891,10 +895,6 @@
         <source>Directory for the report with all signals</source>
         <translation>Verzeichnis für den Bericht mit allen Signalen</translation>
     </message>
-    <message>
-        <source>Path tolerance</source>
-        <translation>Bahntoleranz</translation>
-    </message>
 </context>
 <context>
     <name>Millcorr</name>
@@ -1013,6 +1013,18 @@
     <message>
         <source>the only one</source>
         <translation>das einzige</translation>
+    </message>
+    <message>
+        <source>µm</source>
+        <translation>µm</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source>thou</source>
+        <translation>thou</translation>
     </message>
     <message>
         <source>Reading points</source>
@@ -1651,6 +1663,44 @@
         <translation>die anderen Punkte der Datei</translation>
     </message>
     <message>
+        <source>Millcorr needs Python packages that FreeCAD's Python does not have: {}.
+
+They can be installed into {}, for FreeCAD alone, from the network.</source>
+        <translation>Millcorr braucht Python-Pakete, die FreeCADs Python nicht hat: {}.
+
+Sie lassen sich aus dem Netz nach {} installieren, für FreeCAD allein.</translation>
+    </message>
+    <message>
+        <source>They could not be installed: {}
+
+In a terminal, this does the same:
+{}</source>
+        <translation>Sie ließen sich nicht installieren: {}
+
+In einem Terminal tut dies dasselbe:
+{}</translation>
+    </message>
+    <message>
+        <source>Python packages, which a dialog offers to install: {}</source>
+        <translation>Python-Pakete, die ein Fenster zu installieren anbietet: {}</translation>
+    </message>
+    <message>
+        <source>Install</source>
+        <translation>Installieren</translation>
+    </message>
+    <message>
+        <source>Installing…</source>
+        <translation>Wird installiert…</translation>
+    </message>
+    <message>
+        <source>Installed. Start FreeCAD again to use them.</source>
+        <translation>Installiert. Starten Sie FreeCAD neu, um sie zu verwenden.</translation>
+    </message>
+    <message>
+        <source>On Debian and Ubuntu pip comes with: apt install python3-pip</source>
+        <translation>Unter Debian und Ubuntu kommt pip mit: apt install python3-pip</translation>
+    </message>
+    <message>
         <source>Stopped: change a setting to compute again</source>
         <translation>Angehalten: eine Einstellung ändern, um neu zu rechnen</translation>
     </message>
@@ -2035,18 +2085,6 @@
         <translation>Der erste Schnitt nimmt {0} {2} und lässt {1} {2}. Seine Bahn ist bis auf {3} {4} die genaue Parallele.</translation>
     </message>
     <message>
-        <source>µm</source>
-        <translation>µm</translation>
-    </message>
-    <message>
-        <source>in</source>
-        <translation>in</translation>
-    </message>
-    <message>
-        <source>thou</source>
-        <translation>thou</translation>
-    </message>
-    <message>
         <source>General</source>
         <translation>Allgemein</translation>
     </message>
@@ -2413,6 +2451,1057 @@
     <message>
         <source>Ask for a file and write a measuring program of the selected operation, or of the job's only Profile</source>
         <translation>Fragt nach einer Datei und schreibt ein Messprogramm der gewählten Operation oder des einzigen Profils im Auftrag</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Said</name>
+    <message>
+        <source>{}: {} {} puts the path on the other side of the contour</source>
+        <translation>{}: {} {} legt die Bahn auf die andere Seite der Kontur</translation>
+    </message>
+    <message>
+        <source>{}: the operation's base geometry gives no profile; select faces or edges of it in the operation, with processPerimeter or processHoles on</source>
+        <translation>{}: die Basisgeometrie der Operation ergibt kein Profil; wählen Sie in der Operation Flächen oder Kanten, mit processPerimeter oder processHoles</translation>
+    </message>
+    <message>
+        <source>{}: lines of the pattern {} end on the pocket's walls, and would cut into them once they are corrected; choose the pattern Offset</source>
+        <translation>{}: Linien des Musters {} enden an den Wänden der Tasche und würden nach der Korrektur in sie schneiden; wählen Sie das Muster Offset</translation>
+    </message>
+    <message>
+        <source>{}: the operation belongs to no job and has no base geometry</source>
+        <translation>{}: die Operation gehört zu keinem Auftrag und hat keine Basisgeometrie</translation>
+    </message>
+    <message>
+        <source>{}: the job has no model</source>
+        <translation>{}: der Auftrag hat kein Modell</translation>
+    </message>
+    <message>
+        <source>{}: set {} to 0, the control holds the radius (UseComp off)</source>
+        <translation>{}: setzen Sie {} auf 0, die Steuerung hält den Radius (UseComp aus)</translation>
+    </message>
+    <message>
+        <source>{}: a pocket follows faces, and an edge of {} is selected</source>
+        <translation>{}: eine Tasche folgt Flächen, und gewählt ist eine Kante von {}</translation>
+    </message>
+    <message>
+        <source>{}: {}.{} is neither face nor edge</source>
+        <translation>{}: {}.{} ist weder Fläche noch Kante</translation>
+    </message>
+    <message>
+        <source>{}: {}.{} is neither level nor vertical; choose a sketch of the contour as Nominal</source>
+        <translation>{}: {}.{} ist weder waagrecht noch senkrecht; wählen Sie eine Skizze der Kontur als Sollkontur</translation>
+    </message>
+    <message>
+        <source>unknown setting {}; known are {}</source>
+        <translation>unbekannte Einstellung {}; bekannt sind {}</translation>
+    </message>
+    <message>
+        <source>{}: the dressup has no operation below it</source>
+        <translation>{}: unter der Korrektur liegt keine Operation</translation>
+    </message>
+    <message>
+        <source>{}: the operation has no path; recompute it</source>
+        <translation>{}: die Operation hat keine Bahn; berechnen Sie sie neu</translation>
+    </message>
+    <message>
+        <source>{}: the operation cuts along no contour; check its base geometry, and that its FinalDepth lies below the edges that are selected</source>
+        <translation>{}: die Operation schneidet entlang keiner Kontur; prüfen Sie ihre Basisgeometrie, und dass ihre FinalDepth unter den gewählten Kanten liegt</translation>
+    </message>
+    <message>
+        <source>the path of {} is not the one the measured part was cut with: the difference between the two counts as an error of the machine; measure a part cut with the path as it is now</source>
+        <translation>die Bahn von {} ist nicht die, mit der das gemessene Teil geschnitten wurde: der Unterschied zählt als Fehler der Maschine; messen Sie ein Teil, das mit der jetzigen Bahn geschnitten wurde</translation>
+    </message>
+    <message>
+        <source>{}: the operation stands in no job</source>
+        <translation>{}: die Operation steht in keinem Auftrag</translation>
+    </message>
+    <message>
+        <source>{}: a dressup lies on this operation; choose the dressup</source>
+        <translation>{}: über dieser Operation liegt ein Dressup; wählen Sie das Dressup</translation>
+    </message>
+    <message>
+        <source>{}: the measurement holds no file</source>
+        <translation>{}: die Messung enthält keine Datei</translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation>keine solche Datei</translation>
+    </message>
+    <message>
+        <source>cannot be read: {}</source>
+        <translation>nicht lesbar: {}</translation>
+    </message>
+    <message>
+        <source>{} is a measured part of {} already: switch it on instead</source>
+        <translation>{} ist schon ein gemessenes Teil von {}: schalten Sie es stattdessen ein</translation>
+    </message>
+    <message>
+        <source>{}, line {}</source>
+        <translation>{}, Zeile {}</translation>
+    </message>
+    <message>
+        <source>line {}</source>
+        <translation>Zeile {}</translation>
+    </message>
+    <message>
+        <source>alignment: the points do not determine the {}; the fit leaves it alone</source>
+        <translation>Einpassung: die Punkte bestimmen {} nicht; die Einpassung lässt es, wie es ist</translation>
+    </message>
+    <message>
+        <source>alignment: {} of {} points ({:.0f} %) lie off the rest and have no weight in the fit; is a side of the part displaced?</source>
+        <translation>Einpassung: {} von {} Punkten ({:.0f} %) liegen abseits der übrigen und zählen nicht; ist eine Seite des Teils versetzt?</translation>
+    </message>
+    <message>
+        <source>alignment: the fit hides {:.0f} % of a constant deviation such as a wrong tool or ball radius (mean {} before, {} after)</source>
+        <translation>Einpassung: sie verdeckt {:.0f} % einer gleichmäßigen Abweichung wie von einem falschen Werkzeug- oder Kugelradius (Mittel {} vorher, {} nachher)</translation>
+    </message>
+    <message>
+        <source>alignment: the part measures {:.6f} +- {:.6f} of the profile's size ({} at {}); the scale is not applied: check temperature and unit</source>
+        <translation>Einpassung: das Teil misst das {:.6f}-Fache +- {:.6f} der Größe des Profils ({} bei {}); der Maßstab wird nicht angewandt: prüfen Sie Temperatur und Einheit</translation>
+    </message>
+    <message>
+        <source>{}: give none, shift, rigid, or some of x, y, turn joined by +; then :zone or :all</source>
+        <translation>{}: geben Sie none, shift, rigid oder einige von x, y, turn mit + verbunden; dann :zone oder :all</translation>
+    </message>
+    <message>
+        <source>{}: alignment: no end after {} steps, the last one {}</source>
+        <translation>{}: Einpassung: kein Ende nach {} Schritten, der letzte {}</translation>
+    </message>
+    <message>
+        <source>{}: alignment: no minimum zone after {} steps</source>
+        <translation>{}: Einpassung: keine kleinste Zone nach {} Schritten</translation>
+    </message>
+    <message>
+        <source>{}: alignment with {} free degrees of freedom needs at least {} points, there are {}</source>
+        <translation>{}: Einpassung mit {} Freiheitsgraden braucht mindestens {} Punkte, es sind {}</translation>
+    </message>
+    <message>
+        <source>{}: alignment: {:.0f} % of the points stay farther than {} from the profile; check unit, work frame, {} and {}</source>
+        <translation>{}: Einpassung: {:.0f} % der Punkte bleiben weiter als {} vom Profil; prüfen Sie Einheit, Werkstücksystem, {} und {}</translation>
+    </message>
+    <message>
+        <source>minimum zone: the linear programme failed: {}</source>
+        <translation>kleinste Zone: das lineare Programm hat keine Lösung: {}</translation>
+    </message>
+    <message>
+        <source>{}: alignment: the usable points do not determine the motion</source>
+        <translation>{}: Einpassung: die brauchbaren Punkte bestimmen die Bewegung nicht</translation>
+    </message>
+    <message>
+        <source>touched along X or along Y: the slope is too near to 45 degrees to tell, and the file does not say</source>
+        <translation>entlang X oder Y angetastet: die Steigung ist zu nah an 45 Grad, und die Datei sagt es nicht</translation>
+    </message>
+    <message>
+        <source>touched neither along X nor along Y by the slope of the profile, and the file does not say</source>
+        <translation>nach der Steigung des Profils weder entlang X noch Y angetastet, und die Datei sagt es nicht</translation>
+    </message>
+    <message>
+        <source>the probe did not travel towards the material here</source>
+        <translation>der Taster fuhr hier nicht auf das Material zu</translation>
+    </message>
+    <message>
+        <source>the points lie {:+.3f} to {} off the profile, by its slope, as if the control had shifted them along X and Y by the radius of a ball of about {}; taken back, {:.0f} of {} of scatter are left: {} with {} from the probe's calibration</source>
+        <translation>die Punkte liegen {:+.3f} bis {} neben dem Profil, je nach Steigung, als hätte die Steuerung sie entlang X und Y um den Radius einer Kugel von etwa {} verschoben; zurückgenommen bleiben {:.0f} von {} Streuung: {} mit {} aus der Kalibrierung des Tasters</translation>
+    </message>
+    <message>
+        <source>with the shift by {} along the axis of travel taken back, {} times (1 - cos) of the slope is left, {} of scatter, {} without it</source>
+        <translation>ist die Verschiebung um {} entlang der Fahrachse zurückgenommen, bleibt {} mal (1 - cos) der Steigung, {} Streuung, ohne sie {}</translation>
+    </message>
+    <message>
+        <source>{}: the points were not shifted along the axis: {}, or centre with {}</source>
+        <translation>{}: die Punkte wurden nicht entlang der Achse verschoben: {}, oder centre mit {}</translation>
+    </message>
+    <message>
+        <source>{}: {} seems to be about {:.2f}; see its calibration</source>
+        <translation>{}: {} scheint etwa {:.2f} zu sein; sehen Sie in die Kalibrierung</translation>
+    </message>
+    <message>
+        <source>{}: the probe's radius can be taken back at none of {} points, most are {}: check {}, {} and the work frame, or give each point's direction of travel</source>
+        <translation>{}: der Tasterradius lässt sich bei keinem von {} Punkten zurücknehmen, die meisten: {}; prüfen Sie {}, {} und das Werkstücksystem, oder geben Sie die Fahrtrichtung jedes Punkts an</translation>
+    </message>
+    <message>
+        <source>{}: two radii of a shift need a probe that says the effective one</source>
+        <translation>{}: zwei Verschiebungsradien brauchen einen Taster, der den wirksamen nennt</translation>
+    </message>
+    <message>
+        <source>{}: the probe travelled along no axis, and control_radius has one radius for X and another one for Y</source>
+        <translation>{}: der Taster fuhr entlang keiner Achse, und control_radius hat für X und Y verschiedene Radien</translation>
+    </message>
+    <message>
+        <source>farther than {} from the profile</source>
+        <translation>weiter als {} vom Profil</translation>
+    </message>
+    <message>
+        <source>beyond the end of the open profile</source>
+        <translation>jenseits des Endes des offenen Profils</translation>
+    </message>
+    <message>
+        <source>at a corner, where the profile has no single normal and the file gives none</source>
+        <translation>an einer Ecke, wo das Profil keine eindeutige Normale hat und die Datei keine angibt</translation>
+    </message>
+    <message>
+        <source>two branches of the profile are equally near and the file gives no normal</source>
+        <translation>zwei Zweige des Profils sind gleich nah, und die Datei gibt keine Normale an</translation>
+    </message>
+    <message>
+        <source>in an inner corner or hollow that the cutter cannot reach</source>
+        <translation>in einer Innenecke oder Höhlung, die der Fräser nicht erreicht</translation>
+    </message>
+    <message>
+        <source>touched on another surface: its own normal is more than 60 degrees off the profile's there</source>
+        <translation>auf einer anderen Fläche angetastet: die eigene Normale weicht um mehr als 60 Grad von der des Profils ab</translation>
+    </message>
+    <message>
+        <source>{}: the program cuts the wall in steps down to {}, and the points have no height: on which of them each lies cannot be told; give the file with its third coordinate</source>
+        <translation>{}: das Programm schneidet die Wand in Stufen bis {}, und die Punkte haben keine Höhe: auf welcher Stufe jeder liegt, ist nicht zu sagen; geben Sie die Datei mit ihrer dritten Koordinate</translation>
+    </message>
+    <message>
+        <source>{}: the probe's radius is not taken off yet: comparison.ball_radius.contact_known comes first</source>
+        <translation>{}: der Tasterradius ist noch nicht abgezogen: erst kommt comparison.ball_radius.contact_known</translation>
+    </message>
+    <message>
+        <source>{}: none of the {} points can be used, most are {}; check unit, work frame, {} and {}</source>
+        <translation>{}: keiner der {} Punkte ist brauchbar, die meisten: {}; prüfen Sie Einheit, Werkstücksystem, {} und {}</translation>
+    </message>
+    <message>
+        <source>the path only circles points at the tool radius {}, or turns tighter than it everywhere: there is no contour; check {} and {}</source>
+        <translation>die Bahn umkreist nur Punkte mit dem Werkzeugradius {} oder ist überall enger gekrümmt: es gibt keine Kontur; prüfen Sie {} und {}</translation>
+    </message>
+    <message>
+        <source>the offset path does not close near {}: check {} and {}, or give the contour with {}</source>
+        <translation>die versetzte Bahn schließt sich nahe {} nicht: prüfen Sie {} und {}, oder geben Sie die Kontur mit {}</translation>
+    </message>
+    <message>
+        <source>the stretch of {} through {} was measured at that place only: {} hold all along it</source>
+        <translation>die Strecke von {} durch {} wurde nur dort gemessen: {} gelten auf ihrer ganzen Länge</translation>
+    </message>
+    <message>
+        <source>a correction of {} is needed at {} (points: {}), more than {}; nothing was corrected: look at the place in the report of a check, and say a larger {} if it is right</source>
+        <translation>eine Korrektur von {} ist nötig bei {} (Punkte: {}), mehr als {}; nichts wurde korrigiert: sehen Sie die Stelle im Bericht einer Prüfung an, und geben Sie {} größer an, wenn sie stimmt</translation>
+    </message>
+    <message>
+        <source>the stretch of {} near {} has no usable point</source>
+        <translation>auf der Strecke von {} nahe {} ist kein brauchbarer Punkt</translation>
+    </message>
+    <message>
+        <source>between the points the correction swings to {} at {}, more than {}: use a stronger {}; nothing was corrected</source>
+        <translation>zwischen den Punkten schwingt die Korrektur auf {} bei {}, mehr als {}: stärkeren {} verwenden; nichts wurde korrigiert</translation>
+    </message>
+    <message>
+        <source>{}: it follows its neighbours, {} to {}</source>
+        <translation>{}: sie folgt ihren Nachbarn, {} bis {}</translation>
+    </message>
+    <message>
+        <source> and {} shorter gaps</source>
+        <translation> und {} kürzere Lücken</translation>
+    </message>
+    <message>
+        <source>no usable point on {} between {} and {}{}: the correction runs straight across or holds its last value</source>
+        <translation>kein brauchbarer Punkt auf {} zwischen {} und {}{}: die Korrektur läuft gerade hinüber oder hält ihren letzten Wert</translation>
+    </message>
+    <message>
+        <source>{}: it is not corrected</source>
+        <translation>{}: sie wird nicht korrigiert</translation>
+    </message>
+    <message>
+        <source>{}: more than {} would hide what is to be corrected</source>
+        <translation>{}: mehr als {} würde verdecken, was zu korrigieren ist</translation>
+    </message>
+    <message>
+        <source>{} needs {}, the depth that the measured part was cut at</source>
+        <translation>{} braucht {}, die Tiefe, mit der das gemessene Teil geschnitten wurde</translation>
+    </message>
+    <message>
+        <source>a first cut that leaves stock is made before anything is measured or predicted</source>
+        <translation>ein erster Schnitt, der Aufmaß lässt, wird gemacht, bevor etwas gemessen oder vorhergesagt ist</translation>
+    </message>
+    <message>
+        <source>{} takes the whole error out: it goes with neither {} nor {}</source>
+        <translation>{} nimmt den ganzen Fehler heraus: es geht weder mit {} noch mit {}</translation>
+    </message>
+    <message>
+        <source>{} is given {} times and measured parts {}: give it once, or once for each {}</source>
+        <translation>{} ist {}-mal angegeben, gemessene Teile: {}; einmal angeben, oder einmal für jedes von {}</translation>
+    </message>
+    <message>
+        <source> or {}</source>
+        <translation> oder {}</translation>
+    </message>
+    <message>
+        <source>{} belongs to {}, not to {}</source>
+        <translation>{} gehört zu {}, nicht zu {}</translation>
+    </message>
+    <message>
+        <source>{}: write the number or name and the diameter of a tool in mm, as {}</source>
+        <translation>{}: schreiben Sie Nummer oder Namen und den Durchmesser eines Werkzeugs in mm, als {}</translation>
+    </message>
+    <message>
+        <source>{} parts cut {} mm deep: the transfer function is taken from the difference, the constant offset apart; deviations are shown as at the depth of the first</source>
+        <translation>{} Teile, {} mm tief geschnitten: die Übertragungsfunktion folgt aus dem Unterschied, der gleichbleibende Versatz getrennt; Abweichungen stehen wie bei der Tiefe des ersten</translation>
+    </message>
+    <message>
+        <source>the parts were cut at different depths: say with {} what the next one takes off</source>
+        <translation>die Teile wurden verschieden tief geschnitten: sagen Sie mit {}, was der nächste Schnitt abnimmt</translation>
+    </message>
+    <message>
+        <source>{} stretches of contours without a measured point are left as they are</source>
+        <translation>{} Strecken von Konturen ohne gemessenen Punkt bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>gain {:g} leaves {:.0f} % of what the next part would show on purpose</source>
+        <translation>Verstärkung {:g} lässt absichtlich {:.0f} % dessen, was das nächste Teil zeigen würde</translation>
+    </message>
+    <message>
+        <source>one depth cannot tell a constant offset (tool radius, backlash, edge force) from elastic response: all of it is taken as elastic, which is right at the depth measured; for another depth measure two</source>
+        <translation>eine einzige Tiefe kann einen gleichbleibenden Versatz (Werkzeugradius, Umkehrspiel, Schneidkantenkraft) nicht vom Nachgeben unterscheiden: alles gilt als elastisch, was bei der gemessenen Tiefe stimmt; für eine andere Tiefe zwei messen</translation>
+    </message>
+    <message>
+        <source>deviations along {} with depths along the normal correct by {} more on average than {}</source>
+        <translation>Abweichungen entlang {} mit Tiefen entlang der Normalen korrigieren im Mittel um {} mehr als {}</translation>
+    </message>
+    <message>
+        <source>at {}: </source>
+        <translation>bei {}: </translation>
+    </message>
+    <message>
+        <source>{}the commanded depth is {}, not above 0: a transfer function needs a cut; check {}</source>
+        <translation>{}die befohlene Tiefe ist {}, nicht über 0: eine Übertragungsfunktion braucht einen Schnitt; prüfen Sie {}</translation>
+    </message>
+    <message>
+        <source>{}{} of a commanded depth of {} stayed: the transfer function delta/(H - delta) has no meaning there; check {}</source>
+        <translation>{}{} einer befohlenen Tiefe von {} blieben stehen: die Übertragungsfunktion delta/(H - delta) hat dort keinen Sinn; prüfen Sie {}</translation>
+    </message>
+    <message>
+        <source>the parts of different depth were measured at different places: nothing can be compared</source>
+        <translation>die verschieden tief geschnittenen Teile wurden an verschiedenen Stellen gemessen: nichts lässt sich vergleichen</translation>
+    </message>
+    <message>
+        <source>{}{:.0f} % of the difference between the depths stayed: no transfer function follows from that; check {}</source>
+        <translation>{}{:.0f} % des Unterschieds der Tiefen blieben stehen: daraus folgt keine Übertragungsfunktion; prüfen Sie {}</translation>
+    </message>
+    <message>
+        <source>{}the normal is {:.0f} degrees off {}: a deviation along {} says little there; use {}</source>
+        <translation>{}die Normale steht {:.0f} Grad schräg zu {}: eine Abweichung entlang {} sagt dort wenig; verwenden Sie {}</translation>
+    </message>
+    <message>
+        <source>check {} and which part was cut at which</source>
+        <translation>prüfen Sie {}, und welches Teil mit welcher geschnitten wurde</translation>
+    </message>
+    <message>
+        <source>the tool may be larger than stated or the path off; measure a part cut at another {} as well, or use {}</source>
+        <translation>das Werkzeug kann größer sein als angegeben oder die Bahn daneben; messen Sie auch ein Teil mit anderer {}, oder verwenden Sie {}</translation>
+    </message>
+    <message>
+        <source>at {} the transfer function would be {:+.4f}, negative beyond its uncertainty of {:.4f}: no elastic system removes more than it is told to; {}</source>
+        <translation>bei {} wäre die Übertragungsfunktion {:+.4f}, negativ über ihre Unsicherheit von {:.4f} hinaus: kein elastisches System nimmt mehr ab als befohlen; {}</translation>
+    </message>
+    <message>
+        <source>the transfer function would be {:.3f} in the middle: {:.0f} % of the depth would stay, which no machine is left to do; check {}</source>
+        <translation>die Übertragungsfunktion wäre im Mittel {:.3f}: {:.0f} % der Tiefe blieben stehen, was keine Maschine tut; prüfen Sie {}</translation>
+    </message>
+    <message>
+        <source>the transfer function is {:.4f} in the middle: only {:.1f} % of the depth stays, less than milling machines give way; check {}</source>
+        <translation>die Übertragungsfunktion ist im Mittel {:.4f}: nur {:.1f} % der Tiefe bleiben stehen, weniger als Fräsmaschinen nachgeben; prüfen Sie {}</translation>
+    </message>
+    <message>
+        <source>the transfer function is {:.3f} at {}: {:.0f} % of the depth stays; check {}</source>
+        <translation>die Übertragungsfunktion ist {:.3f} bei {}: {:.0f} % der Tiefe bleiben stehen; prüfen Sie {}</translation>
+    </message>
+    <message>
+        <source>{}: choose one of {}</source>
+        <translation>{}: wählen Sie eines von {}</translation>
+    </message>
+    <message>
+        <source>near {} the program runs {} off the profile at {} and {} off it at {}: which pass carries the correction cannot be told; correct the first, uncorrected program, or one that holds the finishing pass alone</source>
+        <translation>nahe {} läuft das Programm {} neben dem Profil bei {} und {} daneben bei {}: welcher Schnitt die Korrektur trägt, ist nicht zu sagen; korrigieren Sie das erste, unkorrigierte Programm oder eines mit dem Schlichtschnitt allein</translation>
+    </message>
+    <message>
+        <source>the written program reads back with {} moves in place of {}</source>
+        <translation>das geschriebene Programm liest sich mit {} Bewegungen statt {} zurück</translation>
+    </message>
+    <message>
+        <source>{} stays at {}: what is wanted there is too narrow for a cutter of {}; a smaller one would reach it</source>
+        <translation>{} bleiben stehen bei {}: was dort gewollt ist, ist zu eng für einen Fräser von {}; ein kleinerer käme hin</translation>
+    </message>
+    <message>
+        <source>line {} of the corrected program, which is not corrected itself, cuts {} into the corrected surface at {}, beyond what was measured: if that is a wall of the part and no lead, {} moves such passes along</source>
+        <translation>Zeile {} des korrigierten Programms, die selbst nicht korrigiert ist, schneidet {} in die korrigierte Fläche bei {}, jenseits des Gemessenen: ist das eine Wand des Teils und kein Anfahren, so nimmt {} solche Schnitte mit</translation>
+    </message>
+    <message>
+        <source>other passes on the corrected wall are moved along with it: lines {} of {}</source>
+        <translation>andere Schnitte an der korrigierten Wand werden mitgenommen: Zeilen {} von {}</translation>
+    </message>
+    <message>
+        <source>line {} of the written program goes to {} and not where it was planned to go</source>
+        <translation>Zeile {} des geschriebenen Programms fährt nach {} und nicht an den geplanten Ort</translation>
+    </message>
+    <message>
+        <source>the program does not cut the profile near {}, where points were measured: give the {} that cuts it, or only the points that belong to it</source>
+        <translation>das Programm schneidet das Profil nahe {} nicht, wo Punkte gemessen sind: geben Sie das, was es schneidet, als {}, oder nur die Punkte, die dazugehören</translation>
+    </message>
+    <message>
+        <source>no move of the program follows the profile at {}: the nearest runs {} off; check {}, {}, stock to leave and the work frame</source>
+        <translation>keine Bewegung des Programms folgt dem Profil im Abstand {}: die nächste läuft {} daneben; prüfen Sie {}, {}, Aufmaß und Werkstücksystem</translation>
+    </message>
+    <message>
+        <source>the compensated profile near {} cannot be fitted better than {}: the deviations change too fast; use a stronger {}</source>
+        <translation>das korrigierte Profil nahe {} lässt sich nicht besser als auf {} annähern: die Abweichungen ändern sich zu schnell; stärkeren {} verwenden</translation>
+    </message>
+    <message>
+        <source>the correction leaves nothing of the {} long piece of the profile near {}</source>
+        <translation>die Korrektur lässt nichts übrig von dem {} langen Stück des Profils nahe {}</translation>
+    </message>
+    <message>
+        <source>the corrected contour does not close at the corner {}</source>
+        <translation>die korrigierte Kontur schließt sich an der Ecke {} nicht</translation>
+    </message>
+    <message>
+        <source>the written program leaves no surface near {} that could be proven</source>
+        <translation>das geschriebene Programm lässt nahe {} keine Fläche, die sich prüfen ließe</translation>
+    </message>
+    <message>
+        <source>line {} of the corrected program, which is not corrected itself, would cut {} into the corrected surface at {}: it leaves too little stock for it; {} moves such passes along</source>
+        <translation>Zeile {} des korrigierten Programms, die selbst nicht korrigiert ist, würde {} in die korrigierte Fläche bei {} schneiden: sie lässt zu wenig Aufmaß dafür; {} nimmt solche Schnitte mit</translation>
+    </message>
+    <message>
+        <source>the written program differs where it must not: line {}: {}</source>
+        <translation>das geschriebene Programm weicht ab, wo es nicht darf: Zeile {}: {}</translation>
+    </message>
+    <message>
+        <source>the written program differs where it must not: line {}: its header is another one</source>
+        <translation>das geschriebene Programm weicht ab, wo es nicht darf: Zeile {}: sein Kopf ist ein anderer</translation>
+    </message>
+    <message>
+        <source>the corrected {} would be {} off at {}, more than the tolerance of {}</source>
+        <translation>korrigiert (es geht um {}) läge es {} daneben bei {}, mehr als die Toleranz von {}</translation>
+    </message>
+    <message>
+        <source>path</source>
+        <translation>Bahn</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>{} (the cutter gouges there)</source>
+        <translation>{} (der Fräser schneidet dort zu tief)</translation>
+    </message>
+    <message>
+        <source>{}: where that does no harm, a larger {}</source>
+        <translation>{}: wo es nicht schadet, ein größeres {}</translation>
+    </message>
+    <message>
+        <source>the posted program lacks the move to {} (command {} of the path)</source>
+        <translation>dem ausgegebenen Programm fehlt die Bewegung nach {} (Befehl {} der Bahn)</translation>
+    </message>
+    <message>
+        <source>an outlier: more probably wrong than right, by its neighbours</source>
+        <translation>ein Ausreißer: nach seinen Nachbarn eher falsch als richtig</translation>
+    </message>
+    <message>
+        <source>gain {:g} leaves {:.0f} % of the determined deviation on purpose</source>
+        <translation>Verstärkung {:g} lässt absichtlich {:.0f} % der ermittelten Abweichung</translation>
+    </message>
+    <message>
+        <source>{} of {} points cannot be used, most are {}: see the report for which</source>
+        <translation>{} von {} Punkten sind nicht brauchbar, die meisten: {}; welche, steht im Bericht</translation>
+    </message>
+    <message>
+        <source>a tool's diameter {} for {}</source>
+        <translation>ein Werkzeugdurchmesser {} statt {}</translation>
+    </message>
+    <message>
+        <source>mean {} all along, form only {}: check for {}; else the machine gives way</source>
+        <translation>Mittel {} überall, Form nur {}: prüfen Sie auf {}; sonst gibt die Maschine nach</translation>
+    </message>
+    <message>
+        <source>sides that lie {} off the other {} all along (each within {}): {}, the first at {}; compare that dimension with the drawing: another revision, or a wall that gives way</source>
+        <translation>Seiten, die durchweg {} von den anderen {} abliegen (jede auf {} gleich): {}, die erste bei {}; vergleichen Sie das Maß mit der Zeichnung: ein anderer Stand, oder eine nachgebende Wand</translation>
+    </message>
+    <message>
+        <source>only {} of {} points can be used, most others are {}: is the program whole, and is it the one that cut the part?</source>
+        <translation>nur {} von {} Punkten sind brauchbar, die meisten anderen: {}; ist das Programm vollständig, und hat es das Teil geschnitten?</translation>
+    </message>
+    <message>
+        <source>check the height of the work frame of the measurement</source>
+        <translation>prüfen Sie die Höhe des Werkstücksystems der Messung</translation>
+    </message>
+    <message>
+        <source>{} of {} points on the profile ({} to {}) lie {} all that the program cuts, {}: {}, or leave the column z out</source>
+        <translation>{} von {} Punkten am Profil ({} bis {}) liegen {} allem, was das Programm schneidet, {}: {}, oder lassen Sie die Spalte z weg</translation>
+    </message>
+    <message>
+        <source>{} points (from {}) lie below the deepest pass at {}: {}</source>
+        <translation>{} Punkte (ab {}) liegen unter dem tiefsten Schnitt bei {}: {}</translation>
+    </message>
+    <message>
+        <source>{} points (up to {}) lie above {}, from where the cutter comes down: {}</source>
+        <translation>{} Punkte (bis {}) liegen über {}, von wo der Fräser herunterkommt: {}</translation>
+    </message>
+    <message>
+        <source>a probe's radius {} for {}</source>
+        <translation>ein Tasterradius {} statt {}</translation>
+    </message>
+    <message>
+        <source>steel measured {:.0f} K too warm</source>
+        <translation>Stahl {:.0f} K zu warm gemessen</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of the deviations are what a shift of X{} Y{} and a turn of {:+.0f} arc seconds would give: check the alignment of the measurement ({}), or correct the work offset</source>
+        <translation>{:.0f} % der Abweichungen sind, was eine Verschiebung X{} Y{} und eine Drehung um {:+.0f} Bogensekunden ergäben: prüfen Sie die Ausrichtung der Messung ({}), oder berichtigen Sie die Nullpunktverschiebung</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of the deviations are what a size of {:.6f} times the profile's would give ({} at the rim; steel grows by 11.5 millionths a degree): check temperature, unit and scale of the measurement; no scale is ever applied</source>
+        <translation>{:.0f} % der Abweichungen sind, was das {:.6f}-Fache der Größe des Profils ergäbe ({} am Rand; Stahl wächst je Grad um 11,5 Millionstel): prüfen Sie Temperatur, Einheit und Maßstab der Messung; ein Maßstab wird nie angewandt</translation>
+    </message>
+    <message>
+        <source>{} to {}</source>
+        <translation>{} bis {}</translation>
+    </message>
+    <message>
+        <source>{} up</source>
+        <translation>{} aufwärts</translation>
+    </message>
+    <message>
+        <source>below</source>
+        <translation>unter</translation>
+    </message>
+    <message>
+        <source>above</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>a probe's radius {} too small</source>
+        <translation>ein um {} zu kleiner Tasterradius</translation>
+    </message>
+    <message>
+        <source>a probe's radius {} too large</source>
+        <translation>ein um {} zu großer Tasterradius</translation>
+    </message>
+    <message>
+        <source>{} of stock left</source>
+        <translation>{} stehengebliebenes Aufmaß</translation>
+    </message>
+    <message>
+        <source>times 25.4</source>
+        <translation>mal 25,4</translation>
+    </message>
+    <message>
+        <source>divided by 25.4</source>
+        <translation>geteilt durch 25,4</translation>
+    </message>
+    <message>
+        <source>with z reversed</source>
+        <translation>mit umgekehrtem z</translation>
+    </message>
+    <message>
+        <source>{} they would lie there; check the unit of z and the height of the work frame</source>
+        <translation>{} lägen sie dort; prüfen Sie die Einheit von z und die Höhe des Werkstücksystems</translation>
+    </message>
+    <message>
+        <source>steel measured {:.0f} K too cold</source>
+        <translation>Stahl {:.0f} K zu kalt gemessen</translation>
+    </message>
+    <message>
+        <source>{}: the nominal was probably exported in place of the measured points; export the actual points, to 0.0001 mm</source>
+        <translation>{}: wahrscheinlich wurde die Sollkontur statt der gemessenen Punkte ausgegeben; geben Sie die Istpunkte aus, auf 0,0001 mm</translation>
+    </message>
+    <message>
+        <source>{} states a deviation of {}, its points give {} ({} of {} disagree): {}; leave the column of deviations out, or correct it</source>
+        <translation>{} nennt eine Abweichung von {}, ihre Punkte ergeben {} ({} von {} widersprechen sich): {}; lassen Sie die Spalte der Abweichungen weg, oder berichtigen Sie sie</translation>
+    </message>
+    <message>
+        <source>the {} points are a height map, touched along Z: they show nothing of a contour; touch its walls with a measuring program</source>
+        <translation>die {} Punkte sind eine Höhenkarte, entlang Z angetastet: sie zeigen nichts von einer Kontur; tasten Sie deren Wände an, mit einem Messprogramm</translation>
+    </message>
+    <message>
+        <source>a ball of radius {} is on no touch probe ({} to {})</source>
+        <translation>eine Kugel vom Radius {} sitzt an keinem Taster ({} bis {})</translation>
+    </message>
+    <message>
+        <source>the points extend over {}, and the file does not say its unit: {}? Say {} if it is right, {}, or export in mm</source>
+        <translation>die Punkte erstrecken sich über {}, und die Datei nennt ihre Einheit nicht: {}? Sagen Sie {}, wenn es stimmt, {}, oder geben Sie in mm aus</translation>
+    </message>
+    <message>
+        <source>the coordinates are given in steps of {}, which alone scatters deviations by {} (standard deviation): export to 0.0001 mm</source>
+        <translation>die Koordinaten sind in Schritten von {} angegeben, was allein die Abweichungen um {} streut (Standardabweichung): geben Sie auf 0,0001 mm aus</translation>
+    </message>
+    <message>
+        <source>every deviation is 0</source>
+        <translation>jede Abweichung ist 0</translation>
+    </message>
+    <message>
+        <source>no deviation is larger than {}, what rounding to {} alone makes</source>
+        <translation>keine Abweichung ist größer als {}, was schon das Runden auf {} ergibt</translation>
+    </message>
+    <message>
+        <source>its sign is the other way round, positive into the material</source>
+        <translation>ihr Vorzeichen ist umgekehrt, positiv ins Material</translation>
+    </message>
+    <message>
+        <source>check what its columns mean</source>
+        <translation>prüfen Sie, was ihre Spalten bedeuten</translation>
+    </message>
+    <message>
+        <source>{}; {:.4g} inch are {}, and the file does not say its unit: {}</source>
+        <translation>{}; {:.4g} Zoll sind {}, und die Datei nennt ihre Einheit nicht: {}</translation>
+    </message>
+    <message>
+        <source>{}: {} takes a radius in mm</source>
+        <translation>{}: {} ist ein Radius in mm</translation>
+    </message>
+    <message>
+        <source>metres or inches</source>
+        <translation>Meter oder Zoll</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>Mikrometer</translation>
+    </message>
+    <message>
+        <source>{}: there is no such finding; known are {}</source>
+        <translation>{}: so einen Befund gibt es nicht; bekannt sind {}</translation>
+    </message>
+    <message>
+        <source>accepted {}: {}</source>
+        <translation>{} angenommen: {}</translation>
+    </message>
+    <message>
+        <source>the part shows {:.0f} % of just the errors (up to {}) that the program takes away already, {:.0f} % of its deviations: was it cut with this program, and not with the earlier one? Measure a part cut with this program, or give the program that cut this one</source>
+        <translation>das Teil zeigt {:.0f} % gerade der Fehler (bis {}), die das Programm schon wegnimmt, {:.0f} % seiner Abweichungen: wurde es mit diesem Programm geschnitten und nicht mit dem früheren? Messen Sie ein Teil von diesem Programm, oder geben Sie das Programm, das dieses geschnitten hat</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of the points of {} lie where {} has none, and only places of the first part tell the transfer function: name first the part that was measured all round ({})</source>
+        <translation>{:.0f} % der Punkte von {} liegen, wo {} keine hat, und nur Stellen des ersten Teils geben die Übertragungsfunktion: nennen Sie zuerst das rundum gemessene Teil ({})</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of the points of {} lie within {} of those of {}: the same part again, and no mean of two; give each part once</source>
+        <translation>{:.0f} % der Punkte von {} liegen auf {} bei denen von {}: noch einmal dasselbe Teil und kein Mittel von zweien; geben Sie jedes Teil einmal</translation>
+    </message>
+    <message>
+        <source>the file's own nominal points lie {} off the profile: check {}, the operation and the work frame</source>
+        <translation>die eigenen Sollpunkte der Datei liegen {} neben dem Profil: prüfen Sie {}, die Operation und das Werkstücksystem</translation>
+    </message>
+    <message>
+        <source>the normals of {} of {} points point into the material: export normals out of the material, not directions of approach</source>
+        <translation>die Normalen von {} der {} Punkte zeigen ins Material: geben Sie Normalen aus dem Material heraus aus, nicht Antastrichtungen</translation>
+    </message>
+    <message>
+        <source>points on thin walls that lie so far off that the other side may be meant: {}, the thinnest wall {} ({}, {}); the file has no normals: export normals</source>
+        <translation>Punkte an dünnen Wänden, so weit daneben, dass die andere Seite gemeint sein kann: {}, die dünnste Wand {} ({}, {}); die Datei hat keine Normalen: geben Sie Normalen aus</translation>
+    </message>
+    <message>
+        <source>mirror the work frame of the measurement</source>
+        <translation>spiegeln Sie das Werkstücksystem der Messung</translation>
+    </message>
+    <message>
+        <source>turn the work frame of the measurement back</source>
+        <translation>drehen Sie das Werkstücksystem der Messung zurück</translation>
+    </message>
+    <message>
+        <source>the points lie {} off {} all along, with only {} of scatter</source>
+        <translation>die Punkte liegen durchweg {} neben {}, mit nur {} Streuung</translation>
+    </message>
+    <message>
+        <source>the surface {} over the profile</source>
+        <translation>der Fläche {} über dem Profil</translation>
+    </message>
+    <message>
+        <source>the profile</source>
+        <translation>dem Profil</translation>
+    </message>
+    <message>
+        <source>{}: {} seems to be the diameter: {}</source>
+        <translation>{}: {} scheint der Durchmesser zu sein: {}</translation>
+    </message>
+    <message>
+        <source>{}: {} seems to be half of what it should be: {}</source>
+        <translation>{}: {} scheint die Hälfte des Richtigen zu sein: {}</translation>
+    </message>
+    <message>
+        <source>{}, the cutter's diameter: the profile was taken on the wrong side of the path: {}</source>
+        <translation>{}, der Durchmesser des Fräsers: das Profil wurde auf der falschen Seite der Bahn genommen: {}</translation>
+    </message>
+    <message>
+        <source>{}: what a transfer function of {:.3f} leaves of {}</source>
+        <translation>{}: was eine Übertragungsfunktion von {:.3f} von {} stehen lässt</translation>
+    </message>
+    <message>
+        <source>{}: check {}, by this {} were left, and {} and {}</source>
+        <translation>{}: prüfen Sie {}, danach wären {} stehengeblieben, und {} und {}</translation>
+    </message>
+    <message>
+        <source>{}: they look like centres of a ball of about that radius: {} with the radius from the probe's calibration; or stock was left there ({}), or the tool differs from {}</source>
+        <translation>{}: sie sehen aus wie Mittelpunkte einer Kugel von etwa diesem Radius: {} mit dem Radius aus der Kalibrierung des Tasters; oder dort blieb Aufmaß stehen ({}), oder das Werkzeug ist anders als {}</translation>
+    </message>
+    <message>
+        <source>{}: check {}, {} (stock left on the part), {} and the work frame</source>
+        <translation>{}: prüfen Sie {}, {} (am Teil gelassenes Aufmaß), {} und das Werkstücksystem</translation>
+    </message>
+    <message>
+        <source>{}: check {}, {} and the work frame</source>
+        <translation>{}: prüfen Sie {}, {} und das Werkstücksystem</translation>
+    </message>
+    <message>
+        <source>times {:g}</source>
+        <translation>mal {:g}</translation>
+    </message>
+    <message>
+        <source>the file is in inches: {}</source>
+        <translation>die Datei ist in Zoll: {}</translation>
+    </message>
+    <message>
+        <source>divided by {:g}</source>
+        <translation>geteilt durch {:g}</translation>
+    </message>
+    <message>
+        <source>the file is in millimetres or was converted twice: {}</source>
+        <translation>die Datei ist in Millimetern oder wurde zweimal umgerechnet: {}</translation>
+    </message>
+    <message>
+        <source>with x reversed</source>
+        <translation>mit umgekehrtem x</translation>
+    </message>
+    <message>
+        <source>with y reversed</source>
+        <translation>mit umgekehrtem y</translation>
+    </message>
+    <message>
+        <source>with x and y exchanged</source>
+        <translation>mit vertauschten x und y</translation>
+    </message>
+    <message>
+        <source>exchange the columns x and y</source>
+        <translation>vertauschen Sie die Spalten x und y</translation>
+    </message>
+    <message>
+        <source>with x and y exchanged and reversed</source>
+        <translation>mit vertauschten und umgekehrten x und y</translation>
+    </message>
+    <message>
+        <source>turned by {} degrees</source>
+        <translation>um {} Grad gedreht</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of the points lie on the profile, but {} {:.0f} %</source>
+        <translation>{:.0f} % der Punkte liegen am Profil, aber {} {:.0f} %</translation>
+    </message>
+    <message>
+        <source>{}: they are contact points already: {}</source>
+        <translation>{}: es sind schon Berührpunkte: {}</translation>
+    </message>
+    <message>
+        <source>{}; check {} if that seems much</source>
+        <translation>{}; prüfen Sie {}, wenn das viel scheint</translation>
+    </message>
+    <message>
+        <source>the points lie typically {} off the profile, but {} {}</source>
+        <translation>die Punkte liegen meist {} neben dem Profil, aber {} {}</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of the contour has no measured point near, most of it between {} and {}: measure there, or say with {} how much may be left to the mean</source>
+        <translation>{:.0f} % der Kontur haben keinen gemessenen Punkt in der Nähe, das meiste zwischen {} und {}: messen Sie dort, oder sagen Sie mit {}, wie viel dem Mittel überlassen wird</translation>
+    </message>
+    <message>
+        <source>{} of {} points are outliers: clean the part and the probe, measure again</source>
+        <translation>{} von {} Punkten sind Ausreißer: reinigen Sie Teil und Taster und messen Sie neu</translation>
+    </message>
+    <message>
+        <source>the wall leans: at {} it has {} more than at {} {}; one path corrects the mean of the heights: a spring pass or less overhang of the tool takes the lean away</source>
+        <translation>die Wand ist schief: bei {} hat sie {} mehr als bei {} {}; eine Bahn korrigiert das Mittel der Höhen: ein Leerschnitt oder weniger Auskragung des Werkzeugs nimmt die Schräge weg</translation>
+    </message>
+    <message>
+        <source>{} of {} points are outliers, the first at {}: clean the part and the probe, measure again</source>
+        <translation>{} von {} Punkten sind Ausreißer, der erste bei {}: reinigen Sie Teil und Taster und messen Sie neu</translation>
+    </message>
+    <message>
+        <source>all along</source>
+        <translation>überall</translation>
+    </message>
+    <message>
+        <source>at {}, {} on the average</source>
+        <translation>bei {}, {} im Mittel</translation>
+    </message>
+    <message>
+        <source>{} touches, {} of {} ways between them over the safe height</source>
+        <translation>{} Berührungen, {} von {} Wegen dazwischen über die sichere Höhe</translation>
+    </message>
+    <message>
+        <source>measured at {}, passed over at {}</source>
+        <translation>gemessen auf {}, überfahren auf {}</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>heights</source>
+        <translation>Höhen</translation>
+    </message>
+    <message>
+        <source>{} and {} more</source>
+        <translation>{} und {} weitere</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>ausgelassen</translation>
+    </message>
+    <message>
+        <source>on the profile</source>
+        <translation>am Profil</translation>
+    </message>
+    <message>
+        <source>deviation {} ({})</source>
+        <translation>Abweichung {} ({})</translation>
+    </message>
+    <message>
+        <source>of that determined {}, expected next {}</source>
+        <translation>davon ermittelt {}, als Nächstes erwartet {}</translation>
+    </message>
+    <message>
+        <source>left out: {}</source>
+        <translation>ausgelassen: {}</translation>
+    </message>
+    <message>
+        <source>{} as measured</source>
+        <translation>{} wie gemessen</translation>
+    </message>
+    <message>
+        <source>material left</source>
+        <translation>Material steht</translation>
+    </message>
+    <message>
+        <source>undercut</source>
+        <translation>Unterschnitt</translation>
+    </message>
+    <message>
+        <source>nothing is to be corrected, the program stays as it is</source>
+        <translation>nichts ist zu korrigieren, das Programm bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>{}; {:.0f} % of the contour rests on no points</source>
+        <translation>{}; {:.0f} % der Kontur beruhen auf keinen Punkten</translation>
+    </message>
+    <message>
+        <source>use it</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>look at {}</source>
+        <translation>Ansehen: {}</translation>
+    </message>
+    <message>
+        <source>{} of {} points are outliers, there the largest</source>
+        <translation>{} von {} Punkten sind Ausreißer, dort der größte</translation>
+    </message>
+    <message>
+        <source>only the path's own error changes</source>
+        <translation>nur der eigene Fehler der Bahn ändert sich</translation>
+    </message>
+    <message>
+        <source>the contour moves by up to {}, most at {}</source>
+        <translation>die Kontur rückt um bis zu {}, am meisten bei {}</translation>
+    </message>
+    <message>
+        <source>use it, and measure the first part</source>
+        <translation>Verwenden und das erste Teil messen</translation>
+    </message>
+    <message>
+        <source>{}, by the model alone</source>
+        <translation>{}, allein nach dem Modell</translation>
+    </message>
+    <message>
+        <source>use it if what the warnings ask is answered</source>
+        <translation>Verwenden, wenn geklärt ist, was die Warnungen fragen</translation>
+    </message>
+    <message>
+        <source>{} was accepted and is not resolved</source>
+        <translation>{} wurde angenommen und ist nicht gelöst</translation>
+    </message>
+    <message>
+        <source>measure again or average parts</source>
+        <translation>Neu messen oder Teile mitteln</translation>
+    </message>
+    <message>
+        <source>{} do not repeat, only {} do</source>
+        <translation>{} wiederholen sich nicht, nur {} tun es</translation>
+    </message>
+    <message>
+        <source>legal filters: none, mean:5, mean:1,2,3,2,1 (odd number of weights), gauss:MM, robust:MM, auto</source>
+        <translation>zulässige Filter: none, mean:5, mean:1,2,3,2,1 (ungerade Zahl von Gewichten), gauss:MM, robust:MM, auto</translation>
+    </message>
+    <message>
+        <source>a single point: its deviation is taken as it is, the random part cannot be known</source>
+        <translation>ein einziger Punkt: seine Abweichung gilt, wie sie ist, der zufällige Teil ist nicht zu erkennen</translation>
+    </message>
+    <message>
+        <source>arc lengths and deviations must be equally long rows, not {}, {}</source>
+        <translation>Bogenlängen und Abweichungen müssen gleich lange Reihen sein, nicht {}, {}</translation>
+    </message>
+    <message>
+        <source>there are no deviations to filter</source>
+        <translation>es gibt keine Abweichungen zu filtern</translation>
+    </message>
+    <message>
+        <source>an arc length or a deviation is not a finite number</source>
+        <translation>eine Bogenlänge oder Abweichung ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the length of the stretch must be above 0, not {:g}</source>
+        <translation>die Länge der Strecke muss über 0 sein, nicht {:g}</translation>
+    </message>
+    <message>
+        <source>the mask of {} is longer than the row of {} points: cut to {}</source>
+        <translation>die Maske von {} ist länger als die Reihe von {} Punkten: auf {} gekürzt</translation>
+    </message>
+    <message>
+        <source>the mask is not symmetric: it shifts the deviations along the profile</source>
+        <translation>die Maske ist nicht symmetrisch: sie verschiebt die Abweichungen entlang des Profils</translation>
+    </message>
+    <message>
+        <source>the points are unevenly spaced (up to {}, median {}) and the moving average counts points: prefer gauss:MM or auto</source>
+        <translation>die Punkte stehen ungleichmäßig (bis {}, Median {}), und das gleitende Mittel zählt Punkte: besser gauss:MM oder auto</translation>
+    </message>
+    <message>
+        <source>the mask sums to 0 at an end of the row: those points are left unfiltered</source>
+        <translation>die Maske ergibt am Ende der Reihe 0: diese Punkte bleiben ungefiltert</translation>
+    </message>
+    <message>
+        <source>the cutoff of {} is below twice the point spacing ({}): next to nothing is filtered</source>
+        <translation>die Grenzwellenlänge von {} liegt unter dem doppelten Punktabstand ({}): fast nichts wird gefiltert</translation>
+    </message>
+    <message>
+        <source>the robust regression did not settle within {} rounds</source>
+        <translation>die robuste Regression kam in {} Durchgängen nicht zur Ruhe</translation>
+    </message>
+    <message>
+        <source>points far off the line, which are outliers and left out: {}</source>
+        <translation>Punkte weitab der Linie, die Ausreißer sind und ausgelassen werden: {}</translation>
+    </message>
+    <message>
+        <source>unknown filter '{}'; {}</source>
+        <translation>unbekannter Filter „{}“; {}</translation>
+    </message>
+    <message>
+        <source>filter '{}' holds a number that is not finite; {}</source>
+        <translation>Filter „{}“ enthält eine Zahl, die nicht endlich ist; {}</translation>
+    </message>
+    <message>
+        <source>filter '{}' has an even number of weights; {}</source>
+        <translation>Filter „{}“ hat eine gerade Zahl von Gewichten; {}</translation>
+    </message>
+    <message>
+        <source>the weights of filter '{}' add up to 0; {}</source>
+        <translation>die Gewichte des Filters „{}“ ergeben zusammen 0; {}</translation>
+    </message>
+    <message>
+        <source>the points spread over {} of a stretch of {}</source>
+        <translation>die Punkte erstrecken sich über {} einer Strecke von {}</translation>
+    </message>
+    <message>
+        <source>the mask of {} is longer than the row of {} points</source>
+        <translation>die Maske von {} ist länger als die Reihe von {} Punkten</translation>
+    </message>
+    <message>
+        <source>filter '{}' holds something that is not a number; {}</source>
+        <translation>Filter „{}“ enthält etwas, das keine Zahl ist; {}</translation>
+    </message>
+    <message>
+        <source>filter '{}' needs one cutoff in mm above 0; {}</source>
+        <translation>Filter „{}“ braucht eine Grenzwellenlänge in mm über 0; {}</translation>
+    </message>
+    <message>
+        <source>filter '{}' needs an odd whole number of points; {}</source>
+        <translation>Filter „{}“ braucht eine ungerade ganze Zahl von Punkten; {}</translation>
+    </message>
+    <message>
+        <source>part {} was measured at other places than the first: nothing can be averaged</source>
+        <translation>Teil {} wurde an anderen Stellen gemessen als das erste: nichts lässt sich mitteln</translation>
+    </message>
+    <message>
+        <source>{}: the points lie {} off the profile and not {} over it: check {}; it belongs to a part with stock left on it, and {} is then the program that finishes it</source>
+        <translation>{}: die Punkte liegen {} neben dem Profil und nicht {} darüber: prüfen Sie {}; es gehört zu einem Teil mit stehendem Aufmaß, und {} ist dann das Programm, das es fertigstellt</translation>
+    </message>
+    <message>
+        <source>the diameter of {} is not known</source>
+        <translation>der Durchmesser von {} ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>what is cut under {} is another part than the measured one, cut under {}: it stays as it is</source>
+        <translation>was unter {} geschnitten wird, ist ein anderes Teil als das gemessene, geschnitten unter {}: es bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>the tool diameter {} must be a length above 0</source>
+        <translation>der Werkzeugdurchmesser {} muss eine Länge über 0 sein</translation>
+    </message>
+    <message>
+        <source>the same measurement is given twice: averaging needs different parts</source>
+        <translation>dieselbe Messung ist zweimal gegeben: Mitteln braucht verschiedene Teile</translation>
+    </message>
+    <message>
+        <source>{} carries the correction from this measurement already, since {}: the part was cut by an earlier program, so all is shown as if this one carried no correction</source>
+        <translation>{} trägt die Korrektur aus dieser Messung schon, seit {}: das Teil wurde mit einem früheren Programm geschnitten, darum steht alles so da, als trüge dieses keine Korrektur</translation>
+    </message>
+    <message>
+        <source>{}:{}: a part with stock left was cut by a first cut of the uncorrected program: give that as {}, not one that was corrected since</source>
+        <translation>{}:{}: ein Teil mit stehendem Aufmaß wurde mit einem ersten Schnitt des unkorrigierten Programms geschnitten: geben Sie dieses als {}, nicht eines, das seither korrigiert wurde</translation>
+    </message>
+    <message>
+        <source>{} needs {}: one touch or two; without any {}</source>
+        <translation>{} braucht {}: eine Berührung oder zwei; ohne jede {}</translation>
+    </message>
+    <message>
+        <source>{} takes no {}: with touches use {}</source>
+        <translation>{} nimmt kein {}: mit Berührungen {} verwenden</translation>
+    </message>
+    <message>
+        <source>a first cut that leaves stock is made before anything is measured</source>
+        <translation>ein erster Schnitt, der Aufmaß lässt, wird gemacht, bevor etwas gemessen ist</translation>
+    </message>
+    <message>
+        <source>{}: no move runs along the contour that the points lie on</source>
+        <translation>{}: keine Bewegung läuft entlang der Kontur, auf der die Punkte liegen</translation>
+    </message>
+    <message>
+        <source>{}:{}: {} names a corrected program; give the first, uncorrected one</source>
+        <translation>{}:{}: {} nennt ein korrigiertes Programm; geben Sie das erste, unkorrigierte</translation>
+    </message>
+    <message>
+        <source>{} or {}: the program has no G41 or G42 that tells the side of the cutter</source>
+        <translation>{} oder {}: das Programm hat kein G41 oder G42, das die Seite des Fräsers nennt</translation>
+    </message>
+    <message>
+        <source>{} states it</source>
+        <translation>{} nennt ihn</translation>
+    </message>
+    <message>
+        <source>a T word before its cuts gives it a number to state</source>
+        <translation>ein T-Wort vor seinen Schnitten gibt ihm eine Nummer, um ihn zu nennen</translation>
+    </message>
+    <message>
+        <source>{}: what it cuts stays as it is and is not looked at; {}</source>
+        <translation>{}: was es schneidet, bleibt, wie es ist, und wird nicht angesehen; {}</translation>
+    </message>
+    <message>
+        <source>{}: the program has no feed move that could follow a contour</source>
+        <translation>{}: das Programm hat keine Vorschubbewegung, die einer Kontur folgen könnte</translation>
+    </message>
+    <message>
+        <source>nothing that runs along a contour is read: {}; write the moves in place of this line, as {}</source>
+        <translation>nichts, was entlang einer Kontur läuft, ist lesbar: {}; schreiben Sie die Bewegungen statt dieser Zeile, als {}</translation>
+    </message>
+    <message>
+        <source>{}: a cutter of {} takes no more than its width off; the depth is meant along the contour's normal, from the stock to the surface, in mm</source>
+        <translation>{}: ein Fräser von {} nimmt nicht mehr als seine Breite ab; gemeint ist die Tiefe entlang der Normalen der Kontur, vom Rohteil zur Fläche, in mm</translation>
     </message>
 </context>
 </TS>

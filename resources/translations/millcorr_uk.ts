@@ -548,6 +548,10 @@
         <translation>Довжина</translation>
     </message>
     <message>
+        <source>Path tolerance</source>
+        <translation>Допуск траєкторії</translation>
+    </message>
+    <message>
         <source>Batch</source>
         <translation>Пакет</translation>
     </message>
@@ -891,10 +895,6 @@
         <source>Directory for the report with all signals</source>
         <translation>Каталог для звіту з усіма сигналами</translation>
     </message>
-    <message>
-        <source>Path tolerance</source>
-        <translation>Допуск траєкторії</translation>
-    </message>
 </context>
 <context>
     <name>Millcorr</name>
@@ -1013,6 +1013,18 @@
     <message>
         <source>the only one</source>
         <translation>єдина</translation>
+    </message>
+    <message>
+        <source>µm</source>
+        <translation>мкм</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>дюйм</translation>
+    </message>
+    <message>
+        <source>thou</source>
+        <translation>мілідюйм</translation>
     </message>
     <message>
         <source>Reading points</source>
@@ -1651,6 +1663,44 @@
         <translation>інші точки файлу</translation>
     </message>
     <message>
+        <source>Millcorr needs Python packages that FreeCAD's Python does not have: {}.
+
+They can be installed into {}, for FreeCAD alone, from the network.</source>
+        <translation>Millcorr потребує пакетів Python, яких немає в Python програми FreeCAD: {}.
+
+Їх можна встановити з мережі в {}, лише для FreeCAD.</translation>
+    </message>
+    <message>
+        <source>They could not be installed: {}
+
+In a terminal, this does the same:
+{}</source>
+        <translation>Їх не вдалося встановити: {}
+
+У терміналі те саме робить:
+{}</translation>
+    </message>
+    <message>
+        <source>Python packages, which a dialog offers to install: {}</source>
+        <translation>пакети Python, які пропонує встановити вікно: {}</translation>
+    </message>
+    <message>
+        <source>Install</source>
+        <translation>Встановити</translation>
+    </message>
+    <message>
+        <source>Installing…</source>
+        <translation>Встановлення…</translation>
+    </message>
+    <message>
+        <source>Installed. Start FreeCAD again to use them.</source>
+        <translation>Встановлено. Запустіть FreeCAD знову, щоб їх використати.</translation>
+    </message>
+    <message>
+        <source>On Debian and Ubuntu pip comes with: apt install python3-pip</source>
+        <translation>У Debian та Ubuntu pip дає команда: apt install python3-pip</translation>
+    </message>
+    <message>
         <source>Stopped: change a setting to compute again</source>
         <translation>Зупинено: змініть налаштування, щоб обчислити знову</translation>
     </message>
@@ -2035,18 +2085,6 @@
         <translation>Перший прохід знімає {0} {2} і залишає {1} {2}. Його траєкторія в межах {3} {4} від точної еквідистанти.</translation>
     </message>
     <message>
-        <source>µm</source>
-        <translation>мкм</translation>
-    </message>
-    <message>
-        <source>in</source>
-        <translation>дюйм</translation>
-    </message>
-    <message>
-        <source>thou</source>
-        <translation>мілідюйм</translation>
-    </message>
-    <message>
         <source>General</source>
         <translation>Загальне</translation>
     </message>
@@ -2413,6 +2451,1057 @@
     <message>
         <source>Ask for a file and write a measuring program of the selected operation, or of the job's only Profile</source>
         <translation>Запитує файл і записує вимірювальну програму вибраної операції або єдиного Profile завдання</translation>
+    </message>
+</context>
+<context>
+    <name>Millcorr_Said</name>
+    <message>
+        <source>{}: {} {} puts the path on the other side of the contour</source>
+        <translation>{}: {} {} переносить траєкторію на інший бік контуру</translation>
+    </message>
+    <message>
+        <source>{}: the operation's base geometry gives no profile; select faces or edges of it in the operation, with processPerimeter or processHoles on</source>
+        <translation>{}: базова геометрія операції не дає профілю; виберіть в операції її грані або ребра, з processPerimeter чи processHoles</translation>
+    </message>
+    <message>
+        <source>{}: lines of the pattern {} end on the pocket's walls, and would cut into them once they are corrected; choose the pattern Offset</source>
+        <translation>{}: лінії шаблону {} закінчуються на стінках кишені й після корекції врізалися б у них; виберіть шаблон Offset</translation>
+    </message>
+    <message>
+        <source>{}: the operation belongs to no job and has no base geometry</source>
+        <translation>{}: операція не належить до жодного завдання і не має базової геометрії</translation>
+    </message>
+    <message>
+        <source>{}: the job has no model</source>
+        <translation>{}: завдання не має моделі</translation>
+    </message>
+    <message>
+        <source>{}: set {} to 0, the control holds the radius (UseComp off)</source>
+        <translation>{}: установіть {} на 0, радіус враховує система ЧПК (UseComp вимкнено)</translation>
+    </message>
+    <message>
+        <source>{}: a pocket follows faces, and an edge of {} is selected</source>
+        <translation>{}: кишеня йде за гранями, а вибрано ребро {}</translation>
+    </message>
+    <message>
+        <source>{}: {}.{} is neither face nor edge</source>
+        <translation>{}: {}.{} не є ні гранню, ні ребром</translation>
+    </message>
+    <message>
+        <source>{}: {}.{} is neither level nor vertical; choose a sketch of the contour as Nominal</source>
+        <translation>{}: {}.{} не горизонтальна і не вертикальна; виберіть ескіз контуру як номінальний контур</translation>
+    </message>
+    <message>
+        <source>unknown setting {}; known are {}</source>
+        <translation>невідоме налаштування {}; відомі {}</translation>
+    </message>
+    <message>
+        <source>{}: the dressup has no operation below it</source>
+        <translation>{}: під корекцією немає операції</translation>
+    </message>
+    <message>
+        <source>{}: the operation has no path; recompute it</source>
+        <translation>{}: операція не має траєкторії; перерахуйте її</translation>
+    </message>
+    <message>
+        <source>{}: the operation cuts along no contour; check its base geometry, and that its FinalDepth lies below the edges that are selected</source>
+        <translation>{}: операція не ріже вздовж жодного контуру; перевірте її базову геометрію і чи FinalDepth нижча за вибрані ребра</translation>
+    </message>
+    <message>
+        <source>the path of {} is not the one the measured part was cut with: the difference between the two counts as an error of the machine; measure a part cut with the path as it is now</source>
+        <translation>траєкторія {} не та, з якою різали виміряну деталь: різниця рахується як похибка верстата; виміряйте деталь, вирізану з теперішньою траєкторією</translation>
+    </message>
+    <message>
+        <source>{}: the operation stands in no job</source>
+        <translation>{}: операція не стоїть у жодному завданні</translation>
+    </message>
+    <message>
+        <source>{}: a dressup lies on this operation; choose the dressup</source>
+        <translation>{}: над цією операцією вже є надбудова; виберіть її</translation>
+    </message>
+    <message>
+        <source>{}: the measurement holds no file</source>
+        <translation>{}: вимірювання не містить файлу</translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation>немає такого файлу</translation>
+    </message>
+    <message>
+        <source>cannot be read: {}</source>
+        <translation>не читається: {}</translation>
+    </message>
+    <message>
+        <source>{} is a measured part of {} already: switch it on instead</source>
+        <translation>{} вже є виміряною деталлю {}: натомість увімкніть її</translation>
+    </message>
+    <message>
+        <source>{}, line {}</source>
+        <translation>{}, рядок {}</translation>
+    </message>
+    <message>
+        <source>line {}</source>
+        <translation>рядок {}</translation>
+    </message>
+    <message>
+        <source>alignment: the points do not determine the {}; the fit leaves it alone</source>
+        <translation>суміщення: точки не визначають {}; воно лишається як є</translation>
+    </message>
+    <message>
+        <source>alignment: {} of {} points ({:.0f} %) lie off the rest and have no weight in the fit; is a side of the part displaced?</source>
+        <translation>суміщення: {} з {} точок ({:.0f} %) лежать осторонь решти й не мають ваги; чи не зміщено якийсь бік деталі?</translation>
+    </message>
+    <message>
+        <source>alignment: the fit hides {:.0f} % of a constant deviation such as a wrong tool or ball radius (mean {} before, {} after)</source>
+        <translation>суміщення ховає {:.0f} % сталого відхилення, як від хибного радіуса інструмента чи кульки (середнє {} до, {} після)</translation>
+    </message>
+    <message>
+        <source>alignment: the part measures {:.6f} +- {:.6f} of the profile's size ({} at {}); the scale is not applied: check temperature and unit</source>
+        <translation>суміщення: деталь має {:.6f} +- {:.6f} розміру профілю ({} на {}); масштаб не застосовано: перевірте температуру й одиницю</translation>
+    </message>
+    <message>
+        <source>{}: give none, shift, rigid, or some of x, y, turn joined by +; then :zone or :all</source>
+        <translation>{}: вкажіть none, shift, rigid або щось із x, y, turn через +; далі :zone або :all</translation>
+    </message>
+    <message>
+        <source>{}: alignment: no end after {} steps, the last one {}</source>
+        <translation>{}: суміщення: немає кінця після {} кроків, останній {}</translation>
+    </message>
+    <message>
+        <source>{}: alignment: no minimum zone after {} steps</source>
+        <translation>{}: суміщення: немає мінімальної зони після {} кроків</translation>
+    </message>
+    <message>
+        <source>{}: alignment with {} free degrees of freedom needs at least {} points, there are {}</source>
+        <translation>{}: суміщення з {} ступенями вільності потребує щонайменше {} точок, є {}</translation>
+    </message>
+    <message>
+        <source>{}: alignment: {:.0f} % of the points stay farther than {} from the profile; check unit, work frame, {} and {}</source>
+        <translation>{}: суміщення: {:.0f} % точок лишаються далі ніж {} від профілю; перевірте одиницю, систему деталі, {} і {}</translation>
+    </message>
+    <message>
+        <source>minimum zone: the linear programme failed: {}</source>
+        <translation>мінімальна зона: лінійна програма не розв'язалася: {}</translation>
+    </message>
+    <message>
+        <source>{}: alignment: the usable points do not determine the motion</source>
+        <translation>{}: суміщення: придатні точки не визначають руху</translation>
+    </message>
+    <message>
+        <source>touched along X or along Y: the slope is too near to 45 degrees to tell, and the file does not say</source>
+        <translation>дотик уздовж X чи Y: нахил надто близький до 45 градусів, а файл не каже</translation>
+    </message>
+    <message>
+        <source>touched neither along X nor along Y by the slope of the profile, and the file does not say</source>
+        <translation>за нахилом профілю дотик ні вздовж X, ні вздовж Y, а файл не каже</translation>
+    </message>
+    <message>
+        <source>the probe did not travel towards the material here</source>
+        <translation>щуп тут не рухався до матеріалу</translation>
+    </message>
+    <message>
+        <source>the points lie {:+.3f} to {} off the profile, by its slope, as if the control had shifted them along X and Y by the radius of a ball of about {}; taken back, {:.0f} of {} of scatter are left: {} with {} from the probe's calibration</source>
+        <translation>точки лежать на {:+.3f} до {} від профілю, за його нахилом, ніби система ЧПК змістила їх уздовж X і Y на радіус кульки близько {}; без цього лишається {:.0f} з {} розкиду: {} з {} із калібрування щупа</translation>
+    </message>
+    <message>
+        <source>with the shift by {} along the axis of travel taken back, {} times (1 - cos) of the slope is left, {} of scatter, {} without it</source>
+        <translation>якщо зняти зміщення на {} уздовж осі руху, лишається {} разів (1 - cos) нахилу, розкид {}, без нього {}</translation>
+    </message>
+    <message>
+        <source>{}: the points were not shifted along the axis: {}, or centre with {}</source>
+        <translation>{}: точки не були зміщені вздовж осі: {}, або centre з {}</translation>
+    </message>
+    <message>
+        <source>{}: {} seems to be about {:.2f}; see its calibration</source>
+        <translation>{}: {} має бути близько {:.2f}; див. калібрування</translation>
+    </message>
+    <message>
+        <source>{}: the probe's radius can be taken back at none of {} points, most are {}: check {}, {} and the work frame, or give each point's direction of travel</source>
+        <translation>{}: радіус щупа не вдається зняти в жодній з {} точок, більшість: {}; перевірте {}, {} і систему деталі, або вкажіть напрям руху для кожної точки</translation>
+    </message>
+    <message>
+        <source>{}: two radii of a shift need a probe that says the effective one</source>
+        <translation>{}: два радіуси зміщення потребують щупа, який називає діючий</translation>
+    </message>
+    <message>
+        <source>{}: the probe travelled along no axis, and control_radius has one radius for X and another one for Y</source>
+        <translation>{}: щуп рухався не вздовж осі, а control_radius має різні радіуси для X і Y</translation>
+    </message>
+    <message>
+        <source>farther than {} from the profile</source>
+        <translation>далі ніж {} від профілю</translation>
+    </message>
+    <message>
+        <source>beyond the end of the open profile</source>
+        <translation>за кінцем незамкненого профілю</translation>
+    </message>
+    <message>
+        <source>at a corner, where the profile has no single normal and the file gives none</source>
+        <translation>у куті, де профіль не має однієї нормалі, а файл її не дає</translation>
+    </message>
+    <message>
+        <source>two branches of the profile are equally near and the file gives no normal</source>
+        <translation>дві гілки профілю однаково близькі, а файл не дає нормалі</translation>
+    </message>
+    <message>
+        <source>in an inner corner or hollow that the cutter cannot reach</source>
+        <translation>у внутрішньому куті чи западині, куди фреза не дістає</translation>
+    </message>
+    <message>
+        <source>touched on another surface: its own normal is more than 60 degrees off the profile's there</source>
+        <translation>дотик до іншої поверхні: власна нормаль відхиляється від нормалі профілю більш ніж на 60 градусів</translation>
+    </message>
+    <message>
+        <source>{}: the program cuts the wall in steps down to {}, and the points have no height: on which of them each lies cannot be told; give the file with its third coordinate</source>
+        <translation>{}: програма ріже стінку сходинками до {}, а точки не мають висоти: на якій сходинці кожна, сказати не можна; дайте файл із третьою координатою</translation>
+    </message>
+    <message>
+        <source>{}: the probe's radius is not taken off yet: comparison.ball_radius.contact_known comes first</source>
+        <translation>{}: радіус щупа ще не віднято: спершу comparison.ball_radius.contact_known</translation>
+    </message>
+    <message>
+        <source>{}: none of the {} points can be used, most are {}; check unit, work frame, {} and {}</source>
+        <translation>{}: жодна з {} точок не придатна, більшість: {}; перевірте одиницю, систему деталі, {} і {}</translation>
+    </message>
+    <message>
+        <source>the path only circles points at the tool radius {}, or turns tighter than it everywhere: there is no contour; check {} and {}</source>
+        <translation>траєкторія лише обходить точки радіусом інструмента {} або всюди крутіша: контуру немає; перевірте {} і {}</translation>
+    </message>
+    <message>
+        <source>the offset path does not close near {}: check {} and {}, or give the contour with {}</source>
+        <translation>зміщена траєкторія не замикається біля {}: перевірте {} і {}, або дайте контур через {}</translation>
+    </message>
+    <message>
+        <source>the stretch of {} through {} was measured at that place only: {} hold all along it</source>
+        <translation>ділянку {} через {} виміряно лише там: {} діє вздовж усієї</translation>
+    </message>
+    <message>
+        <source>a correction of {} is needed at {} (points: {}), more than {}; nothing was corrected: look at the place in the report of a check, and say a larger {} if it is right</source>
+        <translation>потрібна корекція {} у {} (точок: {}), більше ніж {}; нічого не скориговано: подивіться на місце у звіті перевірки й задайте більше {}, якщо все правильно</translation>
+    </message>
+    <message>
+        <source>the stretch of {} near {} has no usable point</source>
+        <translation>на ділянці {} біля {} немає придатної точки</translation>
+    </message>
+    <message>
+        <source>between the points the correction swings to {} at {}, more than {}: use a stronger {}; nothing was corrected</source>
+        <translation>між точками корекція розгойдується до {} у {}, більше ніж {}: потрібен сильніший {}; нічого не скориговано</translation>
+    </message>
+    <message>
+        <source>{}: it follows its neighbours, {} to {}</source>
+        <translation>{}: вона йде за сусідніми, {} до {}</translation>
+    </message>
+    <message>
+        <source> and {} shorter gaps</source>
+        <translation> і {} коротших прогалин</translation>
+    </message>
+    <message>
+        <source>no usable point on {} between {} and {}{}: the correction runs straight across or holds its last value</source>
+        <translation>немає придатної точки на {} між {} і {}{}: корекція йде навпростець або тримає останнє значення</translation>
+    </message>
+    <message>
+        <source>{}: it is not corrected</source>
+        <translation>{}: її не скориговано</translation>
+    </message>
+    <message>
+        <source>{}: more than {} would hide what is to be corrected</source>
+        <translation>{}: більше ніж {} сховало б те, що слід скоригувати</translation>
+    </message>
+    <message>
+        <source>{} needs {}, the depth that the measured part was cut at</source>
+        <translation>{} потребує {}, глибини, з якою вирізано виміряну деталь</translation>
+    </message>
+    <message>
+        <source>a first cut that leaves stock is made before anything is measured or predicted</source>
+        <translation>перший прохід, що лишає припуск, роблять до вимірювання чи прогнозу</translation>
+    </message>
+    <message>
+        <source>{} takes the whole error out: it goes with neither {} nor {}</source>
+        <translation>{} знімає всю похибку: воно не поєднується ні з {}, ні з {}</translation>
+    </message>
+    <message>
+        <source>{} is given {} times and measured parts {}: give it once, or once for each {}</source>
+        <translation>{} вказано {} разів, виміряних деталей {}: вкажіть один раз або по разу на кожне {}</translation>
+    </message>
+    <message>
+        <source> or {}</source>
+        <translation> або {}</translation>
+    </message>
+    <message>
+        <source>{} belongs to {}, not to {}</source>
+        <translation>{} належить до {}, а не до {}</translation>
+    </message>
+    <message>
+        <source>{}: write the number or name and the diameter of a tool in mm, as {}</source>
+        <translation>{}: напишіть номер чи назву й діаметр інструмента в мм, як {}</translation>
+    </message>
+    <message>
+        <source>{} parts cut {} mm deep: the transfer function is taken from the difference, the constant offset apart; deviations are shown as at the depth of the first</source>
+        <translation>{} деталі, вирізані на глибину {} мм: передавальна функція взята з різниці, сталий зсув окремо; відхилення показано як на глибині першої</translation>
+    </message>
+    <message>
+        <source>the parts were cut at different depths: say with {} what the next one takes off</source>
+        <translation>деталі різали на різну глибину: скажіть через {}, скільки знімає наступний прохід</translation>
+    </message>
+    <message>
+        <source>{} stretches of contours without a measured point are left as they are</source>
+        <translation>ділянок контурів без виміряної точки, що лишаються як є: {}</translation>
+    </message>
+    <message>
+        <source>gain {:g} leaves {:.0f} % of what the next part would show on purpose</source>
+        <translation>підсилення {:g} навмисно лишає {:.0f} % того, що показала б наступна деталь</translation>
+    </message>
+    <message>
+        <source>one depth cannot tell a constant offset (tool radius, backlash, edge force) from elastic response: all of it is taken as elastic, which is right at the depth measured; for another depth measure two</source>
+        <translation>одна глибина не відрізняє сталий зсув (радіус інструмента, люфт, сила на кромці) від піддатливості: усе вважається пружним, що правильно на виміряній глибині; для іншої виміряйте дві</translation>
+    </message>
+    <message>
+        <source>deviations along {} with depths along the normal correct by {} more on average than {}</source>
+        <translation>відхилення вздовж {} з глибинами вздовж нормалі коригують у середньому на {} більше, ніж {}</translation>
+    </message>
+    <message>
+        <source>at {}: </source>
+        <translation>у {}: </translation>
+    </message>
+    <message>
+        <source>{}the commanded depth is {}, not above 0: a transfer function needs a cut; check {}</source>
+        <translation>{}задана глибина {}, не більша за 0: передавальна функція потребує різання; перевірте {}</translation>
+    </message>
+    <message>
+        <source>{}{} of a commanded depth of {} stayed: the transfer function delta/(H - delta) has no meaning there; check {}</source>
+        <translation>{}{} із заданої глибини {} лишилося: передавальна функція delta/(H - delta) там не має сенсу; перевірте {}</translation>
+    </message>
+    <message>
+        <source>the parts of different depth were measured at different places: nothing can be compared</source>
+        <translation>деталі різної глибини виміряно в різних місцях: порівняти нічого</translation>
+    </message>
+    <message>
+        <source>{}{:.0f} % of the difference between the depths stayed: no transfer function follows from that; check {}</source>
+        <translation>{}{:.0f} % різниці глибин лишилося: передавальна функція з цього не випливає; перевірте {}</translation>
+    </message>
+    <message>
+        <source>{}the normal is {:.0f} degrees off {}: a deviation along {} says little there; use {}</source>
+        <translation>{}нормаль відхилена на {:.0f} градусів від {}: відхилення вздовж {} там мало що каже; використайте {}</translation>
+    </message>
+    <message>
+        <source>check {} and which part was cut at which</source>
+        <translation>перевірте {} і яку деталь з якою різали</translation>
+    </message>
+    <message>
+        <source>the tool may be larger than stated or the path off; measure a part cut at another {} as well, or use {}</source>
+        <translation>інструмент може бути більший, ніж сказано, або траєкторія збоку; виміряйте й деталь з іншою {}, або використайте {}</translation>
+    </message>
+    <message>
+        <source>at {} the transfer function would be {:+.4f}, negative beyond its uncertainty of {:.4f}: no elastic system removes more than it is told to; {}</source>
+        <translation>у {} передавальна функція була б {:+.4f}, від'ємна понад свою невизначеність {:.4f}: жодна пружна система не знімає більше заданого; {}</translation>
+    </message>
+    <message>
+        <source>the transfer function would be {:.3f} in the middle: {:.0f} % of the depth would stay, which no machine is left to do; check {}</source>
+        <translation>передавальна функція була б у середньому {:.3f}: лишилося б {:.0f} % глибини, чого верстат не робить; перевірте {}</translation>
+    </message>
+    <message>
+        <source>the transfer function is {:.4f} in the middle: only {:.1f} % of the depth stays, less than milling machines give way; check {}</source>
+        <translation>передавальна функція в середньому {:.4f}: лишається лише {:.1f} % глибини, менше, ніж піддаються фрезерні верстати; перевірте {}</translation>
+    </message>
+    <message>
+        <source>the transfer function is {:.3f} at {}: {:.0f} % of the depth stays; check {}</source>
+        <translation>передавальна функція {:.3f} у {}: лишається {:.0f} % глибини; перевірте {}</translation>
+    </message>
+    <message>
+        <source>{}: choose one of {}</source>
+        <translation>{}: виберіть одне з {}</translation>
+    </message>
+    <message>
+        <source>near {} the program runs {} off the profile at {} and {} off it at {}: which pass carries the correction cannot be told; correct the first, uncorrected program, or one that holds the finishing pass alone</source>
+        <translation>біля {} програма йде на {} від профілю на {} і на {} від нього на {}: який прохід несе корекцію, сказати не можна; коригуйте першу, некориговану програму або ту, що має лише чистовий прохід</translation>
+    </message>
+    <message>
+        <source>the written program reads back with {} moves in place of {}</source>
+        <translation>записана програма читається з {} рухами замість {}</translation>
+    </message>
+    <message>
+        <source>{} stays at {}: what is wanted there is too narrow for a cutter of {}; a smaller one would reach it</source>
+        <translation>{} лишається у {}: те, що там потрібне, завузьке для фрези {}; менша дістала б</translation>
+    </message>
+    <message>
+        <source>line {} of the corrected program, which is not corrected itself, cuts {} into the corrected surface at {}, beyond what was measured: if that is a wall of the part and no lead, {} moves such passes along</source>
+        <translation>рядок {} скоригованої програми, сам не скоригований, врізається на {} у скориговану поверхню у {}, за межами виміряного: якщо це стінка деталі, а не підхід, {} зсуває такі проходи разом</translation>
+    </message>
+    <message>
+        <source>other passes on the corrected wall are moved along with it: lines {} of {}</source>
+        <translation>інші проходи по скоригованій стінці зсунуто разом: рядки {} з {}</translation>
+    </message>
+    <message>
+        <source>line {} of the written program goes to {} and not where it was planned to go</source>
+        <translation>рядок {} записаної програми йде в {}, а не куди заплановано</translation>
+    </message>
+    <message>
+        <source>the program does not cut the profile near {}, where points were measured: give the {} that cuts it, or only the points that belong to it</source>
+        <translation>програма не ріже профіль біля {}, де виміряно точки: дайте {}, що його ріже, або лише точки, що до неї належать</translation>
+    </message>
+    <message>
+        <source>no move of the program follows the profile at {}: the nearest runs {} off; check {}, {}, stock to leave and the work frame</source>
+        <translation>жоден рух програми не йде за профілем на відстані {}: найближчий на {} убік; перевірте {}, {}, припуск і систему деталі</translation>
+    </message>
+    <message>
+        <source>the compensated profile near {} cannot be fitted better than {}: the deviations change too fast; use a stronger {}</source>
+        <translation>скоригований профіль біля {} не вдається наблизити краще ніж до {}: відхилення міняються зашвидко; потрібен сильніший {}</translation>
+    </message>
+    <message>
+        <source>the correction leaves nothing of the {} long piece of the profile near {}</source>
+        <translation>корекція нічого не лишає від {} ділянки профілю біля {}</translation>
+    </message>
+    <message>
+        <source>the corrected contour does not close at the corner {}</source>
+        <translation>скоригований контур не замикається в куті {}</translation>
+    </message>
+    <message>
+        <source>the written program leaves no surface near {} that could be proven</source>
+        <translation>записана програма не лишає біля {} поверхні, яку можна довести</translation>
+    </message>
+    <message>
+        <source>line {} of the corrected program, which is not corrected itself, would cut {} into the corrected surface at {}: it leaves too little stock for it; {} moves such passes along</source>
+        <translation>рядок {} скоригованої програми, сам не скоригований, врізався б на {} у скориговану поверхню у {}: він лишає замало припуску; {} зсуває такі проходи разом</translation>
+    </message>
+    <message>
+        <source>the written program differs where it must not: line {}: {}</source>
+        <translation>записана програма відрізняється там, де не повинна: рядок {}: {}</translation>
+    </message>
+    <message>
+        <source>the written program differs where it must not: line {}: its header is another one</source>
+        <translation>записана програма відрізняється там, де не повинна: рядок {}: її заголовок інший</translation>
+    </message>
+    <message>
+        <source>the corrected {} would be {} off at {}, more than the tolerance of {}</source>
+        <translation>скориговане ({}) було б на {} убік у {}, більше за допуск {}</translation>
+    </message>
+    <message>
+        <source>path</source>
+        <translation>траєкторія</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>поверхня</translation>
+    </message>
+    <message>
+        <source>{} (the cutter gouges there)</source>
+        <translation>{} (фреза там зарізає)</translation>
+    </message>
+    <message>
+        <source>{}: where that does no harm, a larger {}</source>
+        <translation>{}: де це не шкодить, більше {}</translation>
+    </message>
+    <message>
+        <source>the posted program lacks the move to {} (command {} of the path)</source>
+        <translation>у виведеній програмі бракує руху до {} (команда {} траєкторії)</translation>
+    </message>
+    <message>
+        <source>an outlier: more probably wrong than right, by its neighbours</source>
+        <translation>викид: судячи із сусідніх точок, радше хибна, ніж правильна</translation>
+    </message>
+    <message>
+        <source>gain {:g} leaves {:.0f} % of the determined deviation on purpose</source>
+        <translation>підсилення {:g} навмисно лишає {:.0f} % визначеного відхилення</translation>
+    </message>
+    <message>
+        <source>{} of {} points cannot be used, most are {}: see the report for which</source>
+        <translation>{} з {} точок не придатні, більшість: {}; які саме, див. у звіті</translation>
+    </message>
+    <message>
+        <source>a tool's diameter {} for {}</source>
+        <translation>діаметр інструмента {} замість {}</translation>
+    </message>
+    <message>
+        <source>mean {} all along, form only {}: check for {}; else the machine gives way</source>
+        <translation>середнє {} всюди, форма лише {}: перевірте, чи це {}; інакше піддається верстат</translation>
+    </message>
+    <message>
+        <source>sides that lie {} off the other {} all along (each within {}): {}, the first at {}; compare that dimension with the drawing: another revision, or a wall that gives way</source>
+        <translation>сторони, що всюди на {} від інших {} (кожна в межах {}): {}, перша у {}; порівняйте цей розмір із кресленням: інша редакція або піддатлива стінка</translation>
+    </message>
+    <message>
+        <source>only {} of {} points can be used, most others are {}: is the program whole, and is it the one that cut the part?</source>
+        <translation>лише {} з {} точок придатні, більшість інших: {}; чи програма ціла і чи саме вона різала деталь?</translation>
+    </message>
+    <message>
+        <source>check the height of the work frame of the measurement</source>
+        <translation>перевірте висоту системи деталі у вимірюванні</translation>
+    </message>
+    <message>
+        <source>{} of {} points on the profile ({} to {}) lie {} all that the program cuts, {}: {}, or leave the column z out</source>
+        <translation>{} з {} точок на профілі ({} до {}) лежать {} всього, що ріже програма, {}: {}, або не беріть стовпець z</translation>
+    </message>
+    <message>
+        <source>{} points (from {}) lie below the deepest pass at {}: {}</source>
+        <translation>{} точок (від {}) лежать нижче найглибшого проходу на {}: {}</translation>
+    </message>
+    <message>
+        <source>{} points (up to {}) lie above {}, from where the cutter comes down: {}</source>
+        <translation>{} точок (до {}) лежать вище {}, звідки опускається фреза: {}</translation>
+    </message>
+    <message>
+        <source>a probe's radius {} for {}</source>
+        <translation>радіус щупа {} замість {}</translation>
+    </message>
+    <message>
+        <source>steel measured {:.0f} K too warm</source>
+        <translation>сталь виміряно на {:.0f} K теплішою</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of the deviations are what a shift of X{} Y{} and a turn of {:+.0f} arc seconds would give: check the alignment of the measurement ({}), or correct the work offset</source>
+        <translation>{:.0f} % відхилень такі, які дав би зсув X{} Y{} і поворот на {:+.0f} кутових секунд: перевірте вирівнювання вимірювання ({}) або виправте зсув нуля</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of the deviations are what a size of {:.6f} times the profile's would give ({} at the rim; steel grows by 11.5 millionths a degree): check temperature, unit and scale of the measurement; no scale is ever applied</source>
+        <translation>{:.0f} % відхилень такі, які дав би розмір у {:.6f} раза від профілю ({} на краю; сталь росте на 11,5 мільйонних на градус): перевірте температуру, одиницю й масштаб вимірювання; масштаб ніколи не застосовується</translation>
+    </message>
+    <message>
+        <source>{} to {}</source>
+        <translation>{} до {}</translation>
+    </message>
+    <message>
+        <source>{} up</source>
+        <translation>{} і вище</translation>
+    </message>
+    <message>
+        <source>below</source>
+        <translation>нижче</translation>
+    </message>
+    <message>
+        <source>above</source>
+        <translation>вище</translation>
+    </message>
+    <message>
+        <source>a probe's radius {} too small</source>
+        <translation>радіус щупа на {} замалий</translation>
+    </message>
+    <message>
+        <source>a probe's radius {} too large</source>
+        <translation>радіус щупа на {} завеликий</translation>
+    </message>
+    <message>
+        <source>{} of stock left</source>
+        <translation>{} лишеного припуску</translation>
+    </message>
+    <message>
+        <source>times 25.4</source>
+        <translation>помножені на 25,4</translation>
+    </message>
+    <message>
+        <source>divided by 25.4</source>
+        <translation>поділені на 25,4</translation>
+    </message>
+    <message>
+        <source>with z reversed</source>
+        <translation>з оберненим z</translation>
+    </message>
+    <message>
+        <source>{} they would lie there; check the unit of z and the height of the work frame</source>
+        <translation>{} вони лежали б там; перевірте одиницю z і висоту системи деталі</translation>
+    </message>
+    <message>
+        <source>steel measured {:.0f} K too cold</source>
+        <translation>сталь виміряно на {:.0f} K холоднішою</translation>
+    </message>
+    <message>
+        <source>{}: the nominal was probably exported in place of the measured points; export the actual points, to 0.0001 mm</source>
+        <translation>{}: мабуть, замість виміряних точок виведено номінал; виведіть фактичні точки, до 0,0001 мм</translation>
+    </message>
+    <message>
+        <source>{} states a deviation of {}, its points give {} ({} of {} disagree): {}; leave the column of deviations out, or correct it</source>
+        <translation>{} подає відхилення {}, а його точки дають {} ({} з {} не збігаються): {}; не беріть стовпець відхилень або виправте його</translation>
+    </message>
+    <message>
+        <source>the {} points are a height map, touched along Z: they show nothing of a contour; touch its walls with a measuring program</source>
+        <translation>{} точок є картою висот, дотики вздовж Z: вони нічого не показують про контур; торкніться його стінок вимірювальною програмою</translation>
+    </message>
+    <message>
+        <source>a ball of radius {} is on no touch probe ({} to {})</source>
+        <translation>кульки радіуса {} немає на жодному щупі ({} до {})</translation>
+    </message>
+    <message>
+        <source>the points extend over {}, and the file does not say its unit: {}? Say {} if it is right, {}, or export in mm</source>
+        <translation>точки простягаються на {}, а файл не називає одиниці: {}? Скажіть {}, якщо так і є, {}, або виведіть у мм</translation>
+    </message>
+    <message>
+        <source>the coordinates are given in steps of {}, which alone scatters deviations by {} (standard deviation): export to 0.0001 mm</source>
+        <translation>координати подано з кроком {}, що саме розкидає відхилення на {} (стандартне відхилення): виведіть до 0,0001 мм</translation>
+    </message>
+    <message>
+        <source>every deviation is 0</source>
+        <translation>кожне відхилення дорівнює 0</translation>
+    </message>
+    <message>
+        <source>no deviation is larger than {}, what rounding to {} alone makes</source>
+        <translation>жодне відхилення не більше за {}, що дає саме округлення до {}</translation>
+    </message>
+    <message>
+        <source>its sign is the other way round, positive into the material</source>
+        <translation>його знак обернений, додатний углиб матеріалу</translation>
+    </message>
+    <message>
+        <source>check what its columns mean</source>
+        <translation>перевірте, що означають його стовпці</translation>
+    </message>
+    <message>
+        <source>{}; {:.4g} inch are {}, and the file does not say its unit: {}</source>
+        <translation>{}; {:.4g} дюйма це {}, а файл не називає одиниці: {}</translation>
+    </message>
+    <message>
+        <source>{}: {} takes a radius in mm</source>
+        <translation>{}: {} є радіусом у мм</translation>
+    </message>
+    <message>
+        <source>metres or inches</source>
+        <translation>метри чи дюйми</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>мікрометри</translation>
+    </message>
+    <message>
+        <source>{}: there is no such finding; known are {}</source>
+        <translation>{}: такої знахідки немає; відомі {}</translation>
+    </message>
+    <message>
+        <source>accepted {}: {}</source>
+        <translation>прийнято {}: {}</translation>
+    </message>
+    <message>
+        <source>the part shows {:.0f} % of just the errors (up to {}) that the program takes away already, {:.0f} % of its deviations: was it cut with this program, and not with the earlier one? Measure a part cut with this program, or give the program that cut this one</source>
+        <translation>деталь показує {:.0f} % саме тих похибок (до {}), які програма вже знімає, {:.0f} % її відхилень: чи різано її цією програмою, а не попередньою? Виміряйте деталь, вирізану цією програмою, або дайте програму, що різала цю</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of the points of {} lie where {} has none, and only places of the first part tell the transfer function: name first the part that was measured all round ({})</source>
+        <translation>{:.0f} % точок {} лежать там, де {} їх не має, а передавальну функцію дають лише місця першої деталі: назвіть першою деталь, виміряну довкола ({})</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of the points of {} lie within {} of those of {}: the same part again, and no mean of two; give each part once</source>
+        <translation>{:.0f} % точок {} лежать у межах {} від точок {}: знову та сама деталь, а не середнє двох; дайте кожну деталь один раз</translation>
+    </message>
+    <message>
+        <source>the file's own nominal points lie {} off the profile: check {}, the operation and the work frame</source>
+        <translation>власні номінальні точки файлу лежать на {} від профілю: перевірте {}, операцію і систему деталі</translation>
+    </message>
+    <message>
+        <source>the normals of {} of {} points point into the material: export normals out of the material, not directions of approach</source>
+        <translation>нормалі {} з {} точок дивляться в матеріал: виведіть нормалі з матеріалу назовні, а не напрями підходу</translation>
+    </message>
+    <message>
+        <source>points on thin walls that lie so far off that the other side may be meant: {}, the thinnest wall {} ({}, {}); the file has no normals: export normals</source>
+        <translation>точки на тонких стінках, що лежать так далеко, що може йтися про інший бік: {}, найтонша стінка {} ({}, {}); файл не має нормалей: виведіть нормалі</translation>
+    </message>
+    <message>
+        <source>mirror the work frame of the measurement</source>
+        <translation>віддзеркальте систему деталі у вимірюванні</translation>
+    </message>
+    <message>
+        <source>turn the work frame of the measurement back</source>
+        <translation>поверніть систему деталі у вимірюванні назад</translation>
+    </message>
+    <message>
+        <source>the points lie {} off {} all along, with only {} of scatter</source>
+        <translation>точки всюди лежать на {} від {}, з розкидом лише {}</translation>
+    </message>
+    <message>
+        <source>the surface {} over the profile</source>
+        <translation>поверхні на {} над профілем</translation>
+    </message>
+    <message>
+        <source>the profile</source>
+        <translation>профілю</translation>
+    </message>
+    <message>
+        <source>{}: {} seems to be the diameter: {}</source>
+        <translation>{}: {} схоже на діаметр: {}</translation>
+    </message>
+    <message>
+        <source>{}: {} seems to be half of what it should be: {}</source>
+        <translation>{}: {} схоже на половину потрібного: {}</translation>
+    </message>
+    <message>
+        <source>{}, the cutter's diameter: the profile was taken on the wrong side of the path: {}</source>
+        <translation>{}, діаметр фрези: профіль узято з хибного боку траєкторії: {}</translation>
+    </message>
+    <message>
+        <source>{}: what a transfer function of {:.3f} leaves of {}</source>
+        <translation>{}: те, що передавальна функція {:.3f} лишає від {}</translation>
+    </message>
+    <message>
+        <source>{}: check {}, by this {} were left, and {} and {}</source>
+        <translation>{}: перевірте {}, за ним лишилося б {}, і {} та {}</translation>
+    </message>
+    <message>
+        <source>{}: they look like centres of a ball of about that radius: {} with the radius from the probe's calibration; or stock was left there ({}), or the tool differs from {}</source>
+        <translation>{}: вони схожі на центри кульки приблизно такого радіуса: {} з радіусом із калібрування щупа; або там лишено припуск ({}), або інструмент відрізняється від {}</translation>
+    </message>
+    <message>
+        <source>{}: check {}, {} (stock left on the part), {} and the work frame</source>
+        <translation>{}: перевірте {}, {} (припуск, лишений на деталі), {} і систему деталі</translation>
+    </message>
+    <message>
+        <source>{}: check {}, {} and the work frame</source>
+        <translation>{}: перевірте {}, {} і систему деталі</translation>
+    </message>
+    <message>
+        <source>times {:g}</source>
+        <translation>помножені на {:g}</translation>
+    </message>
+    <message>
+        <source>the file is in inches: {}</source>
+        <translation>файл у дюймах: {}</translation>
+    </message>
+    <message>
+        <source>divided by {:g}</source>
+        <translation>поділені на {:g}</translation>
+    </message>
+    <message>
+        <source>the file is in millimetres or was converted twice: {}</source>
+        <translation>файл у міліметрах або переведений двічі: {}</translation>
+    </message>
+    <message>
+        <source>with x reversed</source>
+        <translation>з оберненим x</translation>
+    </message>
+    <message>
+        <source>with y reversed</source>
+        <translation>з оберненим y</translation>
+    </message>
+    <message>
+        <source>with x and y exchanged</source>
+        <translation>з переставленими x та y</translation>
+    </message>
+    <message>
+        <source>exchange the columns x and y</source>
+        <translation>переставте стовпці x та y</translation>
+    </message>
+    <message>
+        <source>with x and y exchanged and reversed</source>
+        <translation>з переставленими й оберненими x та y</translation>
+    </message>
+    <message>
+        <source>turned by {} degrees</source>
+        <translation>повернуті на {} градусів</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of the points lie on the profile, but {} {:.0f} %</source>
+        <translation>{:.0f} % точок лежать на профілі, але {} {:.0f} %</translation>
+    </message>
+    <message>
+        <source>{}: they are contact points already: {}</source>
+        <translation>{}: це вже точки дотику: {}</translation>
+    </message>
+    <message>
+        <source>{}; check {} if that seems much</source>
+        <translation>{}; перевірте {}, якщо це забагато</translation>
+    </message>
+    <message>
+        <source>the points lie typically {} off the profile, but {} {}</source>
+        <translation>точки лежать типово на {} від профілю, але {} {}</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of the contour has no measured point near, most of it between {} and {}: measure there, or say with {} how much may be left to the mean</source>
+        <translation>{:.0f} % контуру не має виміряної точки поблизу, найбільше між {} і {}: виміряйте там або скажіть через {}, скільки можна лишити середньому</translation>
+    </message>
+    <message>
+        <source>{} of {} points are outliers: clean the part and the probe, measure again</source>
+        <translation>{} з {} точок є викидами: почистьте деталь і щуп та виміряйте знову</translation>
+    </message>
+    <message>
+        <source>the wall leans: at {} it has {} more than at {} {}; one path corrects the mean of the heights: a spring pass or less overhang of the tool takes the lean away</source>
+        <translation>стінка нахилена: на {} вона має на {} більше, ніж на {} {}; одна траєкторія коригує середнє висот: зачисний прохід або менший виліт інструмента знімає нахил</translation>
+    </message>
+    <message>
+        <source>{} of {} points are outliers, the first at {}: clean the part and the probe, measure again</source>
+        <translation>{} з {} точок є викидами, перша у {}: почистьте деталь і щуп та виміряйте знову</translation>
+    </message>
+    <message>
+        <source>all along</source>
+        <translation>всюди</translation>
+    </message>
+    <message>
+        <source>at {}, {} on the average</source>
+        <translation>у {}, {} у середньому</translation>
+    </message>
+    <message>
+        <source>{} touches, {} of {} ways between them over the safe height</source>
+        <translation>{} дотиків, {} з {} переходів між ними через безпечну висоту</translation>
+    </message>
+    <message>
+        <source>measured at {}, passed over at {}</source>
+        <translation>вимірюється на {}, перехід на {}</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>точки</translation>
+    </message>
+    <message>
+        <source>heights</source>
+        <translation>висоти</translation>
+    </message>
+    <message>
+        <source>{} and {} more</source>
+        <translation>{} та ще {}</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>застереження</translation>
+    </message>
+    <message>
+        <source>log</source>
+        <translation>протокол</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>вилучено</translation>
+    </message>
+    <message>
+        <source>on the profile</source>
+        <translation>на профілі</translation>
+    </message>
+    <message>
+        <source>deviation {} ({})</source>
+        <translation>відхилення {} ({})</translation>
+    </message>
+    <message>
+        <source>of that determined {}, expected next {}</source>
+        <translation>з того визначено {}, далі очікується {}</translation>
+    </message>
+    <message>
+        <source>left out: {}</source>
+        <translation>вилучено: {}</translation>
+    </message>
+    <message>
+        <source>{} as measured</source>
+        <translation>{} як виміряно</translation>
+    </message>
+    <message>
+        <source>material left</source>
+        <translation>залишок матеріалу</translation>
+    </message>
+    <message>
+        <source>undercut</source>
+        <translation>підріз</translation>
+    </message>
+    <message>
+        <source>nothing is to be corrected, the program stays as it is</source>
+        <translation>коригувати нічого, програма лишається як є</translation>
+    </message>
+    <message>
+        <source>{}; {:.0f} % of the contour rests on no points</source>
+        <translation>{}; {:.0f} % контуру не спирається на точки</translation>
+    </message>
+    <message>
+        <source>use it</source>
+        <translation>Застосувати</translation>
+    </message>
+    <message>
+        <source>look at {}</source>
+        <translation>Подивитися: {}</translation>
+    </message>
+    <message>
+        <source>{} of {} points are outliers, there the largest</source>
+        <translation>{} з {} точок є викидами, там найбільший</translation>
+    </message>
+    <message>
+        <source>only the path's own error changes</source>
+        <translation>змінюється лише власна похибка траєкторії</translation>
+    </message>
+    <message>
+        <source>the contour moves by up to {}, most at {}</source>
+        <translation>контур зсувається до {}, найбільше у {}</translation>
+    </message>
+    <message>
+        <source>use it, and measure the first part</source>
+        <translation>Застосувати й виміряти першу деталь</translation>
+    </message>
+    <message>
+        <source>{}, by the model alone</source>
+        <translation>{}, лише за моделлю</translation>
+    </message>
+    <message>
+        <source>use it if what the warnings ask is answered</source>
+        <translation>Застосувати, якщо з'ясовано те, про що питають застереження</translation>
+    </message>
+    <message>
+        <source>{} was accepted and is not resolved</source>
+        <translation>{} прийнято й не усунуто</translation>
+    </message>
+    <message>
+        <source>measure again or average parts</source>
+        <translation>Виміряти знову або усереднити деталі</translation>
+    </message>
+    <message>
+        <source>{} do not repeat, only {} do</source>
+        <translation>{} не повторюється, лише {} повторюється</translation>
+    </message>
+    <message>
+        <source>legal filters: none, mean:5, mean:1,2,3,2,1 (odd number of weights), gauss:MM, robust:MM, auto</source>
+        <translation>дозволені фільтри: none, mean:5, mean:1,2,3,2,1 (непарна кількість ваг), gauss:MM, robust:MM, auto</translation>
+    </message>
+    <message>
+        <source>a single point: its deviation is taken as it is, the random part cannot be known</source>
+        <translation>одна точка: її відхилення береться як є, випадкову частину не визначити</translation>
+    </message>
+    <message>
+        <source>arc lengths and deviations must be equally long rows, not {}, {}</source>
+        <translation>довжини дуг і відхилення мають бути рядами однакової довжини, а не {}, {}</translation>
+    </message>
+    <message>
+        <source>there are no deviations to filter</source>
+        <translation>немає відхилень для фільтрування</translation>
+    </message>
+    <message>
+        <source>an arc length or a deviation is not a finite number</source>
+        <translation>довжина дуги чи відхилення не є скінченним числом</translation>
+    </message>
+    <message>
+        <source>the length of the stretch must be above 0, not {:g}</source>
+        <translation>довжина ділянки має бути більша за 0, а не {:g}</translation>
+    </message>
+    <message>
+        <source>the mask of {} is longer than the row of {} points: cut to {}</source>
+        <translation>маска з {} довша за ряд із {} точок: скорочено до {}</translation>
+    </message>
+    <message>
+        <source>the mask is not symmetric: it shifts the deviations along the profile</source>
+        <translation>маска не симетрична: вона зсуває відхилення вздовж профілю</translation>
+    </message>
+    <message>
+        <source>the points are unevenly spaced (up to {}, median {}) and the moving average counts points: prefer gauss:MM or auto</source>
+        <translation>точки розміщені нерівномірно (до {}, медіана {}), а ковзне середнє рахує точки: краще gauss:MM або auto</translation>
+    </message>
+    <message>
+        <source>the mask sums to 0 at an end of the row: those points are left unfiltered</source>
+        <translation>сума маски на кінці ряду 0: ці точки лишаються нефільтрованими</translation>
+    </message>
+    <message>
+        <source>the cutoff of {} is below twice the point spacing ({}): next to nothing is filtered</source>
+        <translation>гранична довжина хвилі {} менша за подвійний крок точок ({}): майже нічого не фільтрується</translation>
+    </message>
+    <message>
+        <source>the robust regression did not settle within {} rounds</source>
+        <translation>робастна регресія не усталилася за {} проходів</translation>
+    </message>
+    <message>
+        <source>points far off the line, which are outliers and left out: {}</source>
+        <translation>точки далеко від лінії, які є викидами й не враховані: {}</translation>
+    </message>
+    <message>
+        <source>unknown filter '{}'; {}</source>
+        <translation>невідомий фільтр «{}»; {}</translation>
+    </message>
+    <message>
+        <source>filter '{}' holds a number that is not finite; {}</source>
+        <translation>фільтр «{}» містить число, що не є скінченним; {}</translation>
+    </message>
+    <message>
+        <source>filter '{}' has an even number of weights; {}</source>
+        <translation>фільтр «{}» має парну кількість ваг; {}</translation>
+    </message>
+    <message>
+        <source>the weights of filter '{}' add up to 0; {}</source>
+        <translation>ваги фільтра «{}» дають у сумі 0; {}</translation>
+    </message>
+    <message>
+        <source>the points spread over {} of a stretch of {}</source>
+        <translation>точки простягаються на {} ділянки {}</translation>
+    </message>
+    <message>
+        <source>the mask of {} is longer than the row of {} points</source>
+        <translation>маска з {} довша за ряд із {} точок</translation>
+    </message>
+    <message>
+        <source>filter '{}' holds something that is not a number; {}</source>
+        <translation>фільтр «{}» містить щось, що не є числом; {}</translation>
+    </message>
+    <message>
+        <source>filter '{}' needs one cutoff in mm above 0; {}</source>
+        <translation>фільтр «{}» потребує граничної довжини хвилі в мм, більшої за 0; {}</translation>
+    </message>
+    <message>
+        <source>filter '{}' needs an odd whole number of points; {}</source>
+        <translation>фільтр «{}» потребує непарного цілого числа точок; {}</translation>
+    </message>
+    <message>
+        <source>part {} was measured at other places than the first: nothing can be averaged</source>
+        <translation>деталь {} виміряно в інших місцях, ніж першу: усереднити нічого</translation>
+    </message>
+    <message>
+        <source>{}: the points lie {} off the profile and not {} over it: check {}; it belongs to a part with stock left on it, and {} is then the program that finishes it</source>
+        <translation>{}: точки лежать на {} від профілю, а не на {} над ним: перевірте {}; воно належить до деталі з лишеним припуском, і тоді {} є програмою, що її закінчує</translation>
+    </message>
+    <message>
+        <source>the diameter of {} is not known</source>
+        <translation>діаметр {} невідомий</translation>
+    </message>
+    <message>
+        <source>what is cut under {} is another part than the measured one, cut under {}: it stays as it is</source>
+        <translation>те, що ріжеться під {}, є іншою деталлю, ніж виміряна, різана під {}: воно лишається як є</translation>
+    </message>
+    <message>
+        <source>the tool diameter {} must be a length above 0</source>
+        <translation>діаметр інструмента {} має бути довжиною більшою за 0</translation>
+    </message>
+    <message>
+        <source>the same measurement is given twice: averaging needs different parts</source>
+        <translation>те саме вимірювання дано двічі: усереднення потребує різних деталей</translation>
+    </message>
+    <message>
+        <source>{} carries the correction from this measurement already, since {}: the part was cut by an earlier program, so all is shown as if this one carried no correction</source>
+        <translation>{} вже несе корекцію з цього вимірювання, від {}: деталь вирізано попередньою програмою, тож усе показано так, ніби ця не несе корекції</translation>
+    </message>
+    <message>
+        <source>{}:{}: a part with stock left was cut by a first cut of the uncorrected program: give that as {}, not one that was corrected since</source>
+        <translation>{}:{}: деталь із лишеним припуском вирізано першим проходом некоригованої програми: дайте її як {}, а не скориговану відтоді</translation>
+    </message>
+    <message>
+        <source>{} needs {}: one touch or two; without any {}</source>
+        <translation>{} потребує {}: одного чи двох дотиків; без них {}</translation>
+    </message>
+    <message>
+        <source>{} takes no {}: with touches use {}</source>
+        <translation>{} не приймає {}: з дотиками використайте {}</translation>
+    </message>
+    <message>
+        <source>a first cut that leaves stock is made before anything is measured</source>
+        <translation>перший прохід, що лишає припуск, роблять до вимірювання</translation>
+    </message>
+    <message>
+        <source>{}: no move runs along the contour that the points lie on</source>
+        <translation>{}: жоден рух не йде вздовж контуру, на якому лежать точки</translation>
+    </message>
+    <message>
+        <source>{}:{}: {} names a corrected program; give the first, uncorrected one</source>
+        <translation>{}:{}: {} називає скориговану програму; дайте першу, некориговану</translation>
+    </message>
+    <message>
+        <source>{} or {}: the program has no G41 or G42 that tells the side of the cutter</source>
+        <translation>{} або {}: програма не має G41 чи G42, що назвали б бік фрези</translation>
+    </message>
+    <message>
+        <source>{} states it</source>
+        <translation>{} називає його</translation>
+    </message>
+    <message>
+        <source>a T word before its cuts gives it a number to state</source>
+        <translation>слово T перед його різами дає йому номер, щоб назвати</translation>
+    </message>
+    <message>
+        <source>{}: what it cuts stays as it is and is not looked at; {}</source>
+        <translation>{}: що він ріже, лишається як є й не розглядається; {}</translation>
+    </message>
+    <message>
+        <source>{}: the program has no feed move that could follow a contour</source>
+        <translation>{}: програма не має робочого руху, що міг би йти за контуром</translation>
+    </message>
+    <message>
+        <source>nothing that runs along a contour is read: {}; write the moves in place of this line, as {}</source>
+        <translation>нічого, що йде вздовж контуру, не читається: {}; напишіть рухи замість цього рядка, як {}</translation>
+    </message>
+    <message>
+        <source>{}: a cutter of {} takes no more than its width off; the depth is meant along the contour's normal, from the stock to the surface, in mm</source>
+        <translation>{}: фреза {} знімає не більше за свою ширину; глибина розуміється вздовж нормалі контуру, від заготовки до поверхні, у мм</translation>
     </message>
 </context>
 </TS>

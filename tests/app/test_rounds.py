@@ -146,7 +146,7 @@ def test_a_changed_operation_moves_all_rounds_and_is_told(twice):
     doc.recompute()
     assert valid(obj) and any("not the one the measured part was cut with" in text for text in obj.Warnings)
     # It came with a recompute, so the user does not know of it yet.
-    assert dressup.doubts_of(obj) == [dressup.CHANGED.format("Profile")]
+    assert dressup.doubts_of(obj) == [dressup.changed("Profile")]
     dressup.take_note(obj)
     assert not dressup.doubts_of(obj)
     assert np.nanmin(program_of(obj).toolpath.end[:, 2]) == pytest.approx(-2.0)

@@ -94,7 +94,7 @@ def test_correct_writes_program_and_report(shop):
     report = json.loads((shop.directory / "report" / "report.json").read_text())
     assert report["deviation"]["mean"] == pytest.approx(0.008, abs=1e-4)
     assert report["verification"]["path_error_max"] <= 0.001
-    assert report["points"]["used"] + len(report["points"]["rejected"]) == report["points"]["read"]
+    assert report["points"]["used"] + report["points"]["left_out"] == report["points"]["read"]
 
 
 def test_exports_stand_in_the_report(shop):

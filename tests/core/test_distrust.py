@@ -43,7 +43,7 @@ DANGEROUS = {
     "wrong-side": (changed(measured(NOMINAL, lambda k, s: wave(k, s) + 10.0).points), "--side"),
     "constant-offset": (changed(measured(NOMINAL, lambda k, s: wave(k, s) - 0.3).points), "-0.290 mm"),
     "turned": (changed(PLAIN @ [[0, 1, 0], [-1, 0, 0], [0, 0, 1]]), "turned by -90 degrees"),
-    "misalignment": (changed(PLAIN + [0.12, -0.05, 0.0]), r"X\+1[12]\d Y-[45]\d um"),
+    "misalignment": (changed(PLAIN + [0.12, -0.05, 0.0]), r"X\+1[12]\d um Y-[45]\d um"),
 }
 
 

@@ -746,7 +746,7 @@ def test_the_whole_way_from_file_to_corrected_program(tmp_path):
     assert [(r.index, r.reason[:15]) for r in result.deviation.rejected] == [(5, "touched neither")]
     assert result.summary()["points"] == {
         "parts": 1,
-        "read": 73, "used": 72,
+        "read": 73, "used": 72, "left_out": 1,
         "rejected": [{"index": 5, "reason": result.deviation.rejected[0].reason}],
     }  # fmt: skip
     # Taken for contact points, the slopes show 0.42 mm that are not there, and nothing is corrected.

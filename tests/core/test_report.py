@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import csv
+import dataclasses
 import datetime
 import json
 import re
@@ -16,11 +17,14 @@ from millcorr.correction.largest import largest_correction
 from millcorr.errors import UsageError
 from millcorr.geometry.nurbs import NurbsCurve
 from millcorr.geometry.profile import Contour, Profile, Stretch
+from millcorr.messages import Option, Wording, option, phrase
 from millcorr.readers.measurement import Measurement
 from millcorr.report import page as pages
 from millcorr.report import plots, svg
 from millcorr.report import view as views
+from millcorr.report.length_unit import INCH
 from millcorr.report.magnification import magnification_for
+from millcorr.report.reader import Reader, read_by
 
 RADIUS = 5.0
 DAY = datetime.date(2024, 2, 29)
@@ -211,7 +215,7 @@ def test_json_has_the_keys_of_the_contract(disc, tmp_path):
     data = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"), parse_constant=pytest.fail)
     shape = ("mean", "min", "max", "height", "std")
     assert data["unit"] == "mm" and isinstance(data["millcorr"], str)
-    assert data["points"] == {"parts": 1, "read": 120, "used": 120, "rejected": []}
+    assert data["points"] == {"parts": 1, "read": 120, "used": 120, "left_out": 0, "rejected": []}
     assert tuple(data["deviation"]) == shape and tuple(data["filtered"]) == shape
     assert {"max", "limited"} <= data["correction"].keys()
     assert data["alignment"] == {"shift": [0.0, 0.0], "rotation_deg": 0.0}
@@ -226,7 +230,7 @@ def test_json_has_null_where_there_is_no_number(tmp_path):
     text = (tmp_path / "report.json").read_text(encoding="utf-8")
     data = json.loads(text, parse_constant=pytest.fail)
     assert data["deviation"]["mean"] is None and data["random_std"] is None
-    assert data["points"] == {"parts": 0, "read": 0, "used": 0, "rejected": []}
+    assert data["points"] == {"parts": 0, "read": 0, "used": 0, "left_out": 0, "rejected": []}
 
 
 def test_profile_reads_back(disc, tmp_path):
@@ -288,7 +292,7 @@ def test_rejected_points_stay_in_their_row_with_empty_cells(tmp_path):
     for name in ("s", "nx", "ny", "deviation", "filtered", "predicted", "contour"):
         assert rows[7][name] == "" and rows[8][name] != ""
     text = Page((tmp_path / "report.html").read_text(encoding="utf-8")).text
-    assert "78 used, 2 rejected" in text
+    assert "78 used, 2 left out" in text
     assert "2 × farther than 1 mm from the profile (lines 9, 33)" in text
 
 
@@ -396,6 +400,52 @@ def test_several_contours_and_levels():
     assert along.count("contour 1") == 1 and along.count("contour 2") == 1
     assert along.count('class="corner"') == 4
     assert all(f"filtered dash{i}" in along for i in range(3))
+
+
+@pytest.mark.parametrize(
+    "make", [lambda: plate_result((-2.0, -6.0)), lambda: elastic(), lambda: corrected(align="rigid")]
+)
+def test_a_report_is_in_the_readers_unit(make):
+    """In inches no millimetre is left, every figure is that of the same page in millimetres, and so are the ticks."""
+    result = make()
+    metric = Page(pages.page(result)).text
+    with read_by(Reader(INCH)):
+        text = Page(pages.page(result)).text
+    assert re.search(r"\d mm\b|\bmm[,.;]|\N{MICRO SIGN}m|\bum\b", text) is None, text
+    assert "thou" in text and "thou" not in metric
+    moves = r"moves the contour by up to ([+\N{MINUS SIGN}][\d.]+)"
+    um, thou = (float(re.search(moves, t)[1].replace("\N{MINUS SIGN}", "-")) for t in (metric, text))
+    assert thou * 25.4 == pytest.approx(um, abs=0.006)
+    length = r"Checked length of path ?([\d.]+)"
+    mm, inch = (float(re.search(length, t)[1]) for t in (metric, text))
+    assert inch * 25.4 == pytest.approx(mm, abs=6e-4)
+    assert Page(pages.page(result)).text == metric
+
+
+def test_ticks_stand_where_they_stood():
+    """A contour of 254 mm: what is at half of it is 5 inches."""
+    result = corrected(points=ring(80, wavy))
+    args = (result.nominal, result.deviation, result.filtered, result.predicted)
+    half = float(result.nominal.total[0]) / 2
+    with read_by(Reader(INCH)):
+        drawn = plots.along_contour(*args).svg
+    label = r'<text class="label" x="([\d.]+)" y="[\d.]+" text-anchor="middle">([\d.]+)<'
+    ticks = [(float(x), float(t)) for x, t in re.findall(label, drawn)]
+    assert len(ticks) > 3
+    width = plots.WIDTH - 12.0 - 56.0
+    for x, tick in ticks:
+        assert (x - 56.0) / width * 2 * half == pytest.approx(25.4 * tick, abs=0.05 * 2 * half / width + 1e-6)
+
+
+def test_options_of_a_warning_are_in_the_readers_words():
+    class Fields(Wording):
+        def piece(self, piece):
+            return f"<{piece.key}>" if isinstance(piece, Option) else super().piece(piece)
+
+    result = dataclasses.replace(corrected(), warnings=(phrase("check {}", option("align")),))
+    assert "check --align" in Page(pages.page(result)).text
+    with read_by(Reader(wording=Fields())):
+        assert "check <align>" in Page(pages.page(result)).text
 
 
 def test_own_path_error_is_named_when_it_is_worth_it(disc):

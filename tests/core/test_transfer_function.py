@@ -152,7 +152,7 @@ def test_along_an_axis() -> None:
     np.testing.assert_allclose(along_axis(normal, foot, "y"), 1 / np.cos(angle))
     np.testing.assert_allclose(along_axis(-normal, foot, "y"), 1 / np.cos(angle))
     np.testing.assert_allclose(along_axis(normal, foot, "normal"), 1.0)
-    with pytest.raises(RefusedError, match=r"at X1.000 Y2.000 the normal is 60 degrees off X.*--depth-along normal"):
+    with pytest.raises(RefusedError, match=r"at X1.000 Y2.000: the normal is 60 degrees off X.*--depth-along normal"):
         along_axis(np.array([[0.4999, 0.866]]), foot[:1], "x")
 
 
@@ -462,7 +462,7 @@ def test_a_finished_part_said_to_have_stock_left_is_refused() -> None:
 def test_depths_and_allowances_are_counted(bad: dict[str, object]) -> None:
     measurement = programs.measured(NOMINAL, lambda k, s: np.full(len(s), 0.01))
     settings = pipeline.Settings(method="transfer", **bad)  # type: ignore[arg-type]
-    with pytest.raises(UsageError, match=r"is given 2 times for 1 measured part: give it once"):
+    with pytest.raises(UsageError, match=r"is given 2 times and measured parts 1: give it once"):
         pipeline.correct(pipeline.Request(PROGRAM, 5.0, measurement, NOMINAL, settings))
 
 

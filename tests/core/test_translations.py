@@ -37,7 +37,7 @@ def test_the_tool_finds_texts_of_every_kind(tool):
 
 
 def test_labels_are_those_of_the_forms(tool):
-    from millcorr.gui.text import label_of
+    from millcorr.app.text import label_of
 
     assert all(tool.label_of(name) == label_of(name) for name in ("DeadBand", "X", "NextDepth", "Setup"))
 

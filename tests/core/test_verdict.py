@@ -12,7 +12,7 @@ from millcorr.report.verdict import what_to_do
 
 def summary(**changed: Any) -> dict[str, Any]:
     out: dict[str, Any] = {
-        "points": {"used": 20},
+        "points": {"read": 21, "used": 20, "left_out": 1, "rejected": [{"index": 5, "reason": "far"}]},
         "outliers": [],
         "unmeasured": 0.0,
         "correction": {"largest": -0.0123, "place": [1.5, -2.0]},
@@ -57,5 +57,5 @@ def outliers(count: int) -> list[dict[str, float]]:
     ],
 )
 def test_what_to_do(changed: dict[str, Any], expected: str) -> None:
-    said = what_to_do(summary(**changed))
+    said = ": ".join(what_to_do(summary(**changed)))
     assert said.startswith(expected) and ("rests on no points" in said) == ("rests on no points" in expected)

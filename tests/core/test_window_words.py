@@ -4,21 +4,32 @@
 from __future__ import annotations
 
 import pickle
+import re
 import threading
 import time
+from dataclasses import replace
+from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 
 from millcorr import nc, pipeline, plausibility, progress
+from millcorr.app import wording
 from millcorr.app.draft import Draft, in_python, lines_to_change, lines_to_create, values_of
+from millcorr.app.wording import worded
+from millcorr.cli.session.words import in_words
 from millcorr.correction.settings import Settings
-from millcorr.errors import DistrustError, FormatError, LimitError, MillcorrError, UsageError
+from millcorr.errors import DistrustError, FormatError, LimitError, MillcorrError, UsageError, unsaid
 from millcorr.gui.background import STAGES, Work
 from millcorr.gui.figures import figures_of, length
-from millcorr.gui.remedies import Remedy, accepted_by, first_field, remedies_in, worded
-from millcorr.messages import message, option, remedy
+from millcorr.gui.remedies import Remedy, accepted_by, first_field, remedies_in
+from millcorr.messages import message, message_of, option, phrase, remedy, um, xy
 from millcorr.readers.measurement import Measurement
+from millcorr.report.length_unit import INCH
+from millcorr.report.page import page
+from millcorr.report.scene import correction as overlay
+from millcorr.report.verdict import what_to_do
 from millcorr.whole_file import write_whole
 
 
@@ -82,6 +93,97 @@ def test_a_wrong_setting_is_told_beside_its_field(settings, field):
     assert first_field(raised.value.message) == field
 
 
+def refusals():
+    """What a window may have to say: of settings, of files, of measurements, of a whole correction."""
+    wrong = (
+        {"gain": 5.0}, {"limit": -1.0}, {"dead_band": -0.1}, {"tolerance": 1.0}, {"align": "sideways"},
+        {"tools": ("x",)}, {"unmeasured_share": 2.0}, {"method": "transfer"}, {"filter": "mean:4"},
+        {"iterate": 0.01, "gain": 0.5, "method": "combined"}, {"depth": (1.0,)}, {"side": "up"}, {"next_depth": 0.5},
+    )  # fmt: skip
+    for settings in wrong:
+        with pytest.raises(MillcorrError) as raised:
+            Settings(**settings)
+        yield raised.value.message
+    measured = disc()
+    gap = replace(measured, points=measured.points[:30], lines=measured.lines[:30])
+    cases = (
+        (disc(1 / 25.4), {}), (disc(ball=3.0), {}), (disc(offset=1.5, ball=3.0), {}), (disc(offset=2.0, ball=1.0), {}),
+        (disc(offset=2.0), {}), (disc(offset=-0.5), {}), (disc(offset=0.6), {}), (disc(), {"limit": 0.002}),
+        (disc(), {"method": "predicted"}), (disc(), {"leave_stock": 0.1}), (disc(), {"accept": ("no-such",)}),
+        (disc(offset=30.0), {}), (disc(offset=-10.0), {}), (gap, {}),
+        (disc(), {"method": "transfer", "depth": (30.0,)}),
+        (disc(), {"method": "transfer", "depth": (0.5,), "allowance": (0.3,)}),
+    )  # fmt: skip
+    for measurement, settings in cases:
+        try:
+            yield from pipeline.correct(request(measurement, nominal=True, **settings)).warnings
+        except MillcorrError as error:
+            yield error.message
+    yield unsaid("the file does not say", option("units", of="mm|inch"), option("points", "contact")).message
+    turned = replace(measured, nominal=1.01 * measured.points, ball_radius=80.0)
+    for finding in (*plausibility.examine_file(turned), *plausibility.examine_points(turned, nominal(), 5.0)):
+        yield finding.text
+    for accepted in ({"accept": ("unmeasured",)}, {"align": "rigid"}, {"filter": "gauss:0.5"}, {"gain": 0.5}):
+        result = pipeline.correct(request(gap, nominal=True, **({"unmeasured_share": 0.9} | accepted)))
+        yield from (*result.warnings, *result.advice, *what_to_do(result.summary()))
+
+
+def nominal():
+    return request(None, nominal=True).nominal
+
+
+def test_no_words_of_the_command_line_in_the_window():
+    said = [message_of(text) for text in refusals()]
+    assert len(said) > 40 and sum("--" in text for text in said) > 20
+    for text in said:
+        assert re.search(r"--\w|\bLOG\b|`|\baccept ", worded(text)) is None, worded(text)
+
+
+def test_lengths_are_said_in_the_unit_of_the_window(monkeypatch):
+    monkeypatch.setattr(wording, "unit", lambda: INCH)
+    said = refusal(disc(), limit=0.002)
+    assert "0.0040 mm is needed at X" in said and "--limit 0.002;" in said
+    assert "0.000157 in is needed at X" in worded(said) and "\u201cLimit\u201d 7.874e-05 in;" in worded(said)
+    said = worded(refusal(disc(offset=1.5, ball=3.0)))
+    assert " in off the profile" in said and re.search(r"\d mm", said) is None
+    assert worded(phrase("{} and {}", um(0.0254), xy(25.4, -50.8))) == "1.000 thou and X1.00000 Y-2.00000"
+
+
+def test_what_is_said_is_said_in_german(monkeypatch):
+    known = {text: said for context, text, said in _translations("de") if context == "Millcorr_Said"}
+    monkeypatch.setattr(wording, "translate", lambda context, text: known[text])
+    assert worded(refusal(disc(1 / 25.4))).startswith("disc.csv: ") and "liegen am Profil" in worded(
+        refusal(disc(1 / 25.4))
+    )
+    for text in refusals():
+        # Whatever is a phrase has a translation that takes its values.
+        worded(text)
+
+
+def _translations(language):
+    file = Path(__file__).resolve().parents[2] / "resources" / "translations" / f"millcorr_{language}.ts"
+    for context in ElementTree.parse(file).getroot().iter("context"):
+        for one in context.iter("message"):
+            yield context.findtext("name"), one.findtext("source"), one.findtext("translation")
+
+
+def test_a_point_that_is_left_out_is_counted_once():
+    """Far off the profile, and an outlier: used and left out are all that were read, on every front."""
+    measured = disc(count=180)
+    points = measured.points.copy()
+    points[7] *= 1.2
+    points[60] *= 1.0 + 0.3 / 40.0
+    result = pipeline.correct(request(replace(measured, points=points), nominal=True))
+    counts = result.summary()["points"]
+    assert len(result.deviation.rejected) == 1 and result.outlier.sum() == 1
+    assert (counts["read"], counts["used"], counts["left_out"]) == (180, 178, 2)
+    shown = {figure.label: figure.shown for figure in figures_of(result.summary())}
+    assert shown["Points used"] == ("178 / 180",) and shown["Points left out"] == ("2",)
+    assert "178 used of 180, 2 left out" in in_words(result.summary(), {}, checked_only=False)
+    assert "178 used, 2 left out" in page(result)
+    assert len(overlay.overlay_of(result).rejected) == 2 and "outlier" in overlay.rejected_text(result, 1)
+
+
 def test_a_remedy_without_a_value_leads_to_its_field():
     said = message(
         "check ", option("tool_diameter"), ", ", option("points"), ", ", option("units"), ", and ",
@@ -103,8 +205,8 @@ def test_a_remedy_without_a_value_leads_to_its_field():
 
 def test_the_value_that_something_has_is_no_remedy():
     """What names the limit as it is only leads to its field."""
-    said = message("more than ", option("limit", 0.5), " mm")
-    assert said == "more than --limit 0.5 mm" and worded(said) == "more than \u201cLimit\u201d 0.5 mm"
+    said = message("more than ", option("limit", 0.5))
+    assert said == "more than --limit 0.5" and worded(said) == "more than \u201cLimit\u201d 0.5 mm"
     assert remedies_in(said) == (Remedy("Limit"),)
 
 
@@ -131,7 +233,7 @@ def test_place_and_figure_are_what_the_text_says():
 @pytest.mark.parametrize("name", ["{}.csv", "--points.csv", "a --limit 3", "%s"])
 def test_names_of_files_are_never_taken_for_options(name):
     error = FormatError("not a number", name, 3)
-    assert error.message.options == () and worded(error.message) == f"{name}:3: not a number"
+    assert error.message.options == () and worded(error.message) == f"{name}, line 3: not a number"
     assert error.message.file == name and error.said == "not a number"
 
 

@@ -2,6 +2,7 @@
 """The picture of a correction: how much larger it is drawn, in which colours, between which limits."""
 
 import os
+import re
 import sys
 
 import FreeCAD
@@ -306,6 +307,10 @@ def inches(document):
 
     check(" in" in overlay.whisker_text(pick, 0, INCH), "text of a whisker")
     shot("inch-panel")
+    write(limit.widget.lineEdit(), "0.00001")
+    settled(made)
+    told = made.message.text()
+    check(" in is needed at X" in told and " 1e-05 in" in told and " mm" not in told, f"a refusal in inches: {told!r}")
     made.reject()
     FreeCADGui.Control.closeDialog()
     wait(300)
@@ -323,6 +328,12 @@ def inches(document):
     check("2" in ticks or "2.5" in ticks, f"ticks in inches: {ticks}")
     shot("inch-plots")
     dock.hide()
+    from millcorr.app import batch
+
+    batch.export_report(obj, path("inches"))
+    with open(os.path.join(path("inches"), "report.html"), encoding="utf-8") as stream:
+        text = re.sub("<style>.*?</style>|<[^>]*>", " ", stream.read(), flags=re.DOTALL)
+    check(" thou" in text and not re.search("\\d mm|\u00b5m|--[a-z]", text), "a report in millimetres, or with options")
     FreeCAD.Units.setSchema(6)
     FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units").SetInt("UserSchema", 6)
 
@@ -355,7 +366,7 @@ def plotted(document):
     limit = document.getObject("DressupMillcorr").Limit.Value
     document.getObject("DressupMillcorr").Limit = 1e-4
     document.recompute()
-    until(lambda: "limit" in dock.told.text(), "a refusal in the plots", 20)
+    until(lambda: "\u201cLimit\u201d" in dock.told.text(), "a refusal in the plots", 20)
     equal(len(canvas.axes.collections), 0, "drawn of a correction that is refused")
     document.getObject("DressupMillcorr").Limit = limit
     document.recompute()

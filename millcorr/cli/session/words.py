@@ -12,13 +12,12 @@ from millcorr.report.verdict import what_to_do
 def in_words(summary: Mapping[str, Any], outputs: Mapping[str, str], *, checked_only: bool) -> str:
     """What to do, what was found and what was done, in a few lines; micrometres."""
     points, proof = summary["points"], summary["verification"]
-    rejected = len(points["rejected"])
     foreseen = summary["foreseen"]
-    lines = [what_to_do(summary)]
+    lines = [": ".join(what_to_do(summary))]
     if foreseen is not None and foreseen["combined"] is None:
         lines += [f"points      {points['used']} of the simulated surface; nothing was measured"]
     else:
-        said = f", {rejected} rejected" if rejected else ""
+        said = f", {points['left_out']} left out" if points["left_out"] else ""
         lines += [f"points      {points['used']} used of {points['read']}{said}"]
     lines.append("um                  mean      min      max   height      std")
     for title, key in (("deviation", "deviation"), ("determined part", "filtered"), ("predicted after", "predicted")):

@@ -20,7 +20,7 @@ import numpy as np
 from millcorr.arrays import Bools, Floats, Ints, ReadOnlyArrays
 from millcorr.errors import UsageError
 from millcorr.geometry.profile import Profile
-from millcorr.messages import option
+from millcorr.messages import mm, option, phrase, um
 from millcorr.readers.measurement import Measurement
 from millcorr.readers.transform import Transform
 
@@ -74,8 +74,10 @@ class Freedom:
         axes = [w for w in named.get(words, words).split("+") if w or words not in named]
         if not set(axes) <= {"x", "y", "turn"} or kind not in ("", "zone", "all") or len(set(axes)) < len(axes):
             raise UsageError(
-                option("align", text),
-                ": give none, shift, rigid, or some of x, y, turn joined by +; then :zone or :all",
+                phrase(
+                    "{}: give none, shift, rigid, or some of x, y, turn joined by +; then :zone or :all",
+                    option("align", text),
+                ),
             )
         return Freedom("x" in axes, "y" in axes, "turn" in axes, kind == "zone", kind != "all")
 
@@ -275,7 +277,7 @@ def align(measurement: Measurement, profile: Profile, freedom: Freedom | None = 
         spread = Spread.of(value[taking_part])
         return measurement, _unfitted(Transform(), "none", spread, spread, taking_part)
     fit = RigidFit(measurement, profile, freedom.free, freedom.robust)
-    fit.require(len(measurement), "are given")
+    fit.require(len(measurement))
     q = fit.coarse()
     basis, undetermined = fit.determined(q)
     q, look, weights = fit.least_squares(basis @ (basis.T @ q), basis)
@@ -381,26 +383,41 @@ class _Size:
 def _advice(result: Alignment, size: _Size, lever: float) -> tuple[str, ...]:
     """What the user should know about a fit."""
     out = [
-        f"alignment: the points do not determine the {what}; the fit leaves it alone" for what in result.undetermined
+        phrase("alignment: the points do not determine the {}; the fit leaves it alone", what)
+        for what in result.undetermined
     ]
     took, lost = int(result.taking_part.sum()), len(result.outliers)
     if lost > 0.05 * took:
         out.append(
-            f"alignment: {lost} of {took} points ({100 * lost / took:.0f} %) lie off the rest and have no weight in "
-            "the fit; is a side of the part displaced?"
+            phrase(
+                "alignment: {} of {} points ({:.0f} %) lie off the rest and have no weight in the fit; is a "
+                "side of the part displaced?",
+                lost,
+                took,
+                100 * lost / took,
+            )
         )
     if result.offset_hidden > 0.1:
         out.append(
-            f"alignment: the fit hides {100 * result.offset_hidden:.0f} % of a constant deviation such as a wrong "
-            f"tool or ball radius (mean {result.before.mean * 1e3:+.2f} um before, {result.after.mean * 1e3:+.2f} um "
-            "after)"
+            phrase(
+                "alignment: the fit hides {:.0f} % of a constant deviation such as a wrong tool or ball "
+                "radius (mean {} before, {} after)",
+                100 * result.offset_hidden,
+                um(result.before.mean, "+.2f"),
+                um(result.after.mean, "+.2f"),
+            )
         )
     off = abs(size.scale - 1.0)
     if off > 5 * size.uncertainty and off * lever > VISIBLE and size.explained > 0.25:
         out.append(
-            f"alignment: the part measures {size.scale:.6f} +- {size.uncertainty:.6f} of the profile's size "
-            f"({off * lever * 1e3:.1f} um at {lever:.0f} mm); the scale is not applied: check temperature "
-            "and unit"
+            phrase(
+                "alignment: the part measures {:.6f} +- {:.6f} of the profile's size ({} at {}); the scale "
+                "is not applied: check temperature and unit",
+                size.scale,
+                size.uncertainty,
+                um(off * lever),
+                mm(lever, ".0f"),
+            )
         )
     return tuple(out)
 

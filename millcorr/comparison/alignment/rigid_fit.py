@@ -18,7 +18,7 @@ from millcorr.comparison.deviation import BRANCH_GAP, REACH
 from millcorr.errors import FitError, InputError
 from millcorr.geometry.footpoint import FootPoints, FootPointSearch, Place
 from millcorr.geometry.profile import CORNER_ANGLE, Profile
-from millcorr.messages import option
+from millcorr.messages import mm, option, phrase
 from millcorr.readers.measurement import Measurement
 from millcorr.readers.transform import Transform
 
@@ -93,13 +93,18 @@ class RigidFit:
         order = np.random.default_rng(0).permutation(len(self.points))
         self.few, self.fewer = order[:_COARSE], order[:_COARSEST]
 
-    def require(self, count: int, what: str) -> None:
+    def require(self, count: int) -> None:
         """InputError where so many points are too few for the free degrees of freedom."""
         needed = self.free.shape[1] + 1
         if count < needed:
             raise InputError(
-                f"{self.source}: alignment with {needed - 1} free degrees of freedom needs at least {needed} points, "
-                f"{count} {what}"
+                phrase(
+                    "{}: alignment with {} free degrees of freedom needs at least {} points, there are {}",
+                    self.source,
+                    needed - 1,
+                    needed,
+                    count,
+                )
             )
 
     def transform(self, q: Floats) -> Transform:
@@ -176,11 +181,15 @@ class RigidFit:
         far = float(np.mean(np.abs(self._off(look.xy, look.feet)) > REACH))
         if far > 0.5:
             raise FitError(
-                f"{self.source}: alignment: {100 * far:.0f} % of the points stay farther than {REACH:g} ",
-                "mm from the profile; check unit, work frame, ",
-                option("points"),
-                " and ",
-                option("nominal"),
+                phrase(
+                    "{}: alignment: {:.0f} % of the points stay farther than {} from the profile; check unit, "
+                    "work frame, {} and {}",
+                    self.source,
+                    100 * far,
+                    mm(REACH, "g"),
+                    option("points"),
+                    option("nominal"),
+                ),
             )
         return q
 
@@ -241,7 +250,7 @@ class RigidFit:
         """
         look = self.look(q, self.few)
         used = np.flatnonzero(self.usable(look))
-        self.require(len(used), "can be used")
+        self.require(len(used))
         foot, value = look.feet.foot[used], look.value[used]
         noise = max(1.4826 * float(np.median(np.abs(value - np.median(value)))), FINEST)
         a = self.slope(q, foot, look.feet.normal[used]) @ self.free
@@ -314,17 +323,19 @@ class RigidFit:
         for iteration in range(1, _ROUNDS + 1):
             if not fixed:
                 taking_part = self.usable(look)
-                self.require(int(taking_part.sum()), "can be used")
+                self.require(int(taking_part.sum()))
                 new = self.weights(look, taking_part, basis)
                 settled = size < 1e-3 and np.abs(new - weight).max() < 1e-9
                 fixed, weight = settled or iteration > _ROUNDS // 4, new
-                self.require(int((weight > 0).sum()), "can be used")
+                self.require(int((weight > 0).sum()))
             a = look.slope @ basis
             fall = a.T @ (weight * look.value)
             try:
                 step = np.asarray(-np.linalg.solve(a.T @ (weight[:, None] * a), fall), dtype=np.float64)
             except np.linalg.LinAlgError:
-                raise FitError(f"{self.source}: alignment: the usable points do not determine the motion") from None
+                raise FitError(
+                    phrase("{}: alignment: the usable points do not determine the motion", self.source)
+                ) from None
             before, size = size, float(np.abs(basis @ step).max(initial=0.0))
             if fixed and size < _CLOSE:
                 return q, look, Weights(weight, taking_part, iteration)
@@ -338,7 +349,9 @@ class RigidFit:
                 if idle > 3:
                     return q, look, Weights(weight, taking_part, iteration)
             q, look = q + basis @ step, trial
-        raise FitError(f"{self.source}: alignment: no end after {_ROUNDS} steps, the last one {size:.2g} mm")
+        raise FitError(
+            phrase("{}: alignment: no end after {} steps, the last one {}", self.source, _ROUNDS, mm(size, ".2g"))
+        )
 
     def _downhill(
         self, q: Floats, basis: Floats, step: Floats, trial: Look, height: float, weight: Floats, slow: bool
@@ -390,7 +403,7 @@ class RigidFit:
                 q, look, height = q + basis @ z, trial, reached
             else:
                 reach = size / 4
-        raise FitError(f"{self.source}: alignment: no minimum zone after {_ROUNDS} steps")
+        raise FitError(phrase("{}: alignment: no minimum zone after {} steps", self.source, _ROUNDS))
 
 
 def _guarded(away: Floats, low: float, high: float, slope: Floats) -> Floats:
@@ -431,7 +444,7 @@ def _chebyshev_step(value: Floats, slope: Floats, reach: float) -> tuple[Floats,
         limit = np.concatenate([-b, b])
         found = linprog(cost, np.block([[a, -ones], [-a, -ones]]), limit, bounds=bounds, method="highs")
         if found.x is None:
-            raise FitError(f"minimum zone: the linear programme failed: {found.message}")
+            raise FitError(phrase("minimum zone: the linear programme failed: {}", found.message))
         left = np.abs(d + slope @ found.x[:k])
         if not _add_worst(chosen, left, float(left[chosen].max())):
             break

@@ -10,7 +10,7 @@ from math import isfinite
 from typing import Protocol
 
 from millcorr.errors import UsageError
-from millcorr.messages import message, option
+from millcorr.messages import Coordinates, Message, at_z, joined, message, option, phrase
 from millcorr.probing import ProbingPlan, Touch
 
 DECIMALS = 4
@@ -97,26 +97,32 @@ class MeasuringProgram:
     companions: Mapping[str, str] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
 
-    def words(self) -> str:
+    def words(self) -> Message:
         """What was planned, what was left out and why, and how the log is read, in a few lines."""
         plan = self.plan
         over = sum(link is None for link in plan.links)
-        lines = [
-            f"points      {len(plan)} touches, {over} of {len(plan.links)} ways between them over the safe height",
-            f"heights     measured at Z{self.z:.3f}, passed over at Z{self.safe_z:.3f}",
-        ]
-        reasons: dict[str, list[str]] = {}
-        for left in plan.left_out:
-            reasons.setdefault(left.reason, []).append(f"X{left.x:.3f} Y{left.y:.3f}")
-        lines += [
-            f"left out    {', '.join(where[:3])}{f' and {len(where) - 3} more' if len(where) > 3 else ''}: {reason}"
-            for reason, where in reasons.items()
-        ]
-        lines += [message("warning     ", warning) for warning in self.warnings]
-        lines.append(
-            message(f"log         {self.log}: ", option("measured", of="LOG"), " ", how_to_read(self.log_format, plan))
+        touches = phrase(
+            "{} touches, {} of {} ways between them over the safe height", len(plan), over, len(plan.links)
         )
-        return "\n".join(lines)
+        heights = phrase("measured at {}, passed over at {}", at_z(self.z), at_z(self.safe_z))
+        lines = [_line(phrase("points"), touches), _line(phrase("heights"), heights)]
+        reasons: dict[str, list[Coordinates]] = {}
+        for left in plan.left_out:
+            reasons.setdefault(left.reason, []).append(Coordinates("XY", (left.x, left.y)))
+        for reason, where in reasons.items():
+            places = joined([message(place) for place in where[:3]])
+            if len(where) > 3:
+                places = phrase("{} and {} more", places, len(where) - 3)
+            lines.append(_line(phrase("left out"), message(places, ": ", reason)))
+        lines += [_line(phrase("warning"), warning) for warning in self.warnings]
+        read = message(option("measured", of="LOG"), " ", how_to_read(self.log_format, plan))
+        lines.append(_line(phrase("log"), message(self.log, ": ", read)))
+        return joined(lines, "\n")
+
+
+def _line(name: str, said: str) -> Message:
+    """A line as the console aligns it."""
+    return message(name, " " * (12 - len(name)), said)
 
 
 def how_to_read(log_format: str, plan: ProbingPlan) -> str:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from millcorr import progress
 from millcorr.arrays import Floats, Ints
 from millcorr.geometry.footpoint import FootPointSearch
+from millcorr.messages import Message, joined, phrase
 from millcorr.nc.toolpath import Toolpath
 from millcorr.pipeline import Result
 from millcorr.report.length_unit import MM, LengthUnit
@@ -80,7 +81,7 @@ class Overlay:
         From the nominal along the normal; polyline k belongs to row ``rows[k]`` of the deviations.
     rows : (w,) int64
     rejected : Lines
-        Polyline k belongs to entry ``k`` of the deviations' rejected points: a cross.
+        Polyline k belongs to entry ``k`` of the result's points that are left out: a cross.
     nominal, band, compensated : Lines
         The nominal profile, the tolerance on both sides of it, and the profile to cut.
     before, after : Lines
@@ -185,7 +186,7 @@ def thinned(result: Result, most: int) -> Ints:
     return np.sort(order[by_size[first]])
 
 
-def whisker_text(result: Result, row: int, unit: LengthUnit = MM) -> str:
+def whisker_text(result: Result, row: int, unit: LengthUnit = MM) -> Message:
     """What a deviation is: point, deviation, directional cosines, and where in the file it stands.
 
     Parameters
@@ -198,33 +199,38 @@ def whisker_text(result: Result, row: int, unit: LengthUnit = MM) -> str:
 
     Returns
     -------
-    str
+    Message
         A line each.
     """
     d, measurement = result.deviation, result.request.measurement
     x, y = d.foot[row] + d.value[row] * d.normal[row]
     where = _coordinates((x, y, float(d.z[row])) if _has_z(result) else (x, y), unit)
     value, determined = float(d.value[row]), float(result.filtered[row])
-    kind = "material left" if value > 0 else "undercut" if value < 0 else "on the profile"
-    lines = [
+    kind = phrase("on the profile")
+    if value:
+        kind = phrase("material left") if value > 0 else phrase("undercut")
+    shown, settled, then = (
+        f"{unit.number(length, '+')} {unit.name}" for length in (value, determined, float(result.predicted[row]))
+    )
+    lines: list[str] = [
         where,
-        f"deviation {unit.number(value, '+')} {unit.name} ({kind})",
-        f"of that determined {unit.number(determined, '+')} {unit.name}, "
-        f"expected next {unit.number(float(result.predicted[row]), '+')} {unit.name}",
+        phrase("deviation {} ({})", shown, kind),
+        phrase("of that determined {}, expected next {}", settled, then),
         f"cos \u03b1 {d.normal[row, 0]:+.6f}  cos \u03b2 {d.normal[row, 1]:+.6f}",
     ]
     if measurement is not None:
         lines.append(measurement.origin(int(d.index[row])))
-    return "\n".join(lines)
+    return joined(lines, "\n")
 
 
-def rejected_text(result: Result, entry: int, unit: LengthUnit = MM) -> str:
+def rejected_text(result: Result, entry: int, unit: LengthUnit = MM) -> Message:
     """Why a point is left out, where it lies, and where in the file it stands; a line each."""
-    point, measurement = result.deviation.rejected[entry], result.request.measurement
+    point, measurement = result.left_out[entry], result.request.measurement
     assert measurement is not None
     x, y, z = measurement.points[point.index]
     where = _coordinates((x, y, z) if measurement.has_z else (x, y), unit)
-    return f"left out: {point.reason}\n{where} as measured\n{measurement.origin(point.index)}"
+    said = phrase("left out: {}", point.reason), phrase("{} as measured", where), measurement.origin(point.index)
+    return joined(said, "\n")
 
 
 def _coordinates(place: Sequence[float], unit: LengthUnit) -> str:
@@ -276,8 +282,8 @@ def _path(result: Result, beside: Parallels, times: float, toolpath: Toolpath, r
 
 
 def _crosses(result: Result, height: float) -> Lines:
-    """A cross at every rejected point, as one polyline each."""
-    measurement, rejected = result.request.measurement, result.deviation.rejected
+    """A cross at every point that is left out, as one polyline each."""
+    measurement, rejected = result.request.measurement, result.left_out
     if measurement is None or not rejected:
         return _polylines(np.zeros((0, 5, 3)), np.zeros(0, dtype=np.uint32))
     points = measurement.points[[r.index for r in rejected]].copy()

@@ -31,5 +31,10 @@ def label_of(name: str) -> str:
     """What a property is called in a form: ``DeadBand`` is "Dead band"."""
     if name in _OTHERWISE:
         return translate("App::Property", _OTHERWISE[name])
+    return translate("App::Property", words_of(name))
+
+
+def words_of(name: str) -> str:
+    """Name of a property in English words."""
     words = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)
-    return translate("App::Property", words[:1] + words[1:].lower())
+    return words[:1] + words[1:].lower()
