@@ -127,7 +127,7 @@ def beyond_the_limit(value: Floats, worst: int, place: tuple[float, float], limi
     x, y = place
     return LimitError(
         phrase(
-            "a correction of {} is needed at {} (points: {}), more than {}; nothing was corrected: look at the place "
+            "a correction of {} is needed at {} ({} points), more than {}; nothing was corrected: look at the place "
             "in the report of a check, and say a larger {} if it is right",
             mm(value[worst], "+.4f"),
             xy(x, y),

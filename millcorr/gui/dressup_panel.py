@@ -326,8 +326,10 @@ class DressupPanel(Panel):
         warnings = [*summary["warnings"], *([dressup.changed(self.base.Label)] if otherwise_cut else [])]
         doubts = [] if self.obj is None else [text for text in warnings if stored(text) in dressup.doubts_of(self.obj)]
         do, why = what_to_do(summary)
+        first = worded(do)
+        first = f"{first[:1].upper()}{first[1:]}: {worded(why)}"
         # What came up since the user last looked stands where it is seen, above what to do.
-        self.say("\n".join([*map(worded, doubts), f"{worded(do)}: {worded(why)}"]), "doubt" if doubts else "note")
+        self.say("\n".join([*map(worded, doubts), first]), "doubt" if doubts else "note")
         for text in warnings:
             if text not in doubts:
                 self._note(worded(text), "doubt")

@@ -2664,20 +2664,20 @@ In einem Terminal tut dies dasselbe:
         <translation>{}: keiner der {} Punkte ist brauchbar, die meisten: {}; prüfen Sie Einheit, Werkstücksystem, {} und {}</translation>
     </message>
     <message>
-        <source>the path only circles points at the tool radius {}, or turns tighter than it everywhere: there is no contour; check {} and {}</source>
-        <translation>die Bahn umkreist nur Punkte mit dem Werkzeugradius {} oder ist überall enger gekrümmt: es gibt keine Kontur; prüfen Sie {} und {}</translation>
-    </message>
-    <message>
         <source>the offset path does not close near {}: check {} and {}, or give the contour with {}</source>
         <translation>die versetzte Bahn schließt sich nahe {} nicht: prüfen Sie {} und {}, oder geben Sie die Kontur mit {}</translation>
+    </message>
+    <message>
+        <source>the path only circles points at the tool radius {}, or turns tighter than it everywhere: there is no contour; check {} and {}</source>
+        <translation>die Bahn umkreist nur Punkte mit dem Werkzeugradius {} oder ist überall enger gekrümmt: es gibt keine Kontur; prüfen Sie {} und {}</translation>
     </message>
     <message>
         <source>the stretch of {} through {} was measured at that place only: {} hold all along it</source>
         <translation>die Strecke von {} durch {} wurde nur dort gemessen: {} gelten auf ihrer ganzen Länge</translation>
     </message>
     <message>
-        <source>a correction of {} is needed at {} (points: {}), more than {}; nothing was corrected: look at the place in the report of a check, and say a larger {} if it is right</source>
-        <translation>eine Korrektur von {} ist nötig bei {} (Punkte: {}), mehr als {}; nichts wurde korrigiert: sehen Sie die Stelle im Bericht einer Prüfung an, und geben Sie {} größer an, wenn sie stimmt</translation>
+        <source>a correction of {} is needed at {} ({} points), more than {}; nothing was corrected: look at the place in the report of a check, and say a larger {} if it is right</source>
+        <translation>eine Korrektur von {} ist nötig bei {} ({} Punkte), mehr als {}; nichts wurde korrigiert: sehen Sie die Stelle im Bericht einer Prüfung an, und geben Sie {} größer an, wenn sie stimmt</translation>
     </message>
     <message>
         <source>the stretch of {} near {} has no usable point</source>

@@ -2664,20 +2664,20 @@ In a terminal, this does the same:
         <translation>{}: жодна з {} точок не придатна, більшість: {}; перевірте одиницю, систему деталі, {} і {}</translation>
     </message>
     <message>
-        <source>the path only circles points at the tool radius {}, or turns tighter than it everywhere: there is no contour; check {} and {}</source>
-        <translation>траєкторія лише обходить точки радіусом інструмента {} або всюди крутіша: контуру немає; перевірте {} і {}</translation>
-    </message>
-    <message>
         <source>the offset path does not close near {}: check {} and {}, or give the contour with {}</source>
         <translation>зміщена траєкторія не замикається біля {}: перевірте {} і {}, або дайте контур через {}</translation>
+    </message>
+    <message>
+        <source>the path only circles points at the tool radius {}, or turns tighter than it everywhere: there is no contour; check {} and {}</source>
+        <translation>траєкторія лише обходить точки радіусом інструмента {} або всюди крутіша: контуру немає; перевірте {} і {}</translation>
     </message>
     <message>
         <source>the stretch of {} through {} was measured at that place only: {} hold all along it</source>
         <translation>ділянку {} через {} виміряно лише там: {} діє вздовж усієї</translation>
     </message>
     <message>
-        <source>a correction of {} is needed at {} (points: {}), more than {}; nothing was corrected: look at the place in the report of a check, and say a larger {} if it is right</source>
-        <translation>потрібна корекція {} у {} (точок: {}), більше ніж {}; нічого не скориговано: подивіться на місце у звіті перевірки й задайте більше {}, якщо все правильно</translation>
+        <source>a correction of {} is needed at {} ({} points), more than {}; nothing was corrected: look at the place in the report of a check, and say a larger {} if it is right</source>
+        <translation>потрібна корекція {} у {} ({} точок), більше ніж {}; нічого не скориговано: подивіться на місце у звіті перевірки й задайте більше {}, якщо все правильно</translation>
     </message>
     <message>
         <source>the stretch of {} near {} has no usable point</source>

@@ -672,7 +672,7 @@ def test_too_few_points(free, needed):
 
 
 def test_no_points_at_all():
-    with pytest.raises(InputError, match="needs at least 4 points, 0 are given"):
+    with pytest.raises(InputError, match="needs at least 4 points, there are 0"):
         align(measured(np.zeros((0, 2))), profile("sharp"))
 
 

@@ -163,9 +163,9 @@ def test_a_depth_that_stays_is_refused() -> None:
     place = np.array([[0.0, 0.0], [10.0, 20.0]])
     assert identify([0.5 * (1 - LEAST_REMOVED) - 1e-9], 0.5).ms[0] == pytest.approx(1 / LEAST_REMOVED - 1)
     for delta in (0.5 * (1 - LEAST_REMOVED) + 1e-6, 0.5, 0.6, np.nan):
-        with pytest.raises(RefusedError, match=r"^at X10.000 Y20.000 .* of a commanded depth of 0.5000 mm stayed"):
+        with pytest.raises(RefusedError, match=r"^at X10.000 Y20.000: .* of a commanded depth of 0.5000 mm stayed"):
             identify([0.02, delta], 0.5, place=place)
-    with pytest.raises(InputError, match=r"^at X10.000 Y20.000 the commanded depth is -0.1000 mm"):
+    with pytest.raises(InputError, match=r"^at X10.000 Y20.000: the commanded depth is -0.1000 mm"):
         identify([0.02, 0.02], [0.5, -0.1], place=place)
     with pytest.raises(RefusedError, match="95 % of the difference"):
         from_line(np.zeros(1), np.array([0.95]), slope_std=0.0, level_std=0.0, depth=1.0)
