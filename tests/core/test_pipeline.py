@@ -243,7 +243,7 @@ def test_a_corrected_program_needs_its_nominal() -> None:
 
 
 def test_over_the_limit_is_refused_with_its_place() -> None:
-    with pytest.raises(LimitError, match=r"X\d+.* --limit 0.5 mm"):
+    with pytest.raises(LimitError, match=r"X\d+.* --limit 0\.5;"):
         corrected("mitres", lambda k, s: np.where(s < 10, 0.6, 0.0))
 
 
@@ -295,7 +295,7 @@ def test_levels_are_kept_apart() -> None:
     result = pipeline.correct(pipeline.Request(program, 5.0, both, None, pipeline.Settings(filter="mean:5")))
     assert set(result.deviation.level.tolist()) == {0, 1}
     assert result.correction.largest == pytest.approx(0.02, abs=1e-6)
-    assert any("the wall leans: at Z-4 it has 20.0 um more than at Z-1 all along" in w for w in result.warnings)
+    assert any("the wall leans: at Z-4.000 it has 20.0 um more than at Z-1.000 all along" in w for w in result.warnings)
 
 
 def test_a_lean_is_told_with_its_place() -> None:
@@ -317,7 +317,9 @@ def test_a_lean_is_told_with_its_place() -> None:
     )
     result = pipeline.correct(pipeline.Request(program, 5.0, both))
     (said,) = (w for w in result.warnings if "the wall leans" in w)
-    found = re.search(r"at Z-4 it has ([0-9.]+) um more than at Z-1 at X([0-9.]+) Y0.000, \+[0-9.]+ um on", said)
+    found = re.search(
+        r"at Z-4.000 it has ([0-9.]+) um more than at Z-1.000 at X([0-9.]+) Y0.000, \+[0-9.]+ um on", said
+    )
     assert found is not None, said
     # Three standard uncertainties: 1 um of noise on some ten points of each height, and a tenth that smoothing takes.
     assert float(found[1]) == pytest.approx(12.0, abs=2.0) and float(found[2]) == pytest.approx(50.0, abs=4.0)
