@@ -143,7 +143,6 @@ class FootPointSearch:
         self._spacing = max(size / _SAMPLES, 1e-4)
         span, t = profile.samples(self._spacing)
         self._closed = np.array([c.closed for c in profile.contours])
-        span, t = profile.samples(self._spacing)
         # Steps from each sample to the next one of its span.
         step = t < 1.0
         self._span, self._t, self._t_end = span[step], t[step], t[np.flatnonzero(step) + 1]

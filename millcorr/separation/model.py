@@ -97,6 +97,7 @@ _HALVES = (6, 2)
 _ROUNDS = 8
 _FEW = 8
 _SETTLED = 0.2
+_AT_ONCE = 1 << 17
 _ROUNDS_OF_START, _ROUNDS_OF_SEARCH, _HOPEFUL, _MET, _FLAT = 5, 12, 25.0, 0.5, 0.01
 _MOST_PLACES = 1000
 
@@ -212,6 +213,7 @@ class Likelihood:
     """-2 log of likelihood times prior of the sizes, for given weights of the points."""
 
     def __init__(self, gathered: Gathered, weight: Floats, nodes: float = NODES_SEARCHED) -> None:
+        progress.step()
         self.gathered, self.nodes = gathered, nodes
         self.mean, self.total, self.within = gathered.data(weight)
         # Points of no weight tell nothing of the white noise either.
@@ -343,8 +345,12 @@ def _suspects(gathered: Gathered, observed: Observed, half: int) -> Bools:
         mode: Literal["wrap", "edge"] = "wrap" if gathered.stretches.closed[observed.stretch[rows[0]]] else "edge"
         value = observed.value[rows]
         # No rank filter of SciPy's: in one dimension 1.17.1 takes no notice of its footprint.
-        around = np.lib.stride_tricks.sliding_window_view(np.pad(value, half, mode=mode), 2 * half + 1)[:, beside]
-        off[rows] = value - 0.5 * np.partition(around, (half - 1, half), axis=1)[:, half - 1 : half + 1].sum(axis=1)
+        around = np.lib.stride_tricks.sliding_window_view(np.pad(value, half, mode=mode), 2 * half + 1)
+        for begin in range(0, len(rows), _AT_ONCE):
+            progress.step()
+            part = slice(begin, begin + _AT_ONCE)
+            ranked = np.partition(around[part, beside], (half - 1, half), axis=1)
+            off[rows[part]] = value[part] - 0.5 * ranked[:, half - 1 : half + 1].sum(axis=1)
     usual = 1.482602 * float(np.median(np.abs(off[told]))) if told.any() else 0.0
     out: Bools = np.abs(off) > _SUSPECT * max(usual, WHITE_LEAST)
     return out
