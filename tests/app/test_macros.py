@@ -72,7 +72,7 @@ def test_a_report_needs_no_post(part_files, measured_file, tmp_path, monkeypatch
     obj = dressup.create(batch.find_operation(doc), measurement_object.create(doc, measured_file[0], "contact"))
     doc.recompute()
 
-    def no_post(*given):
+    def no_post(*given, **named):
         raise AttributeError("ToolType")
 
     monkeypatch.setattr(compat, "post", no_post)
