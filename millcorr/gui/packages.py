@@ -50,7 +50,8 @@ def _there(name: str, least: str) -> bool:
     except metadata.PackageNotFoundError:
         # Made by hand, or frozen into FreeCAD: it is there, and will say itself what it lacks.
         return True
-    return _numbers(found) >= _numbers(least)
+    # Built without its history a package states version 0, as Debian's shapely 2.1 does: that tells nothing.
+    return _numbers(found) in ((), (0,)) or _numbers(found) >= _numbers(least)
 
 
 def _numbers(version: str) -> tuple[int, ...]:
