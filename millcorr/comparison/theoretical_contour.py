@@ -542,10 +542,7 @@ def _joined(
             continue
         adjacent = j == (i + 1) % len(pieces)
         ta, tb = a.tangent(1.0), b.tangent(0.0)
-        turn = float(np.arctan2(ta[0] * tb[1] - ta[1] * tb[0], ta @ tb))
-        if adjacent and turn > np.pi - 1e-6:
-            # Straight back the cutter leaves a slot's round end; a fin without thickness it cannot.
-            turn -= 2 * np.pi
+        turn = _turn_at_vertex(ta, tb) if adjacent else _turn(ta, tb)
         if adjacent and abs(turn) < 1e-7:
             continue
         if not adjacent and (between := _hidden_sides(pieces, offset, (a, b), (i, j), radius)):
@@ -560,7 +557,10 @@ def _joined(
                 out.append((False, _fillet(pieces, i, radius)))
                 continue
             bridge = _Piece(a.at(a.high)[0], b.at(b.low)[0])
-            if gap < radius and max(_bend(ta, bridge.tangent(0.5)), _bend(bridge.tangent(0.5), tb)) < CORNER_ANGLE:
+            if (
+                gap < radius
+                and max(abs(_turn(ta, bridge.tangent(0.5))), abs(_turn(bridge.tangent(0.5), tb))) < CORNER_ANGLE
+            ):
                 # Facets whose rounded ends make them parallel never meet: what vanished between them is as straight.
                 out.append((False, bridge))
                 continue
@@ -590,10 +590,8 @@ def _fillet(pieces: list[_Piece], i: int, radius: float) -> _Piece:
     """What the disc at the end of a piece leaves on the left of a turn to the right."""
     before, after = pieces[i], pieces[(i + 1) % len(pieces)]
     ta, tb = before.tangent(1.0), after.tangent(0.0)
-    turn = float(np.arctan2(ta[0] * tb[1] - ta[1] * tb[0], ta @ tb))
-    # Straight back is to the right.
-    turn -= 2 * np.pi if turn > np.pi - 1e-6 else 0.0
-    return _Piece(before.p1 + radius * _left(ta), before.p1 + radius * _left(tb), before.p1, turn)
+    vertex = before.p1
+    return _Piece(vertex + radius * _left(ta), vertex + radius * _left(tb), vertex, _turn_at_vertex(ta, tb))
 
 
 def _hidden_sides(
@@ -618,9 +616,9 @@ def _hidden_sides(
     beside = {between[k] for k, _, _ in left} | {(between[k] + 1) % len(pieces) for k, _, _ in left}
     sides = [offset[k] for k in between[1:] if k in beside]
     whole = [replace(side) for side in sides if side is not None]
-    for chain in ([whole] if len(whole) == len(sides) else []) + [
-        [_with_ends(fillets[k], low, high) for k, low, high in left]
-    ]:
+    chains = [whole] if len(whole) == len(sides) else []
+    chains.append([_with_ends(fillets[k], low, high) for k, low, high in left])
+    for chain in chains:
         a, b = (replace(end) for end in ends)
         row = [a, *chain, b]
         meet = all(
@@ -638,9 +636,18 @@ def _with_ends(piece: _Piece, low: float, high: float) -> _Piece:
     return replace(piece, low=0.0 if low < 0.05 else low, high=1.0 if high > 0.95 else high)
 
 
-def _bend(a: Floats, b: Floats) -> float:
-    """Angle between two directions, rad."""
-    return abs(float(np.arctan2(a[0] * b[1] - a[1] * b[0], a @ b)))
+def _turn(a: Floats, b: Floats) -> float:
+    """Angle from one direction to another, rad, to the left positive."""
+    return float(np.arctan2(a[0] * b[1] - a[1] * b[0], a @ b))
+
+
+def _turn_at_vertex(a: Floats, b: Floats) -> float:
+    """The same where a path turns; straight back is to the right.
+
+    There the cutter leaves a slot's round end; a fin without thickness it cannot.
+    """
+    turn = _turn(a, b)
+    return turn - 2 * np.pi if turn > np.pi - 1e-6 else turn
 
 
 def _continued(pieces: list[_Piece], closed: bool) -> list[_Piece]:
@@ -714,9 +721,7 @@ def _merge(pieces: list[_Piece]) -> tuple[NurbsCurve, ...]:
         if np.hypot(*(b - a)) < 1e-9:
             continue
         if len(chain) > 1:
-            before, after = chain[-1] - chain[-2], b - a
-            turn = np.arctan2(before[0] * after[1] - before[1] * after[0], before @ after)
-            if abs(turn) > CORNER_ANGLE:
+            if abs(_turn(chain[-1] - chain[-2], b - a)) > CORNER_ANGLE:
                 flush()
         if not chain:
             chain.append(a)
