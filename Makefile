@@ -5,7 +5,7 @@ PYTHON = build/venv/bin/python
 
 help:
 	@echo 'make demo        close the loop once on a simulated machine; files in build/demo'
-	@echo 'make test        core tests, tests inside FreeCAD, FreeCAD window on a virtual screen'
+	@echo 'make test        core tests, tests inside FreeCAD, FreeCAD window on a virtual screen; ALL=--all for every one'
 	@echo 'make exhaustive  the core tests with every sweep in full'
 	@echo 'make benchmarks  times and errors beside what one would use instead'
 	@echo 'make lint        ruff, and mypy --strict on the core'
@@ -20,12 +20,12 @@ demo:
 
 test:
 	@tools/setup test
-	@tools/test
+	@tools/test $(ALL)
 
 benchmarks:
 	@tools/setup test
 	@$(PYTHON) -m pip install --quiet --disable-pip-version-check open3d pyarrow scikit-learn || echo 'without Open3D, pyarrow, scikit-learn: their rows are left out'
-	@set -e; for script in benchmarks/*.py; do echo "== $$script"; PYTHONPATH=. $(PYTHON) "$$script"; done
+	@set -e; for script in benchmarks/*.py; do echo "== $$script"; PYTHONPATH=. OPENBLAS_NUM_THREADS=1 $(PYTHON) "$$script"; done
 
 exhaustive:
 	@tools/setup test

@@ -3,8 +3,9 @@
 
 A path of three to seven lines, short steps and sharp turns among them, with or without leads. What its discs leave on
 the material's side is measured every 0.4 mm with a smooth error and no noise, corrected as it is, and swept again.
-Wrong is what lies more than 2 um from where it should, away from corners and fillets. Some of the paths cut
-themselves, and no shop would ask for them: what is refused is listed with its reason.
+Wrong is what lies more than 2 um from where it should, away from corners and fillets. Some of the paths cut into the
+wall that they make elsewhere, and no shop would ask for them: they are counted apart. What is refused is listed with
+its reason.
 
 Run from the repository root: `python benchmarks/open_contours.py [first:last]`.
 """
@@ -61,6 +62,13 @@ def walls_of(places: np.ndarray, whole: np.ndarray, side: int) -> list[shapely.L
     return [one for one in shapely.get_parts(left) if one.geom_type == "LineString" and one.length > 0.8]
 
 
+def cuts_itself(places: np.ndarray, walls: list[shapely.LineString]) -> bool:
+    """Whether the wall is not one from the path's begin to its end: one leg has cut away what another made."""
+    ends = shapely.points(shapely.get_coordinates(walls[0])[[0, -1]])
+    apart = np.abs(shapely.distance(ends, shapely.points(places[[0, -1]])) - RADIUS)
+    return len(walls) > 1 or bool(apart.max() > 0.02)
+
+
 def sharp(walls: list[shapely.LineString]) -> np.ndarray:
     """Ends and corners of walls, (n, 2)."""
     out = []
@@ -90,11 +98,12 @@ def judged(seed: int) -> tuple[str, str]:
     off = rng.uniform(-0.04, 0.04) + wave * np.sin(2 * math.pi * along / rng.uniform(20, 60) + rng.uniform(0, 6))
     seen = np.column_stack([points - off[:, None] * normal, np.full(len(points), -2.0)])
     part = Measurement(seen, None, 0.0, np.arange(len(seen)), "part.csv", "cd" * 32)
+    whose = "cuts itself, " if cuts_itself(places, walls) else ""
     try:
         request = pipeline.Request(nc.parse(text), RADIUS, part, settings=pipeline.Settings(filter="none"))
         result = pipeline.correct(request)
     except MillcorrError as error:
-        return "refused", str(error)
+        return whose + "refused", str(error)
     moves = nc.parse(result.text).toolpath
     rows = moves.take(moves.kind != nc.toolpath.Kind.RAPID).position(np.array([0.0, 1.0]))[:, :, :2]
     away = shapely.distance(shapely.points(points - RADIUS * normal), shapely.multipoints(places)) > 0.5
@@ -102,8 +111,8 @@ def judged(seed: int) -> tuple[str, str]:
     wanted = shapely.points((points + off[:, None] * normal)[away])
     left = shapely.distance(wanted, shapely.union_all(shapely.linestrings(rows))) - RADIUS
     if len(left) and np.abs(left).max() > WRONG:
-        return "wrong", f"{1000 * left.min():+.1f} to {1000 * left.max():+.1f} um"
-    return "corrected", ""
+        return whose + "wrong", f"{1000 * left.min():+.1f} to {1000 * left.max():+.1f} um"
+    return whose + "corrected", ""
 
 
 def main() -> None:

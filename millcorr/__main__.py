@@ -112,23 +112,23 @@ def _check(arguments: argparse.Namespace) -> None:
 
 
 def _inspect(arguments: argparse.Namespace) -> None:
-    from .cli import session
+    from .cli import verbs
 
-    _say(session.inspect(arguments.measured, _reading(arguments)))
+    _say(verbs.inspect(arguments.measured, _reading(arguments)))
 
 
 def _convert(arguments: argparse.Namespace) -> None:
-    from .cli import session
+    from .cli import verbs
 
-    _say(session.convert(arguments.measured, arguments.output, _reading(arguments)))
+    _say(verbs.convert(arguments.measured, arguments.output, _reading(arguments)))
 
 
 def _split(arguments: argparse.Namespace) -> None:
-    from .cli import session
+    from .cli import verbs
     from .correction.settings import Settings
 
     names = ("side", "cutter_compensation", "tolerance", "output_moves", "depth_along")
-    done = session.split_program(
+    done = verbs.split_program(
         arguments.program,
         tool_diameter=arguments.tool_diameter,
         depth=arguments.depth,
@@ -143,14 +143,14 @@ def _split(arguments: argparse.Namespace) -> None:
 
 
 def _simulate(arguments: argparse.Namespace) -> None:
-    from .cli import session
+    from .cli import verbs
     from .correction.settings import Settings
     from .production.simulation import Asked
 
     names = ("side", "cutter_compensation", "tolerance", "output_moves", "limit", "iterate")
     chosen = Settings(method="predicted", **{name: getattr(arguments, name) for name in names})
     _say(
-        session.simulate_program(
+        verbs.simulate_program(
             arguments.program,
             document=arguments.document,
             operation=arguments.operation,
@@ -213,7 +213,7 @@ def _reading(arguments: argparse.Namespace) -> Any:
 
 def _run(arguments: argparse.Namespace, output: Path | None) -> None:
     from . import pipeline
-    from .cli import session
+    from .cli import verbs
     from .report import Exports
 
     known = [field.name for field in fields(pipeline.Settings) if hasattr(arguments, field.name)]
@@ -221,18 +221,19 @@ def _run(arguments: argparse.Namespace, output: Path | None) -> None:
     settings: dict[str, Any] = {
         name: tuple(value) if isinstance(value, list) else value for name, value in given.items()
     }
-    common: dict[str, Any] = {
-        "measured": arguments.measured,
-        "setup": arguments.setup,
-        "reading": _reading(arguments),
-        "nominal": arguments.nominal,
-        "tool_diameter": arguments.tool_diameter,
-        "output": output,
-        "report": arguments.report,
-        "exports": Exports(tuple(arguments.export), arguments.zone),
-        "settings": pipeline.Settings(**settings),
-    }
-    once = getattr(arguments, "once", False)
+    asked = verbs.CorrectionAsked(
+        arguments.measured,
+        _reading(arguments),
+        arguments.nominal,
+        arguments.tool_diameter,
+        output,
+        arguments.report,
+        Exports(tuple(arguments.export), arguments.zone),
+        pipeline.Settings(**settings),
+        arguments.setup,
+        once=getattr(arguments, "once", False),
+        **_series(arguments),
+    )
     if arguments.program is not None:
         if arguments.operation is not None or getattr(arguments, "gcode", None) is not None:
             raise UsageError(
@@ -246,8 +247,7 @@ def _run(arguments: argparse.Namespace, output: Path | None) -> None:
                 " use ",
                 option("output"),
             )
-        table = getattr(arguments, "table", False)
-        done = session.correct_program(arguments.program, **common, table=table, once=once, **_series(arguments))
+        done = verbs.correct_program(arguments.program, asked, table=getattr(arguments, "table", False))
     else:
         if getattr(arguments, "table", False):
             raise UsageError(
@@ -260,29 +260,27 @@ def _run(arguments: argparse.Namespace, output: Path | None) -> None:
                 option("report"),
                 ", which writes points.csv",
             )
-        done = session.correct_document(
-            arguments.document,
-            operation=arguments.operation,
-            gcode=getattr(arguments, "gcode", None),
-            once=once,
-            **common,
-            **_series(arguments),
-        )
+        gcode = getattr(arguments, "gcode", None)
+        done = verbs.correct_document(arguments.document, asked, operation=arguments.operation, gcode=gcode)
     _say(done)
 
 
 def _series(arguments: argparse.Namespace) -> dict[str, Any]:
-    """What was said about the series: journal and rules; empty without."""
+    """What was said about the series: journal and rules."""
     from .production.process_control import LIMITS
 
-    given = {name: getattr(arguments, name, None) for name in ("journal", "control", *LIMITS)}
-    return {name: value for name, value in given.items() if value is not None}
+    limits = {name: getattr(arguments, name, None) for name in LIMITS}
+    return {
+        "journal": getattr(arguments, "journal", None),
+        "control": getattr(arguments, "control", None),
+        "limits": {name: value for name, value in limits.items() if value is not None},
+    }
 
 
 def _history(arguments: argparse.Namespace) -> None:
-    from .cli import session
+    from .cli import verbs
 
-    _say(session.history(arguments.journal, csv=arguments.csv, report=arguments.report))
+    _say(verbs.history(arguments.journal, csv=arguments.csv, report=arguments.report))
 
 
 _VERBS: dict[str, Callable[[argparse.Namespace], int | None]] = {

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from .messages import Accept, Message, Piece, Place
+from .messages import Accept, Message, Piece, Place, joined, phrase
 
 
 class MillcorrError(Exception):
@@ -62,8 +62,7 @@ class UnsaidError(UsageError):
 
 def unsaid(reason: str, *ways: Piece) -> UnsaidError:
     """The error that a file leaves something open, which one of some options says."""
-    either = [piece for way in ways for piece in (" or ", way)][1:]
-    return UnsaidError("say ", *either, ": ", reason=reason)
+    return UnsaidError(phrase("say {}: ", joined(ways, phrase(" or "))), reason=reason)
 
 
 class InputError(MillcorrError, ValueError):

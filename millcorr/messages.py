@@ -281,7 +281,7 @@ def _worded(part: object, wording: Wording) -> str:
     return part if isinstance(part, str) else wording.piece(part)  # type: ignore[arg-type]
 
 
-def joined(texts: Iterable[str], by: str = ", ") -> Message:
+def joined(texts: Iterable[Piece], by: Piece = ", ") -> Message:
     """A message of several with something between them."""
     return Message(*[part for text in texts for part in (by, text)][1:])
 

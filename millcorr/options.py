@@ -72,9 +72,9 @@ class Declared:
     def bounds(self) -> str:
         """What a number must be, in words."""
         if self.least is not None and self.most is not None:
-            return f"must be from {self.least:g} to {self.most:g}"
-        low = f"above {self.above:g}" if self.above is not None else f"at least {self.least:g}"
-        return f"must be {low}" + ("" if self.most is None else f" and at most {self.most:g}")
+            return phrase("must be from {:g} to {:g}", self.least, self.most)
+        low = phrase("above {:g}", self.above) if self.above is not None else phrase("at least {:g}", self.least)
+        return phrase("must be {}{}", low, "" if self.most is None else phrase(" and at most {:g}", self.most))
 
     def counts_with(self, method: str) -> bool:
         """Whether it belongs to a method of correction."""
@@ -82,13 +82,14 @@ class Declared:
 
     def refuse(self, value: Any) -> None:
         """UsageError where a value is none of its choices or out of its bounds."""
-        if self.choices and value is not None and value not in self.choices:
-            raise UsageError(phrase("{}: choose one of {}", option(self.key, value), ", ".join(self.choices)))
+        for word in value if self.several else (value,):
+            if self.choices and word is not None and word not in self.choices:
+                raise UsageError(phrase("{}: choose one of {}", option(self.key, word), ", ".join(self.choices)))
         if self.above is None and self.least is None:
             return
         for number in value if isinstance(value, Sequence) else () if value is None else (value,):
             if not self._allows(number):
-                raise UsageError(option(self.key, float(number)), f": {self.bounds}")
+                raise UsageError(option(self.key, float(number)), ": ", self.bounds)
 
     def _allows(self, number: float) -> bool:
         low = number > self.above if self.above is not None else number >= (self.least or 0.0)

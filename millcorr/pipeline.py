@@ -16,14 +16,14 @@ from . import nc as gcode
 from . import plausibility as distrust
 from .comparison import alignment
 from .comparison.deviation import Deviation, Rejected, statistics
-from .correction.largest import largest_correction
 from .correction.settings import Settings as Settings
-from .correction.targets import Elastic, Target
+from .correction.wanted_displacement import Elastic, WantedDisplacement
+from .geometry.correction import largest_correction
 from .geometry.profile import Profile
 from .messages import message, phrase
 from .path.moves import Regeneration
 from .path.verification import Verification
-from .process.prediction.foreseen import FirstCut, Foreseen
+from .process.prediction.predicted_correction import FirstCut, Prediction
 from .separation import Filter, Separated
 from .separation.steps import Systematic
 from .stages.aimed import Aimed, aim
@@ -68,7 +68,7 @@ class Result:
         Standard deviation of the random part, mm; NaN where it is not known.
     elastic : Elastic or None
         Transfer function at the used points, and the depth it was carried to; None without one.
-    foreseen : Foreseen or None
+    prediction : Prediction or None
         What the model of a setup says before and after; None without one.
     regeneration : Regeneration
     path_radius : float
@@ -101,7 +101,7 @@ class Result:
     outlier: Bools
     random_std: float
     elastic: Elastic | None
-    foreseen: Foreseen | None
+    prediction: Prediction | None
     regeneration: Regeneration
     path_radius: float
     fit_residual: float
@@ -159,7 +159,7 @@ class Result:
             "outliers": self.outliers(),
             "unmeasured": 0.0 if self.separated is None else distrust.unmeasured(self.separated, self.nominal),
             "transfer": None if self.elastic is None else self.elastic.summary(self.request.settings),
-            "foreseen": None if self.foreseen is None else self.foreseen.summary(),
+            "foreseen": None if self.prediction is None else self.prediction.summary(),
             "alignment": self._alignment_summary(),
             "profile": {k: first[k] for k in keys} | {"curves": curves, "fit_residual": self.fit_residual},
             "verification": {
@@ -262,7 +262,7 @@ def _result(prepared: Prepared, compared: Compared, aimed: Aimed, written: Writt
     said = (*prepared.notes, *compared.notes, *aimed.notes)
     none = np.zeros(len(work.deviation))
     applied = written.correction.at(work.deviation.stretch, work.deviation.s, nominal) if len(none) else none
-    foreseen = written.foreseen
+    prediction = written.prediction
     return Result(
         request=aimed.request,
         nominal=nominal,
@@ -272,21 +272,21 @@ def _result(prepared: Prepared, compared: Compared, aimed: Aimed, written: Writt
         deviation=work.deviation,
         filtered=work.filtered,
         uncertainty=work.uncertainty,
-        predicted=work.predicted(applied) if foreseen is None else foreseen.left_at(work),
+        predicted=work.predicted(applied) if prediction is None else prediction.left_at(work),
         commanded=work.commanded,
         carried=aimed.carried,
         systematic=work.systematic,
         outlier=none > 0 if work.outlier is None else work.outlier,
         random_std=work.random_std,
         elastic=work.elastic,
-        foreseen=foreseen,
+        prediction=prediction,
         regeneration=emission.regeneration,
         path_radius=prepared.passes.radius,
         fit_residual=emission.fit_residual,
         verification=emission.verification,
         text=emission.text,
         advice=(
-            *(_advice(work, aimed.request.settings) if foreseen is None else foreseen.advice()),
+            *(_advice(work, aimed.request.settings) if prediction is None else prediction.advice()),
             *(message(f"{m.source}: ", note) for m in aimed.request.measurements for note in m.notes),
         ),
         warnings=(*said, *(note for note in written.notes if note not in said)),
@@ -310,7 +310,7 @@ def _first_cut(prepared: Prepared) -> FirstCut | None:
     return FirstCut(program, done.compensated, allowance)
 
 
-def _advice(work: Target, settings: Settings) -> tuple[str, ...]:
+def _advice(work: WantedDisplacement, settings: Settings) -> tuple[str, ...]:
     """What to expect of the next part."""
     if not len(work.deviation):
         return ()

@@ -10,6 +10,8 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
+from millcorr.messages import phrase
+
 from . import progress
 from .errors import UsageError
 from .messages import Message, message, option
@@ -46,20 +48,22 @@ def refuse_places(
         said = message(name, f" {place}") if isinstance(name, Message) else option(name, place)
         what = taken.get(place.resolve())
         if what is not None:
-            raise UsageError(said, " is the ", what, " itself; the original must stay untouched")
+            raise UsageError(phrase("{} is the {} itself; the original must stay untouched", said, what))
         if place.is_dir():
-            raise UsageError(said, " is a directory; name the file to write")
+            raise UsageError(phrase("{} is a directory; name the file to write", said))
         if not place.absolute().parent.is_dir():
-            raise UsageError(said, f": there is no directory {place.parent}: make it first")
+            raise UsageError(phrase("{}: there is no directory {}: make it first", said, place.parent))
         taken[place.resolve()] = message("file of ", name if isinstance(name, Message) else option(name))
     if report is None:
         return
     if report.resolve() in taken or (report.exists() and not report.is_dir()):
-        raise UsageError(option("report", report), " is a file; name a directory")
+        raise UsageError(phrase("{} is a file; name a directory", option("report", report)))
     for place, what in taken.items():
         if place.parent == report.resolve() and place.name in files:
             raise UsageError(
-                option("report", report), " would replace the ", what, f", {place.name}: name another directory"
+                phrase(
+                    "{} would replace the {}, {}: name another directory", option("report", report), what, place.name
+                )
             )
 
 
@@ -92,11 +96,11 @@ def replaced_whole(path: Path | None, data: bytes) -> Iterator[None]:
         return
     path = path.resolve()
     if not path.parent.is_dir():
-        raise UsageError(f"{path}: there is no directory {path.parent}: make it first")
+        raise UsageError(phrase("{}: there is no directory {}: make it first", path, path.parent))
     try:
         handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
     except OSError as error:
-        raise UsageError(f"{path}: cannot be written: {error.strerror}") from error
+        raise UsageError(phrase("{}: cannot be written: {}", path, error.strerror)) from error
     try:
         with os.fdopen(handle, "wb") as file:
             file.write(data)
@@ -133,7 +137,7 @@ def write_together(directory: Path, files: Mapping[str, Iterable[str] | Iterable
         If it cannot be written to.
     """
     if directory.exists() and not directory.is_dir():
-        raise UsageError(f"{directory}: the report needs a directory, this is a file")
+        raise UsageError(phrase("{}: the report needs a directory, this is a file", directory))
     new = not directory.exists()
     home = directory.parent if new else directory
     home.mkdir(parents=True, exist_ok=True)

@@ -25,8 +25,8 @@ import FreeCAD
 
 from millcorr import nc, pipeline
 from millcorr import report as reports
-from millcorr.errors import InputError, MillcorrError, RefusedError, UsageError
-from millcorr.messages import message_of, option
+from millcorr.errors import FormatError, InputError, MillcorrError, RefusedError, UsageError
+from millcorr.messages import message_of, option, phrase
 from millcorr.path import verification
 from millcorr.production import series as production
 from millcorr.production.process_control import ACCEPTED, LIMITS
@@ -129,10 +129,11 @@ def correct_document(
     _refuse_inputs(source, files, output, gcode, report, exports)
     if journal is not None and (source is None or output is None):
         raise UsageError(
-            option("journal"),
-            " belongs to a document that is a file, and to an ",
-            option("output"),
-            ": it records both",
+            phrase(
+                "{} belongs to a document that is a file, and to an {}: it records both",
+                option("journal"),
+                option("output"),
+            ),
         )
     with ExitStack() as stack:
         here = stack.enter_context(documents.opened(document))
@@ -223,7 +224,9 @@ def export_report(obj: Any, directory: str | Path) -> None:
         notes.append(_READ_BACK)
     # Posts are anybody's code, and end as they like; the report is about the path.
     except (Exception, SystemExit) as error:  # noqa: BLE001
-        notes.append(f"The path error is that of the path itself: the job's post processor gave no program ({error}).")
+        notes.append(
+            phrase("The path error is that of the path itself: the job's post processor gave no program ({}).", error)
+        )
     with read_by(wording.reader()):
         _put([], None, corrected.result, directory, {}, notes, reports.NO_EXPORTS)
 
@@ -237,9 +240,8 @@ def _refuse_inputs(
     """UsageError where something to write would replace what is read."""
     inputs = {f"measured file {n}": Path(file) for n, file in enumerate(measured, 1)}
     written = {what: None if place is None else Path(place) for what, place in (("output", output), ("gcode", gcode))}
-    refuse_places(
-        written, {"document": source, **inputs}, None if report is None else Path(report), reports.FILES + exports.files
-    )
+    files = reports.FILES + reports.files_of(exports)
+    refuse_places(written, {"document": source, **inputs}, None if report is None else Path(report), files)
 
 
 @contextmanager
@@ -289,9 +291,10 @@ def find_operation(document: Any, name: Any = None) -> Any:
         tops = [top for top, below in stacks if any(name.Name == obj.Name for obj in below)]
     if len(tops) == 1:
         return tops[0]
-    what = "Profile operation" if name is None else f"operation called {getattr(name, 'Label', name)}"
-    there = ", ".join(top.Label for top, _ in stacks) or "none"
-    raise UsageError(f"the document has {len(tops) or 'no'} {what}; its operations are: {there}")
+    called = getattr(name, "Label", name)
+    what = phrase("Profile operations") if name is None else phrase("operations called {}", called)
+    there = ", ".join(top.Label for top, _ in stacks) or phrase("none")
+    raise UsageError(phrase("the document has {} {}; its operations are: {}", len(tops) or phrase("no"), what, there))
 
 
 def _below(obj: Any) -> list[Any]:
@@ -311,20 +314,19 @@ def _dressed(base: Any, measurement: Any, chosen: dict[str, Any]) -> Any:
     except ValueError as error:
         if isinstance(error, MillcorrError):
             raise
-        raise UsageError("a setting is not possible: ", message_of(error)) from error
+        raise UsageError(phrase("a setting is not possible: {}", message_of(error))) from error
 
 
 def _require_valid(obj: Any) -> None:
     if "Invalid" in obj.State or not obj.Path.Commands:
-        raise RefusedError(f"{obj.Label}: FreeCAD could not recompute the corrected path")
+        raise RefusedError(phrase("{}: FreeCAD could not recompute the corrected path", obj.Label))
 
 
 def _posted(obj: Any) -> str:
     """The job's program; with four decimals where the job leaves their number open."""
     job = compat.parent_job(obj)
     # FreeCAD's default of three rounds by half a micrometre, as much as the whole path may err.
-    given = "--precision" in job.PostProcessorArgs or "--inches" in job.PostProcessorArgs
-    return compat.post(job, wish="" if given else "--precision 4")
+    return compat.post(job, wish="" if "--precision" in job.PostProcessorArgs else "--precision 4")
 
 
 def proved(obj: Any, text: str, corrected: correction.Correction) -> correction.Correction:
@@ -350,7 +352,7 @@ def proved(obj: Any, text: str, corrected: correction.Correction) -> correction.
     LimitError
         If it rounds more than the tolerance allows.
     """
-    posted = nc.parse(text, f"program of FreeCAD's post {compat.parent_job(obj).PostProcessor or 'linuxcnc'}")
+    posted, unstated = _read_back(text, compat.parent_job(obj).PostProcessor or "linuxcnc")
     emitted = posted.toolpath.take(_stretch(posted, obj.Label))
     result = corrected.result
     planned = result.regeneration
@@ -368,7 +370,24 @@ def proved(obj: Any, text: str, corrected: correction.Correction) -> correction.
         fine, within = (f"{length * 1000:.1f} um" for length in (posted.resolution, tolerance))
         said = f"the post writes places no finer than {fine}: the posted program is proven within {within}"
         result = replace(result, advice=(*result.advice, said))
+    if unstated:
+        said = "the post states no unit: the posted program is right for a control that is set to inches only"
+        result = replace(result, advice=(*result.advice, said))
     return replace(corrected, result=replace(result, verification=proof))
+
+
+def _read_back(text: str, post: str) -> tuple[nc.Program, bool]:
+    """The program that a post made, and whether it is in inches without a word that says so."""
+    # So FreeCAD's post for UCCNC has it, whose profile has the unit.
+    unstated = re.search(r"(?m)^\(Units: 'in' ", text) is not None and not re.search(r"(?m)^(?:N\d+ *)?G20\b", text)
+    try:
+        return nc.parse(f"G20\n{text}" if unstated else text, f"program of FreeCAD's post {post}"), unstated
+    except FormatError as error:
+        line = "" if error.line is None else f"its line {error.line}: "
+        raise InputError(
+            f"what FreeCAD's post processor {post} makes is no G-code that can be read back and proven "
+            f"({line}{error.said}): choose a post processor of G-code in the job, as linuxcnc or grbl"
+        ) from error
 
 
 def _stretch(posted: nc.Program, label: str) -> Any:
@@ -381,7 +400,7 @@ def _stretch(posted: nc.Program, label: str) -> Any:
     if len(begin) == 1 and len(end) == 1:
         rows = (source > begin[0]) & (source < end[0])
     if not rows.any():
-        raise InputError(f"{label}: the posted program has no move of this operation")
+        raise InputError(phrase("{}: the posted program has no move of this operation", label))
     return rows
 
 

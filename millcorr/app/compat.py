@@ -20,6 +20,7 @@ import Part
 import Path
 
 from millcorr.errors import InputError
+from millcorr.messages import mm, phrase
 
 DocumentObject = Any
 """A FreeCAD document object; FreeCAD has no type stubs."""
@@ -129,7 +130,7 @@ def bottom_operation(obj: DocumentObject) -> DocumentObject:
     while is_dressup(obj):
         obj = obj.Base
         if obj.Name in seen:
-            raise InputError(f"the dressups of {obj.Label} form a ring")
+            raise InputError(phrase("the dressups of {} form a ring", obj.Label))
         seen.add(obj.Name)
     return obj
 
@@ -185,10 +186,10 @@ def tool_diameter(obj: DocumentObject) -> float:
     controller = tool_controller(obj)
     diameter = getattr(getattr(controller, "Tool", None), "Diameter", None)
     if diameter is None:
-        raise InputError(f"{obj.Label}: the operation has no tool with a diameter; set ToolDiameter")
+        raise InputError(phrase("{}: the operation has no tool with a diameter; set ToolDiameter", obj.Label))
     value = float(getattr(diameter, "Value", diameter))
     if value <= 0:
-        raise InputError(f"{obj.Label}: the tool's diameter is {value} mm; set ToolDiameter")
+        raise InputError(phrase("{}: the tool's diameter is {}; set ToolDiameter", obj.Label, mm(value, "g")))
     return value
 
 
@@ -218,7 +219,7 @@ def shape_in_document(obj: DocumentObject) -> Any:
     """
     shape = Part.getShape(obj)
     if shape.isNull():
-        raise InputError(f"{obj.Label} has no shape to take as nominal profile")
+        raise InputError(phrase("{} has no shape to take as nominal profile", obj.Label))
     return moved(shape, global_placement(obj).multiply(obj.Placement.inverse()))
 
 
@@ -412,12 +413,19 @@ def post(job: DocumentObject, arguments: str | None = None, wish: str = "") -> s
     except (Exception, SystemExit) as error:  # noqa: BLE001
         told = f"{type(error).__name__}: {error}" if isinstance(error, Exception) else "an argument it does not know"
         raise InputError(
-            f"{job.Label}: FreeCAD's own post processor {name} fails on this job ({told}): post with another one"
+            phrase(
+                "{}: FreeCAD's own post processor {} fails on this job ({}): post with another one",
+                job.Label,
+                name,
+                told,
+            )
         ) from error
     if not texts:
-        raise InputError(f"{job.Label}: FreeCAD's post processor {name} made no program")
+        raise InputError(phrase("{}: FreeCAD's post processor {} made no program", job.Label, name))
     if len(texts) > 1:
-        raise InputError(f"{job.Label}: FreeCAD's post processor made {len(texts)} programs; clear SplitOutput")
+        raise InputError(
+            phrase("{}: FreeCAD's post processor made {} programs; clear SplitOutput", job.Label, len(texts))
+        )
     return str(texts[0])
 
 

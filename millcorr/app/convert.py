@@ -18,6 +18,7 @@ from millcorr.arrays import Floats, Ints
 from millcorr.errors import InputError
 from millcorr.geometry.nurbs import NurbsCurve
 from millcorr.geometry.profile import Contour, Profile
+from millcorr.messages import at_z, mm, phrase, xy
 
 Material = Literal["inside", "outside", "left", "right"]
 
@@ -28,7 +29,9 @@ JOINED = 1e-4
 """Largest distance in mm between the ends of two edges that count as joined; OCCT's own tolerances in models
 from other systems go that far."""
 
-_LEVEL = "a profile lies parallel to the XY plane: choose level edges, upright faces, or a sketch of it as Nominal"
+_LEVEL = phrase(
+    "a profile lies parallel to the XY plane: choose level edges, upright faces, or a sketch of it as Nominal"
+)
 
 DEFLECTION = JOINED / 5
 """Largest distance in mm of a polygon from the curve in whose place it is asked what lies above what; no profile is
@@ -54,15 +57,20 @@ def curve_of_edge(edge: Any) -> NurbsCurve:
         If the edge has no curve or is not level.
     """
     if getattr(edge, "Degenerated", False) or edge.Length < 1e-9:
-        raise InputError("an edge of the profile has no length")
+        raise InputError(phrase("an edge of the profile has no length"))
     box = edge.BoundBox
     curve = edge.Curve
     first, last = edge.ParameterRange
     heights = [edge.valueAt(first + (last - first) * k / 8).z for k in range(9)]
     if max(heights) - min(heights) > FLAT:
         raise InputError(
-            f"an edge near X{box.Center.x:.3f} Y{box.Center.y:.3f} is not level: it runs from "
-            f"Z{min(heights):.6f} to Z{max(heights):.6f}; {_LEVEL}"
+            phrase(
+                "an edge near {} is not level: it runs from Z{:.6f} to Z{:.6f}; {}",
+                xy(box.Center.x, box.Center.y),
+                min(heights),
+                max(heights),
+                _LEVEL,
+            )
         )
     if isinstance(curve, Part.Line | Part.LineSegment):
         start, end = edge.valueAt(first), edge.valueAt(last)
@@ -109,8 +117,12 @@ def _curve_of_spline(spline: Any, box: Any) -> NurbsCurve:
     poles = np.array([(p.x, p.y, p.z) for p in spline.getPoles()])
     if np.ptp(poles[:, 2]) > FLAT:
         raise InputError(
-            f"an edge near X{box.Center.x:.3f} Y{box.Center.y:.3f} is not level: its poles differ by "
-            f"{np.ptp(poles[:, 2]):.6f} mm in Z; {_LEVEL}"
+            phrase(
+                "an edge near {} is not level: its poles differ by {} in Z; {}",
+                xy(box.Center.x, box.Center.y),
+                mm(np.ptp(poles[:, 2]), ".6f"),
+                _LEVEL,
+            )
         )
     return NurbsCurve(
         spline.Degree,
@@ -152,7 +164,9 @@ def chain(curves: Sequence[NurbsCurve]) -> list[Contour]:
     for point, members in meeting.items():
         if len(members) > 2:
             x, y = ends.reshape(-1, 2)[np.flatnonzero(node.ravel() == point)[0]]
-            raise InputError(f"{len(members)} edges of the profile meet at X{x:.3f} Y{y:.3f}; leave one way through")
+            raise InputError(
+                phrase("{} edges of the profile meet at {}; leave one way through", len(members), xy(x, y))
+            )
     left = {k for members in meeting.values() for k in members}
     while left:
         loose = [k for k in sorted(left) if any(len(meeting[int(p)]) == 1 for p in node[k])]
@@ -253,7 +267,7 @@ def profile_of_edges(edges: Iterable[Any], material: Material = "inside") -> Pro
     """
     edges = list(edges)
     if not edges:
-        raise InputError("the profile has no edge")
+        raise InputError(phrase("the profile has no edge"))
     curves = [curve_of_edge(edge) for edge in edges]
     return oriented(chain(curves), material)
 
@@ -278,7 +292,7 @@ def profile_of_shape(shape: Any, material: Material = "inside") -> Profile:
         If the shape is empty, not level, or a solid whose outline changes with the height.
     """
     if shape.isNull():
-        raise InputError("the shape of the profile is empty")
+        raise InputError(phrase("the shape of the profile is empty"))
     if shape.Solids:
         return profile_of_edges(outline_edges(shape), material)
     if shape.Faces:
@@ -294,8 +308,10 @@ def _sewn(shape: Any) -> Any:
     shell.sewShape()
     if not (shell.Shells and all(s.isClosed() for s in shell.Shells)):
         raise InputError(
-            "a face of the profile is not parallel to the XY plane, and the faces close round no solid: choose a "
-            "sketch or level edges of the contour as Nominal, or save the model as STEP"
+            phrase(
+                "a face of the profile is not parallel to the XY plane, and the faces close round no solid: "
+                "choose a sketch or level edges of the contour as Nominal, or save the model as STEP"
+            )
         )
     return Part.makeCompound([Part.makeSolid(s) for s in shell.Shells])
 
@@ -348,8 +364,11 @@ def foot_edges(face: Any) -> list[Any]:
         return min(ends, key=len)
     c = face.BoundBox.Center
     raise InputError(
-        f"a side face near X{c.x:.3f} Y{c.y:.3f} ends neither below nor above in level edges alone: choose a sketch "
-        "or level edges of the contour as Nominal"
+        phrase(
+            "a side face near {} ends neither below nor above in level edges alone: choose a sketch or "
+            "level edges of the contour as Nominal",
+            xy(c.x, c.y),
+        )
     )
 
 
@@ -400,14 +419,19 @@ def outline_edges(shape: Any) -> list[Any]:
     for (a, b), section in zip(slabs, sections, strict=True):
         if not around.covers(section):
             raise InputError(
-                f"the model is not prismatic: between Z{a:.3f} and Z{b:.3f} it stands out of its outline; {_CHOOSE}"
+                phrase(
+                    "the model is not prismatic: between {} and {} it stands out of its outline; {}",
+                    at_z(a),
+                    at_z(b),
+                    _CHOOSE,
+                )
             )
     faces = [face for face in sides if not is_horizontal(face) and _on_outline(face, outline)]
     for face in faces:
         if not is_vertical(face):
             c = face.BoundBox.Center
             raise InputError(
-                f"the model is not prismatic: the side face near X{c.x:.3f} Y{c.y:.3f} is not vertical; {_CHOOSE}"
+                phrase("the model is not prismatic: the side face near {} is not vertical; {}", xy(c.x, c.y), _CHOOSE)
             )
     edges = without_doubles([edge for face in faces for edge in foot_edges(face)])
     # A wall that is missing, such as a chamfer's, leaves the way round open or shorter.
@@ -415,12 +439,12 @@ def outline_edges(shape: Any) -> list[Any]:
     closed = bool(edges) and all(contour.closed for contour in chain([curve_of_edge(edge) for edge in edges]))
     if not closed or abs(sum(e.Length for e in edges) - length) > 1e-4 * length:
         raise InputError(
-            f"the model is not prismatic: vertical faces do not go all the way round its outline; {_CHOOSE}"
+            phrase("the model is not prismatic: vertical faces do not go all the way round its outline; {}", _CHOOSE)
         )
     return edges
 
 
-_CHOOSE = "select the faces or edges of the profile in the operation, or choose a sketch of it as Nominal"
+_CHOOSE = phrase("select the faces or edges of the profile in the operation, or choose a sketch of it as Nominal")
 
 
 def _slabs(vertexes: Iterable[Any]) -> list[tuple[float, float]]:
@@ -434,7 +458,7 @@ def _slabs(vertexes: Iterable[Any]) -> list[tuple[float, float]]:
     heights = sorted({round(v.Z, 6) for v in vertexes})
     slabs = [(a, b) for a, b in zip(heights[:-1], heights[1:], strict=True) if b - a > 1e-3]
     if not slabs:
-        raise InputError("the model has no height")
+        raise InputError(phrase("the model has no height"))
     return slabs
 
 

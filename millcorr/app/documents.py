@@ -13,6 +13,7 @@ from typing import Any
 import FreeCAD
 
 from millcorr.errors import FormatError, UsageError
+from millcorr.messages import phrase
 
 
 @contextmanager
@@ -23,7 +24,7 @@ def opened(document: Any) -> Iterator[Any]:
         return
     path = Path(document)
     if not path.is_file():
-        raise FormatError("no such file", path)
+        raise FormatError(phrase("no such file"), path)
     before = FreeCAD.ActiveDocument
     with tempfile.TemporaryDirectory() as directory:
         place = path.resolve()
@@ -33,11 +34,11 @@ def opened(document: Any) -> Iterator[Any]:
         try:
             here = FreeCAD.openDocument(str(place))
         except (OSError, RuntimeError, ValueError) as error:
-            raise FormatError("not a FreeCAD document", path) from error
+            raise FormatError(phrase("not a FreeCAD document"), path) from error
     # FreeCAD opens an empty document in place of a broken file instead of failing.
     try:
         if not here.Objects:
-            raise FormatError("the document is empty or damaged", path)
+            raise FormatError(phrase("the document is empty or damaged"), path)
         yield here
     finally:
         FreeCAD.closeDocument(here.Name)
@@ -53,5 +54,5 @@ def find_object(document: Any, name: Any) -> Any:
         obj for obj in document.Objects if obj.Name == name
     ]
     if len(found) != 1:
-        raise UsageError(f"the document has {len(found) or 'no'} objects called {name}")
+        raise UsageError(phrase("the document has {} objects called {}", len(found) or phrase("no"), name))
     return found[0]

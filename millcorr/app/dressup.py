@@ -121,7 +121,7 @@ PROPERTIES = (
     of_option(
         _SETTINGS["depth"],
         TRANSFER,
-        _text("App::Property", "Depth in mm along the normal that the measured part was cut at; one, or one a part"),
+        _text("App::Property", "Depth along the normal that the measured part was cut at; one, or one a part"),
     ),
     of_option(
         _SETTINGS["next_depth"],
@@ -142,7 +142,7 @@ PROPERTIES = (
     of_option(
         _SETTINGS["allowance"],
         TRANSFER,
-        _text("App::Property", "Stock in mm that the path of the measured part left on the nominal"),
+        _text("App::Property", "Stock that the path of the measured part left on the nominal"),
     ),
     of_option(
         _SETTINGS["leave_stock"],

@@ -20,6 +20,7 @@ from millcorr.arrays import Floats
 from millcorr.errors import InputError
 from millcorr.geometry.footpoint import FootPointSearch
 from millcorr.geometry.profile import Profile
+from millcorr.messages import mm, phrase, xy
 
 from . import compat
 
@@ -61,14 +62,16 @@ def stiffness_along(
         one axis, or the wall moves against its load; names the result.
     """
     if len(profile.contours) != 1:
-        raise InputError(f"a table of stiffness goes along one contour, the nominal has {len(profile.contours)}")
+        raise InputError(
+            phrase("a table of stiffness goes along one contour, the nominal has {}", len(profile.contours))
+        )
     rows: list[tuple[float, list[float]]] = []
     total = float(profile.total[0])
     for result in results:
         place, axis, compliance = _load_case(result)
         feet = FootPointSearch(profile, margin=FARTHEST).find(place[None, :])
         if not abs(feet.distance[0]) <= FARTHEST:
-            raise InputError(f"{result.Label}: its load at X{place[0]:.3f} Y{place[1]:.3f} is not on the contour")
+            raise InputError(phrase("{}: its load at {} is not on the contour", result.Label, xy(place[0], place[1])))
         s = float(profile.arc_length(feet.span, feet.t)[0])
         # Where a closed contour ends it begins.
         s = 0.0 if profile.contours[0].closed and total - s <= SAME_PLACE else s
@@ -77,7 +80,9 @@ def stiffness_along(
             row = [0.0, 0.0]
             rows.append((s, row))
         if row[axis]:
-            raise InputError(f"{result.Label}: another result loads the place at {s:.3f} mm along {'XY'[axis]}")
+            raise InputError(
+                phrase("{}: another result loads the place at {} along {}", result.Label, mm(s, ".3f"), "XY"[axis])
+            )
         row[axis] = compliance
     return tuple((s, 1.0 / (1.0 / kx + cx), 1.0 / (1.0 / ky + cy)) for s, (cx, cy) in sorted(rows))
 
@@ -87,15 +92,17 @@ def _load_case(result: Any) -> tuple[Floats, int, float]:
     analysis = result.getParentGroup()
     loads = [] if analysis is None else [m for m in analysis.Group if compat.is_fem_load(m)]
     if len(loads) != 1 or loads[0].TypeId != compat.FEM_FORCE:
-        raise InputError(f"{result.Label}: its analysis has {len(loads)} loads, one force on one place is needed")
+        raise InputError(
+            phrase("{}: its analysis has {} loads, one force on one place is needed", result.Label, len(loads))
+        )
     force = loads[0]
     parts = [(part, name) for part, names in force.References for name in names]
     if len(parts) != 1:
-        raise InputError(f"{result.Label}: {force.Label} acts on {len(parts)} places, not on one")
+        raise InputError(phrase("{}: {} acts on {} places, not on one", result.Label, force.Label, len(parts)))
     direction = np.array(force.DirectionVector)[:2]
     axis = int(np.argmax(np.abs(direction)))
     if not abs(direction[axis]) >= _ALONG:
-        raise InputError(f"{result.Label}: {force.Label} acts neither along X nor along Y")
+        raise InputError(phrase("{}: {} acts neither along X nor along Y", result.Label, force.Label))
     part, name = parts[0]
     shape, mesh = part.getSubObject(name), result.Mesh.FemMesh
     of_kind = {"Vertex": mesh.getNodesByVertex, "Edge": mesh.getNodesByEdge, "Face": mesh.getNodesByFace}
@@ -103,9 +110,11 @@ def _load_case(result: Any) -> tuple[Floats, int, float]:
     # A calculation that failed leaves nodes without displacements.
     moved = dict(zip(result.NodeNumbers, result.DisplacementVectors, strict=False))
     if not nodes or not moved.keys() >= set(nodes):
-        raise InputError(f"{result.Label}: no displacements of the nodes at {part.Label}.{name}, calculate it again")
+        raise InputError(
+            phrase("{}: no displacements of the nodes at {}.{}, calculate it again", result.Label, part.Label, name)
+        )
     place: Floats = np.mean([tuple(mesh.Nodes[n])[:2] for n in nodes], axis=0)
     compliance = float(np.mean([tuple(moved[n])[axis] for n in nodes]) / (compat.newtons(force) * direction[axis]))
     if not 0 < compliance < np.inf:
-        raise InputError(f"{result.Label}: the wall moves against its load or not at all")
+        raise InputError(phrase("{}: the wall moves against its load or not at all", result.Label))
     return place, axis, compliance

@@ -20,7 +20,7 @@ from millcorr.cli import measuring_task
 from millcorr.cli.measuring_task import save as written
 from millcorr.errors import UsageError
 from millcorr.geometry.profile import Profile
-from millcorr.messages import option
+from millcorr.messages import option, phrase
 from millcorr.nc import Program
 from millcorr.probing.controls import MeasuringProgram
 from millcorr.probing.heights import Cleared
@@ -61,7 +61,11 @@ def contour_of(operation: Any, nominal: Any = None) -> tuple[Profile, Program, f
     profile = base_geometry.nominal_of(bottom, program.toolpath, nominal)
     if profile is None:
         raise UsageError(
-            f"{bottom.Label} is no Profile or Pocket operation: give the contour with ", option("nominal", of="#LABEL")
+            phrase(
+                "{} is no Profile or Pocket operation: give the contour with {}",
+                bottom.Label,
+                option("nominal", of="#LABEL"),
+            )
         )
     if base_geometry.leaves_radius_to_control(bottom):
         side = base_geometry.side_of_path(profile, program.toolpath)

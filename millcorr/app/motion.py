@@ -15,6 +15,7 @@ import Path
 
 from millcorr import nc
 from millcorr.errors import InputError
+from millcorr.messages import phrase
 from millcorr.nc.toolpath import Compensation, Kind, Plane, Toolpath
 
 _PREAMBLE = "G17 G21 G40 G49 G80 G90 G91.1 G94"
@@ -137,7 +138,7 @@ def _command(toolpath: Toolpath, row: int, template: Any) -> Any:
     """Path command of one move; words that say nothing about motion are kept from the command it replaces."""
     kind, end = toolpath.kind[row], toolpath.end[row]
     if kind == Kind.CUBIC or (kind == Kind.ARC and toolpath.plane[row] != Plane.XY):
-        raise InputError("the corrected path has a move that FreeCAD's Path cannot hold: use lines or arcs")
+        raise InputError(phrase("the corrected path has a move that FreeCAD's Path cannot hold: use lines or arcs"))
     parameters = {a: float(v) for a, v in zip("XYZ", end, strict=True) if np.isfinite(v)}
     if kind == Kind.ARC:
         offset = toolpath.centre[row] - toolpath.start[row]

@@ -12,6 +12,7 @@ from typing import Any
 
 from millcorr import errors
 from millcorr.errors import MillcorrError, UsageError
+from millcorr.messages import phrase
 from millcorr.production.journal import RepeatedError
 
 from . import batch, compat, demonstration, documents, measuring, sources
@@ -84,7 +85,7 @@ def answer(request: dict[str, Any], answer_file: str) -> None:
     try:
         function = FUNCTIONS.get(request["function"])
         if function is None:
-            raise UsageError(f"FreeCAD is asked for {request['function']}, which it cannot do")
+            raise UsageError(phrase("FreeCAD is asked for {}, which it cannot do", request["function"]))
         out: dict[str, Any] = {"value": function(**request["arguments"])}
     except MillcorrError as error:
         out = {

@@ -10,6 +10,7 @@ import numpy as np
 import Part
 
 from millcorr.errors import UsageError
+from millcorr.messages import phrase
 from millcorr.pipeline import Result
 from millcorr.production import contour_check
 
@@ -99,7 +100,7 @@ class ProfileObject(Proxy):
         for name in ("Degree", "Poles", "ContourLength"):
             store(obj, name, 0)
         if obj.Correction is None:
-            raise UsageError(f"{obj.Label}: the profile has no dressup")
+            raise UsageError(phrase("{}: the profile has no dressup", obj.Label))
         with shown_by_freecad():
             result = correction.correct(obj.Correction).result
         profile = result.compensated if obj.Shown == "compensated" else result.nominal

@@ -16,9 +16,10 @@ from pathlib import Path
 from typing import Any
 
 from millcorr import pipeline
-from millcorr.cli import session
+from millcorr.cli import verbs
 from millcorr.correction.settings import Settings
 from millcorr.errors import UsageError
+from millcorr.messages import phrase
 from millcorr.production.process_control import LIMITS
 from millcorr.readers import Reading
 from millcorr.report.reader import read_by
@@ -50,7 +51,7 @@ def correct(
     tool_diameter : float
         mm.
     nominal : str, optional
-        As `millcorr.cli.session.correct_program`.
+        As `millcorr.cli.verbs.correct_program`.
     setup : str or Path, optional
         Tool, material, machine and stock, for the methods that simulate; it may name the tool's diameter.
     output, report : str or Path, optional
@@ -71,22 +72,47 @@ def correct(
     MillcorrError
         If an option is unknown, a file cannot be used, or the correction is refused; nothing is written then.
     """
-    series = {name: options.pop(name) for name in ("control", *LIMITS) if name in options}
+    control = options.pop("control", None)
+    limits = {name: options.pop(name) for name in LIMITS if name in options}
     reading, settings = _said(options)
     with read_by(reader()):
-        return session.correct_program(
-            Path(program),
-            measured=_files(measured),
-            reading=reading,
-            nominal=nominal,
-            tool_diameter=tool_diameter,
+        asked = verbs.CorrectionAsked(
+            _files(measured),
+            reading,
+            nominal,
+            tool_diameter,
             output=None if output is None else Path(output),
             report=None if report is None else Path(report),
             settings=settings,
             setup=None if setup is None else Path(setup),
             journal=journal,
-            **series,
+            control=control,
+            limits={name: value for name, value in limits.items() if value is not None},
         )
+        return verbs.correct_program(Path(program), asked)
+
+
+def history(journal: str | Path, *, report: str | Path) -> str:
+    """Write the report of a series from its journal.
+
+    Parameters
+    ----------
+    journal : str or Path
+    report : str or Path
+        Directory of the report.
+
+    Returns
+    -------
+    str
+        The parts, and where the report is.
+
+    Raises
+    ------
+    MillcorrError
+        If the journal cannot be read or the report cannot be written.
+    """
+    with read_by(reader()):
+        return verbs.history(Path(journal), report=Path(report))
 
 
 def check(
@@ -102,9 +128,9 @@ def check(
     reading, settings = _said(options)
     known = None if setup is None else Path(setup)
     files = _files(measured)
-    session.require_measured(files, known, settings)
+    verbs.require_measured(files, known, settings)
     return pipeline.correct(
-        session.program_request(Path(program), files, reading, nominal, tool_diameter, settings, known)
+        verbs.program_request(Path(program), files, reading, nominal, tool_diameter, settings, known)
     )
 
 
@@ -118,11 +144,11 @@ def split(
     nominal: str | None = None,
     **options: Any,
 ) -> str:
-    """Write the program of a first cut; see `millcorr.cli.session.split_program`, with `Settings` by name."""
+    """Write the program of a first cut; see `millcorr.cli.verbs.split_program`, with `Settings` by name."""
     reading, settings = _said(options)
     if reading != Reading():
-        raise UsageError("a first cut is made before anything is measured")
-    return session.split_program(
+        raise UsageError(phrase("a first cut is made before anything is measured"))
+    return verbs.split_program(
         Path(program),
         tool_diameter=tool_diameter,
         depth=depth,
@@ -143,5 +169,5 @@ def _said(options: Mapping[str, Any]) -> tuple[Reading, Settings]:
     reading = Reading.from_dict({k: rest.pop(k) for k in list(rest) if k in Reading.__slots__})
     unknown = sorted(set(rest) - set(Settings.__slots__))
     if unknown:
-        raise UsageError(f"unknown setting {unknown[0]}; known are {', '.join(Settings.__slots__)}")
+        raise UsageError(phrase("unknown setting {}; known are {}", unknown[0], ", ".join(Settings.__slots__)))
     return reading, Settings(**{name: value for name, value in rest.items() if value is not None})

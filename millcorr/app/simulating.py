@@ -18,9 +18,10 @@ from millcorr.correction.settings import Settings
 from millcorr.process import setup_file
 from millcorr.process.prediction.signals import Signals
 from millcorr.production.simulation import simulated, study
-from millcorr.report.scene.simulation import Played
+from millcorr.report.picture.simulation import Played
+from millcorr.report.reader import read_by
 
-from . import base_geometry, compat, measuring
+from . import base_geometry, compat, measuring, wording
 
 
 def request_of(operation: Any, setup: str | Path) -> pipeline.Request:
@@ -86,4 +87,5 @@ def written(request: pipeline.Request, directory: str | Path) -> str:
     # Imported when it is wanted: the plots take their time to load.
     from millcorr.report import simulation as report_simulation
 
-    return report_simulation.write(study(request), Path(directory))
+    with read_by(wording.reader()):
+        return report_simulation.write(study(request), Path(directory))

@@ -11,6 +11,7 @@ import Part
 
 from millcorr.errors import FormatError, UsageError
 from millcorr.geometry.profile import Profile
+from millcorr.messages import phrase
 
 from . import compat, convert, documents
 
@@ -41,7 +42,7 @@ def profile_of_file(path: str | Path) -> Profile:
 def shape_of_file(path: Path) -> Any:
     """Shape of a STEP, IGES, BREP or DXF file, or of a profile.json; FormatError if it is none."""
     if not path.is_file():
-        raise FormatError("no such file", path)
+        raise FormatError(phrase("no such file"), path)
     if path.suffix.lower() == ".dxf":
         return _shape_of_dxf(path)
     if path.suffix.lower() == ".json":
@@ -50,9 +51,9 @@ def shape_of_file(path: Path) -> Any:
     try:
         shape.read(str(path))
     except (Part.OCCError, OSError, RuntimeError) as error:
-        raise FormatError("not a STEP, IGES or BREP file that FreeCAD can read", path) from error
+        raise FormatError(phrase("not a STEP, IGES or BREP file that FreeCAD can read"), path) from error
     if shape.isNull():
-        raise FormatError("the file holds no shape", path)
+        raise FormatError(phrase("the file holds no shape"), path)
     return shape
 
 
@@ -68,13 +69,13 @@ def _shape_of_dxf(path: Path) -> Any:
         shape = Part.makeCompound([edge.copy() for edge in edges])
     except (Part.OCCError, OSError, RuntimeError, SystemError) as error:
         # FreeCAD 1.0 fails on every DXF file when it runs without a window.
-        raise FormatError("this FreeCAD cannot read the DXF file; save the contour as STEP", path) from error
+        raise FormatError(phrase("this FreeCAD cannot read the DXF file; save the contour as STEP"), path) from error
     finally:
         FreeCAD.closeDocument(document.Name)
         if active is not None:
             FreeCAD.setActiveDocument(active.Name)
     if not edges:
-        raise FormatError("the file holds no line or curve", path)
+        raise FormatError(phrase("the file holds no line or curve"), path)
     return shape
 
 
@@ -112,7 +113,9 @@ def nominal_object(document: Any, source: Any) -> Any:
     elif suffix in (".json", ".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".dxf"):
         shape = shape_of_file(path)
     else:
-        raise UsageError(f"{path}: the nominal of a document comes from an object, a CAD file or a profile.json")
+        raise UsageError(
+            phrase("{}: the nominal of a document comes from an object, a CAD file or a profile.json", path)
+        )
     FreeCAD.setActiveDocument(document.Name)
     obj = document.addObject("Part::Feature", "Nominal")
     obj.Label = path.name

@@ -12,7 +12,20 @@ from . import views
 from .properties import Property, complete
 
 
-class Proxy:
+class NothingStored:
+    """Base of what FreeCAD keeps with an object or its view: nothing but properties is stored."""
+
+    def dumps(self) -> None:
+        """Nothing."""
+
+    def loads(self, state: Any) -> None:
+        """Nothing."""
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+class Proxy(NothingStored):
     """Python part of a document object, of which nothing but the properties is stored."""
 
     properties: ClassVar[tuple[Property, ...]]
@@ -36,14 +49,3 @@ class Proxy:
 
     def shown(self, obj: Any) -> None:
         """Called where a restored object got a view."""
-
-    def dumps(self) -> None:
-        """Nothing but properties is stored."""
-        return None
-
-    def loads(self, state: Any) -> None:
-        """Nothing but properties is stored."""
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads

@@ -17,7 +17,7 @@ from millcorr.report.reader import Reader
 from .text import label_of, translate, words_of
 from .unit import chosen, unit
 
-_LENGTHS = {one.field for noun in (Settings, Reading) for one in options_of(noun).values() if one.unit == "MM"}
+LENGTHS = {one.field for noun in (Settings, Reading) for one in options_of(noun).values() if one.unit == "MM"}
 """Fields of options that are lengths."""
 
 
@@ -29,7 +29,8 @@ class InFields(Wording):
         match piece:
             case Option():
                 field = field_name(piece.key)
-                return f"\u201c{self.label(field)}\u201d {self.value(field, piece.value)}".rstrip()
+                quoted = phrase("\u201c{}\u201d", self.label(field)).in_words(self)
+                return f"{quoted} {self.value(field, piece.value)}".rstrip()
             case Accept():
                 return ""
             case Place(line=int() as line) if piece.file:
@@ -44,7 +45,7 @@ class InFields(Wording):
 
     def value(self, field: str, value: object) -> str:
         """What a field shows; empty where that is nothing, or where it is a switch."""
-        if field in _LENGTHS and isinstance(value, float):
+        if field in LENGTHS and isinstance(value, float):
             return self.unit().said(mm(value, "g"))
         return Option(field, value).shown
 

@@ -9,7 +9,7 @@ from typing import Any, NoReturn
 
 from millcorr import __version__
 from millcorr.correction import settings
-from millcorr.correction.settings import Settings
+from millcorr.correction.settings import Exports, Settings
 from millcorr.messages import flag
 from millcorr.options import Declared, options_of
 from millcorr.readers.reading import Reading
@@ -85,7 +85,7 @@ def parser() -> argparse.ArgumentParser:
             verb.add_argument("--table", action="store_true", help=listed)
         written = _heading(verb, settings.WRITTEN)
         written.add_argument("--report", metavar="DIR", type=Path, help="write report.html, .json, .csv there")
-        _add_exports(verb)
+        _add(verb, Exports)
     _add_split(add("split", "program of a first cut, which leaves a part of the allowance"))
     model = "cut a program in the model: forces, deflections and the error to expect, as plots and an animation"
     _add_simulate(add("simulate", model))
@@ -101,14 +101,6 @@ def parser() -> argparse.ArgumentParser:
     for verb in verbs.choices.values():
         verb.add_argument("--debug", action="store_true", help="show the traceback of an error")
     return out
-
-
-def _add_exports(verb: argparse.ArgumentParser) -> None:
-    kinds = "with --report: deviations and decisions as Q-DAS, QIF 3.0 or table with decimal comma; give several"
-    written = _heading(verb, settings.WRITTEN)
-    written.add_argument("--export", choices=("dfq", "qif", "csv"), action="append", default=[], help=kinds)
-    zone = "width of the profile's tolerance zone, by which exported points pass or fail"
-    written.add_argument("--zone", metavar="MM", type=float, help=zone)
 
 
 def _add_source(verb: argparse.ArgumentParser, what: str, *, required: bool = True) -> None:

@@ -25,7 +25,7 @@ from millcorr.readers import stl
 from millcorr.readers.source import Source
 from millcorr.whole_file import refuse_places, replaced_whole
 
-from .session.inputs import nominal_file, operation_and_model, read_nominal
+from .verbs.inputs import nominal_file, operation_and_model, read_nominal
 
 POINTS = 40
 """So many points where nothing is said."""
@@ -60,7 +60,7 @@ def measuring_program(
     program, document : Path, optional
         What cuts the contour: an NC program, or a FreeCAD document with the label of its `operation`.
     nominal : str, optional
-        The contour itself, as `session.read_nominal` takes it; with a program or without.
+        The contour itself, as `verbs.read_nominal` takes it; with a program or without.
     model : Path, optional
         The finished part as STL in mm, in the program's frame; a document has its own.
     tool_diameter : float, optional

@@ -22,7 +22,7 @@ from millcorr.arrays import Bools, Floats, Ints, ReadOnlyArrays
 from millcorr.errors import InputError
 from millcorr.geometry.footpoint import FootPointSearch, Place
 from millcorr.geometry.profile import Profile, Step
-from millcorr.messages import option, remedy
+from millcorr.messages import at_z, joined, message, mm, option, phrase, remedy
 from millcorr.nc.toolpath import Compensation, Kind, Plane, Toolpath
 from millcorr.readers.measurement import Measurement
 from millcorr.tolerances import EXACT
@@ -204,7 +204,7 @@ def choose_side(
         return out
     runs = cutting_runs(toolpath)
     if not runs:
-        raise InputError("the program has no feed move in the XY plane that could follow a contour")
+        raise InputError(phrase("the program has no feed move in the XY plane that could follow a contour"))
     every = np.concatenate(runs)
     run_of = np.zeros(len(toolpath), dtype=np.int64)
     run_of[every] = np.repeat(np.arange(len(runs)), [len(run) for run in runs])
@@ -235,22 +235,27 @@ def choose_side(
     sides = np.where(tell, votes > 0, mostly)
     if centred and 2 * count < len(vote):
         raise InputError(
-            f"{measurement.source}: the ball is as large as the cutter, so its centres lie on the path and do ",
-            "not tell the side of the material: say ",
-            remedy("side", "left"),
-            " or ",
-            remedy("side", "right"),
+            phrase(
+                "{}: the ball is as large as the cutter, so its centres lie on the path and do not tell the "
+                "side of the material: say {} or {}",
+                measurement.source,
+                remedy("side", "left"),
+                remedy("side", "right"),
+            ),
         )
     if count == 0 or (sides[run_of[row[near]]] == (vote[near] > 0)).sum() < 0.9 * count:
         raise InputError(
-            f"{measurement.source}: the points lie on both sides of the path or far from it ({right} ",
-            f"right and {count - right} left of {len(distance)}): say ",
-            remedy("side", "left"),
-            " or ",
-            remedy("side", "right"),
-            ", and check ",
-            option("tool_diameter"),
-            ", the unit and the work frame",
+            phrase(
+                "{}: the points lie on both sides of the path or far from it ({} right and {} left of {}): "
+                "say {} or {}, and check {}, the unit and the work frame",
+                measurement.source,
+                right,
+                count - right,
+                len(distance),
+                remedy("side", "left"),
+                remedy("side", "right"),
+                option("tool_diameter"),
+            ),
         )
     others = finishing[~tell[run_of[finishing]]]
     if len(others) and (sides != mostly).any():
@@ -321,10 +326,13 @@ def nominal_of(
         # Points far from everything: whatever the program cuts tells what may be wrong with them.
         found, trouble, far = _contours_near(toolpath, usable, path_radius, material_right, None, resolution)
     if not found:
-        raise InputError(f"{name}: ", trouble[0] if trouble else "the program cuts no contour in the XY plane")
+        raise InputError(f"{name}: ", trouble[0] if trouble else phrase("the program cuts no contour in the XY plane"))
     if measurement is None:
+        found = [c for c in found if not c.aside]
         return Profile.from_contours([c.contour for c in found]), [], found
-    found, rows, left = _in_steps(found, _made_points(found, measurement), path_radius)
+    count = _made_points(found, measurement)
+    stays = [k for k, one in enumerate(found) if not one.aside or count[k] > FEW * count.sum()]
+    found, rows, left = _in_steps([found[k] for k in stays], count[stays], path_radius)
     made = [found[k] for k in rows]
     if not made:
         everything = Profile.from_contours([c.contour for c in found])
@@ -333,16 +341,17 @@ def nominal_of(
         feet = FootPointSearch(everything).find(measurement.points[:, :2])
         typical = float(np.median(np.abs(feet.distance - measurement.ball_radius)))
         raise InputError(
-            f"{measurement.source}: the points lie typically {typical:.3f} mm off the nearest contour ",
-            f"that {name} cuts: check ",
-            option("tool_diameter"),
-            ", ",
-            option("side"),
-            ", ",
-            option("points"),
-            ", ",
-            option("units"),
-            ", and the work frame",
+            phrase(
+                "{}: the points lie typically {} off the nearest contour that {} cuts: check {}, {}, {}, {}, "
+                "and the work frame",
+                measurement.source,
+                mm(typical, ".3f"),
+                name,
+                option("tool_diameter"),
+                option("side"),
+                option("points"),
+                option("units"),
+            ),
         )
     for wall in {c.contour.step.wall for c in found if c.contour.step is not None}:
         steps = [c.contour for c in found if c.contour.step is not None and c.contour.step.wall == wall]
@@ -352,13 +361,13 @@ def nominal_of(
     # What runs round the whole measured part clears the stock round it.
     away = sum(x0 > x_low or y0 > y_low or x1 < x_high or y1 < y_high for x0, y0, x1, y1 in far)
     others = away + _elsewhere(found, made, 2 * path_radius)
-    words = []
+    words: list[str] = []
     if left:
-        listed = ", ".join(f"Z{z:g}" for z in sorted(left, reverse=True))
-        words.append(f"steps of the wall without measured points, down to {listed}: left as they are")
+        listed = joined([message(at_z(z)) for z in sorted(left, reverse=True)])
+        words.append(phrase("steps of the wall without measured points, down to {}: left as they are", listed))
     if others:
-        contours = "another contour" if others == 1 else f"{others} other contours"
-        words.append(f"the program cuts {contours} without measured points: left as it is")
+        contours = phrase("another contour") if others == 1 else phrase("{} other contours", others)
+        words.append(phrase("the program cuts {} without measured points: left as it is", contours))
     return nominal, words, made
 
 
@@ -547,22 +556,26 @@ def _deepest(cut: CutContour) -> float:
 
 def _different(cut: list[CutContour]) -> list[CutContour]:
     """Contours without repetitions: passes at several depths cut the same one. The lowest of them stands for all."""
-    kept: list[tuple[CutContour, Profile, Callable[[], FootPointSearch]]] = []
+    kept: list[tuple[CutContour, Profile]] = []
     for one in cut:
         profile = Profile.from_contours([one.contour])
         probe, _ = profile.at(0, np.linspace(0.0, float(profile.total[0]), 17))
-        for _, other, search in kept:
+        for _, other in kept:
             if abs(float(other.total[0] - profile.total[0])) < 0.01:
-                box, there = np.array(profile.bounding_box()), np.array(other.bounding_box())
-                if np.abs(box - there).max() < 0.01 and np.abs(search().find(probe).distance).max() < 1e-3:
-                    break
+                boxes = np.array([profile.bounding_box(), other.bounding_box()])
+                if np.ptp(boxes, axis=0).max() < 0.01:
+                    if np.abs(FootPointSearch(other).find(probe).distance).max() < 1e-3:
+                        break
         else:
-            kept.append((one, profile, cache(lambda p=profile: FootPointSearch(p))))
-    return [one for one, _, _ in kept]
+            kept.append((one, profile))
+    return [one for one, _ in kept]
 
 
 def _made_points(cut: list[CutContour], measurement: Measurement) -> Ints:
-    """How many points each contour made, (n,): of those near a point the one that goes deepest into the material."""
+    """How many points each contour made, (n,): of those near a point the one that goes deepest into the material.
+
+    What is cut aside, as on the way to one, made only points that no other is near to.
+    """
     rows = np.arange(0, len(measurement), max(1, len(measurement) // SAMPLE))
     points, z = measurement.points[rows, :2], measurement.points[rows, 2]
     over = np.full((len(cut), len(rows)), -np.inf)
@@ -577,5 +590,7 @@ def _made_points(cut: list[CutContour], measurement: Measurement) -> Ints:
     # What does not go down to a point made it only if nothing does.
     low = np.where(high, -np.inf, over)
     over = np.where(np.isfinite(low).any(axis=0), low, over)
+    aside = np.array([one.aside for one in cut])
+    over[np.ix_(aside, np.isfinite(over[~aside]).any(axis=0))] = -np.inf
     owner = np.where(np.isfinite(over).any(axis=0), over.argmax(axis=0), -1)
     return np.bincount(owner[owner >= 0], minlength=len(cut))

@@ -24,6 +24,9 @@ REACH = 1.0
 BRANCH_GAP = 0.02
 """A point whose next branch is no more than this farther, in mm, has no certain foot point."""
 
+USUAL = 1.5
+"""Times what 19 of 20 points that belong to one branch alone are off by: deviations of this part are no larger."""
+
 ACROSS = 0.5
 """Cosine of 60 degrees: a point whose own normal is farther than that off the profile's lies on another surface. The
 probe touches within some 10 degrees of the normal, or along an axis that is at most 45 degrees off it."""
@@ -31,6 +34,10 @@ probe touches within some 10 degrees of the normal, or along an axis that is at 
 REACHED = 1e-3
 """A cutter that touches the profile at one place and cuts into it elsewhere by no more than this, in mm, reaches
 that place: a hollow joint of facets of 0.02 rad keeps a cutter of radius 5 mm only 0.25 um away."""
+
+
+UNREACHED = phrase("in an inner corner or hollow that the cutter cannot reach")
+"""Why points in fillets that the cutter leaves are not used; they say nothing against the program."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +67,8 @@ class Deviation:
     value : (n,) float64
         Deviation d in mm, ``(P - C(s)) . n`` less the ball radius (werner-2018, fig. 1).
     rejected : tuple of Rejected
+    step : float
+        Step in mm in which the file states coordinates; 0 where it is not known.
     """
 
     index: Ints
@@ -72,6 +81,7 @@ class Deviation:
     normal: Floats
     value: Floats
     rejected: tuple[Rejected, ...]
+    step: float = 0.0
 
     def __len__(self) -> int:
         return len(self.index)
@@ -81,7 +91,7 @@ class Deviation:
         kept = np.delete(np.arange(len(self)), rows)
         listed = (*self.rejected, *(Rejected(int(i), reason) for i in self.index[rows]))
         rejected = tuple(sorted(listed, key=lambda one: one.index))
-        names = [field.name for field in fields(self) if field.name != "rejected"]
+        names = [field.name for field in fields(self) if field.name not in ("rejected", "step")]
         return replace(self, rejected=rejected, **{name: getattr(self, name)[kept] for name in names})
 
     @property
@@ -160,7 +170,7 @@ def deviations(
     # Another branch competes where it is about as near, or where this measurement shows deviations that large:
     # an undercut of 0.1 mm on one side of a corner can lie 0.01 mm off the other.
     alone = np.isinf(feet.rival) & (np.abs(value) <= reach)
-    usual = float(np.quantile(np.abs(value[alone]), 0.95)) if alone.any() else 0.0
+    usual = USUAL * float(np.quantile(np.abs(value[alone]), 0.95)) if alone.any() else 0.0
     unsure = (feet.rival < np.maximum(BRANCH_GAP, np.abs(value))) | (np.abs(value) + feet.rival <= usual)
     if normals is not None:
         length = np.hypot(*normals.T)
@@ -171,7 +181,8 @@ def deviations(
         reasons[across & (reasons < 0)] = 5
     reasons[unsure & (reasons < 0)] = 3
     if cutter_radius > 0:
-        rows = np.flatnonzero(reasons < 0)
+        # In a sharp corner the fillet is farther from the sides than points are believed to be off.
+        rows = np.flatnonzero((reasons < 0) | ((reasons == 0) & (value > 0) & (value < cutter_radius)))
         z = measurement.points[rows, 2]
         reasons[rows[_out_of_reach(profile, span[rows], t[rows], z, cutter_radius)]] = 4
     texts = (
@@ -179,7 +190,7 @@ def deviations(
         phrase("beyond the end of the open profile"),
         phrase("at a corner, where the profile has no single normal and the file gives none"),
         phrase("two branches of the profile are equally near and the file gives no normal"),
-        phrase("in an inner corner or hollow that the cutter cannot reach"),
+        UNREACHED,
         phrase("touched on another surface: its own normal is more than 60 degrees off the profile's there"),
     )
     used = np.flatnonzero(reasons < 0)

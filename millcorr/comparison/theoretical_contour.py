@@ -49,12 +49,15 @@ class CutContour:
     closed : bool
     path : Toolpath
         The moves that cut it, from where it begins to where it ends.
+    aside : bool
+        Cut on the way to a closed one or away from it: a lead, or a wall of its own where points lie on no other.
     """
 
     contour: Contour
     rows: Ints
     closed: bool
     path: Toolpath
+    aside: bool = False
 
 
 @dataclass(slots=True)
@@ -218,7 +221,8 @@ def cut_contours(
     Yields
     ------
     CutContour
-        Closed loops first found first; a run without a loop as one open contour.
+        Closed loops first found first, and aside what the same moves cut before, between and after them; a run without
+        a loop as one open contour.
 
     Raises
     ------
@@ -291,12 +295,20 @@ def _contours_of_run(
         yield replace(found, rows=np.unique(origin[a:b]))
     if loops and len(nothing) == len(loops):
         raise nothing[0]
+    # The control moves onto the contour during the first compensated move.
+    first = int(toolpath.compensation[run[0]] != Compensation.OFF and len(run) > 1)
     if not loops:
-        first = 0
-        if toolpath.compensation[run[0]] != Compensation.OFF and len(run) > 1:
-            # The control moves onto the contour during the first compensated move.
-            first = 1
         yield _offset(toolpath, run[first:], radius, material_right, False, resolution)
+        return
+    ends = [first, *(end for loop in loops for end in loop), len(moves)]
+    for a, b in zip(ends[::2], ends[1::2], strict=True):
+        if np.nan_to_num(moves.take(np.arange(a, b)).length()).sum() > radius:
+            try:
+                found = _offset(moves, np.arange(a, b), radius, material_right, False, resolution)
+            except InputError:
+                # A lead need not leave a wall.
+                continue
+            yield replace(found, rows=np.unique(origin[a:b]), aside=True)
 
 
 def _crossings(moves: Toolpath) -> Floats:

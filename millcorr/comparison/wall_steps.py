@@ -41,7 +41,6 @@ class StepPlaces:
     def __init__(self, profile: Profile) -> None:
         self.profile = profile
         self.stretches = profile.stretches()
-        self._searches: dict[int, tuple[FootPointSearch, Ints]] = {}
         self._like: dict[tuple[int, int], int] = {}
 
     def on(self, contour: int, stretch: int, s: Floats) -> tuple[int, Floats]:
@@ -77,10 +76,7 @@ class StepPlaces:
     def _feet(self, contour: int, stretch: int, s: Floats) -> tuple[Ints, Floats]:
         """Stretch of the feet on a contour, and arc length from its start."""
         profile, one = self.profile, self.stretches[stretch]
-        if contour not in self._searches:
-            spans = np.flatnonzero(profile.contour == contour)
-            self._searches[contour] = FootPointSearch(profile.part(np.array([contour]))), spans
-        search, spans = self._searches[contour]
+        search, spans = FootPointSearch(profile).among(contour)
         feet = search.find(profile.at(one.contour, one.begin + s)[0])
         span = spans[feet.span]
         return profile.stretch[span], profile.arc_length(span, feet.t)

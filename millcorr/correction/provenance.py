@@ -17,7 +17,7 @@ from millcorr.arrays import Ints
 from millcorr.comparison.deviation import Deviation
 from millcorr.errors import InputError, RefusedError
 from millcorr.geometry.profile import Profile
-from millcorr.messages import option
+from millcorr.messages import option, phrase
 
 PLACES = 24
 """So many deviations are noted of each part."""
@@ -188,8 +188,11 @@ def marks(comments: Iterable[tuple[int, str]]) -> tuple[Mark, ...]:
         rest = _REST.match(joined)
         if not rest:
             raise InputError(
-                f"line {line + 1}: the comment that says which measurement corrected this program is damaged; take "
-                "the corrected program as it was written"
+                phrase(
+                    "line {}: the comment that says which measurement corrected this program is damaged; take "
+                    "the corrected program as it was written",
+                    line + 1,
+                )
             )
         digests = tuple(d.lower() for d in re.split(r"[\s+]+", rest["measured"]))
         values = _VALUES.search(joined, rest.end())
@@ -216,8 +219,13 @@ def applied(carried: Sequence[Mark], digests: Sequence[str]) -> Mark | None:
 def refuse_mark(mark: Mark, program: str) -> NoReturn:
     """RefusedError for a measurement that was applied with a mark already."""
     raise RefusedError(
-        f"{program}:{mark.line}: this measurement was applied on {mark.date} already; cut and measure a "
-        "new part with the corrected program first"
+        phrase(
+            "{}:{}: this measurement was applied on {} already; cut and measure a new part with the "
+            "corrected program first",
+            program,
+            mark.line,
+            mark.date,
+        )
     )
 
 
@@ -236,7 +244,12 @@ def refuse_second_use(carried: Sequence[Mark], digests: Sequence[str], program: 
         refuse_mark(mark, program)
     if carried and not has_nominal:
         raise InputError(
-            f"{program}:{carried[-1].line}: the program was corrected on {carried[-1].date}, so it ",
-            "does not show the nominal any more; give the first, uncorrected program or the drawing with ",
-            option("nominal"),
+            phrase(
+                "{}:{}: the program was corrected on {}, so it does not show the nominal any more; give the "
+                "first, uncorrected program or the drawing with {}",
+                program,
+                carried[-1].line,
+                carried[-1].date,
+                option("nominal"),
+            ),
         )

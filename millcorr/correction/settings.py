@@ -307,6 +307,49 @@ class Settings:
         )
 
 
+@dataclass(frozen=True, slots=True)
+class Exports:
+    """What is exported beside a report.
+
+    Parameters
+    ----------
+    export : tuple of str
+    zone : float, optional
+        Tolerance zone of the profile (ISO 1101), half of it to either side of the nominal.
+
+    Raises
+    ------
+    UsageError
+        If a kind is unknown, the zone is no width, or QIF is wanted without one: its schema has no profile without.
+    """
+
+    export: tuple[str, ...] = declared(
+        (),
+        "beside the report: deviations and decisions as Q-DAS, QIF 3.0 or table with decimal comma; give several",
+        choices=("dfq", "qif", "csv"),
+        group=WRITTEN,
+    )
+    zone: float | None = declared(
+        None,
+        "width of the profile's tolerance zone, by which exported points pass or fail",
+        unit="MM",
+        above=0.0,
+        group=WRITTEN,
+    )
+
+    def __post_init__(self) -> None:
+        for one in options_of(Exports).values():
+            one.refuse(getattr(self, one.key))
+        if "qif" in self.export and self.zone is None:
+            raise UsageError(
+                phrase(
+                    "{} qif needs {}, the width of the profile's tolerance zone on the drawing",
+                    option("export"),
+                    option("zone", of="MM"),
+                ),
+            )
+
+
 def _lengths(value: float | Sequence[float] | None) -> tuple[float, ...]:
     if value is None:
         return ()

@@ -14,9 +14,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from enum import IntEnum
 from typing import Any
+from weakref import WeakKeyDictionary
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from millcorr import progress
 from millcorr.arrays import Bools, Floats, Ints
@@ -126,6 +127,69 @@ class _Grid:
     ty: Floats
 
 
+class _Steps:
+    """The profile in short steps, in groups of neighbours with a circle round each; what searches on it share."""
+
+    _made: WeakKeyDictionary[Profile, _Steps] = WeakKeyDictionary()
+
+    @classmethod
+    def of(cls, profile: Profile) -> _Steps:
+        """Those of a profile, made once; they do not keep it alive."""
+        steps = cls._made.get(profile)
+        if steps is None:
+            steps = cls._made[profile] = cls(profile)
+        return steps
+
+    def __init__(self, profile: Profile) -> None:
+        self.spacing = max(float(profile.total.sum()) / _SAMPLES, 1e-4)
+        span, t = profile.samples(self.spacing)
+        self.sections = profile.sections
+        self.closed = np.array([c.closed for c in profile.contours])
+        # From each sample to the next one of its span.
+        step = t < 1.0
+        self.span, self.t, self.t_end = span[step], t[step], t[np.flatnonzero(step) + 1]
+        self.grids: dict[float, _Grid] = {}
+        self.parts: dict[tuple[int, ...], tuple[Profile, Ints]] = {}
+        x, y, dx, dy, ddx, ddy = profile._derivatives(self.span, self.t)
+        speed = np.hypot(dx, dy)
+        self.x, self.y, self.dx, self.dy = x, y, dx / speed, dy / speed
+        bend = (dx * ddy - dy * ddx) / speed**3
+        x1, y1, dx, dy, *_ = profile._derivatives(self.span, self.t_end)
+        speed = np.hypot(dx, dy)
+        self.x_end, self.y_end, self.dx_end, self.dy_end = x1, y1, dx / speed, dy / speed
+        before = np.arange(-1, len(x) - 1)
+        ends = np.searchsorted(self.span, profile.first)
+        before[ends[:-1]] = np.where(self.closed, ends[1:] - 1, ends[:-1])
+        self.dx_before, self.dy_before = self.dx_end[before], self.dy_end[before]
+        # Where an open contour opens and closes.
+        self.opens, self.closes = np.zeros(len(x), dtype=bool), np.zeros(len(x), dtype=bool)
+        self.opens[ends[:-1][~self.closed]] = True
+        self.closes[ends[1:][~self.closed] - 1] = True
+        # How sharply the contour bends to either side, in 1/mm; a corner has no radius at all. Past an acute one
+        # a point sees both sides from anywhere.
+        turn = np.where(self.t == 0.0, np.nan_to_num(profile.turn[self.span[before]]), 0.0)
+        turn = np.where(self.opens, 0.0, turn)
+        bend = np.where(np.abs(turn) > FACET_ANGLE, np.copysign(np.inf, turn), bend)
+        acute = np.abs(turn) > np.pi / 2
+        self.bend_left = np.where(acute, np.inf, np.maximum(bend, 0.0))
+        self.bend_right = np.where(acute, np.inf, np.maximum(-bend, 0.0))
+        self.faceted = bool(((np.abs(turn) > SMOOTH_ANGLE) & (np.abs(turn) <= FACET_ANGLE)).any())
+        rows = []
+        for a, b in zip(ends[:-1], ends[1:], strict=True):
+            index = np.arange(a, a + -(-(b - a) // _GROUP) * _GROUP).reshape(-1, _GROUP)
+            rows.append(np.where(index < b, index, -1))
+        member = np.concatenate(rows)
+        self.filled = member >= 0
+        self.member = np.where(self.filled, member, member[:, :1])
+        m = self.member
+        self.step_x, self.step_y = x[m], y[m]
+        all_x, all_y = np.concatenate([x[m], x1[m]], axis=1), np.concatenate([y[m], y1[m]], axis=1)
+        self.group_x = (all_x.min(axis=1) + all_x.max(axis=1)) / 2
+        self.group_y = (all_y.min(axis=1) + all_y.max(axis=1)) / 2
+        away = np.hypot(all_x - self.group_x[:, None], all_y - self.group_y[:, None])
+        self.group_r = away.max(axis=1)
+
+
 class FootPointSearch:
     """Finds foot points on one profile.
 
@@ -139,18 +203,10 @@ class FootPointSearch:
 
     def __init__(self, profile: Profile, margin: float = 2.0) -> None:
         self.profile = profile
-        size = float(profile.total.sum())
-        self._spacing = max(size / _SAMPLES, 1e-4)
-        span, t = profile.samples(self._spacing)
-        self._closed = np.array([c.closed for c in profile.contours])
-        # Steps from each sample to the next one of its span.
-        step = t < 1.0
-        self._span, self._t, self._t_end = span[step], t[step], t[np.flatnonzero(step) + 1]
         self._margin = margin
-        self._grid: _Grid | None = None
-        self._sections = profile.sections
-        self._searches: dict[int, tuple[FootPointSearch, Ints]] = {}
-        self._make_groups()
+        # Searches whose bands are almost as wide share a grid.
+        self._band = 2.0 ** np.ceil(np.log2(max(margin, 1.0)))
+        self._steps = _Steps.of(profile)
 
     def find(self, points: Floats, *, rivals: bool = False) -> FootPoints:
         """Foot points of the given points.
@@ -167,9 +223,9 @@ class FootPointSearch:
         -------
         FootPoints
         """
-        if len(self._sections.bounds) and points.shape[1] > 2:
+        if len(self._steps.sections.bounds) and points.shape[1] > 2:
             feet = FootPoints.none(len(points))
-            for k, rows in self._sections.split(points):
+            for k, rows in self._steps.sections.split(points):
                 search, spans = self._of_section(k)
                 found = search.find(points[rows, :2], rivals=rivals)
                 feet = feet.replaced(rows, replace(found, span=spans[found.span]), slice(None))
@@ -212,8 +268,8 @@ class FootPointSearch:
             Rows whose normal disagreed now lie on the nearest facing branch, where one was found within
             2 mm along the measured normal.
         """
-        if len(self._sections.bounds) and points.shape[1] > 2:
-            for k, rows in self._sections.split(points):
+        if len(self._steps.sections.bounds) and points.shape[1] > 2:
+            for k, rows in self._steps.sections.split(points):
                 search, spans = self._of_section(k)
                 number = np.full(self.profile.spans, -1)
                 number[spans] = np.arange(len(spans))
@@ -247,15 +303,19 @@ class FootPointSearch:
             wrong = wrong[~facing]
         return feet
 
+    def among(self, contours: ArrayLike) -> tuple[FootPointSearch, Ints]:
+        """Search among some of the contours alone, and the spans of the profile that its spans are."""
+        numbers = np.unique(contours)
+        parts, key = self._steps.parts, tuple(numbers.tolist())
+        if key not in parts:
+            parts[key] = self.profile.part(numbers), np.flatnonzero(np.isin(self.profile.contour, numbers))
+        part, spans = parts[key]
+        return FootPointSearch(part, self._margin), spans
+
     def _of_section(self, number: int) -> tuple[FootPointSearch, Ints]:
-        """Search among the contours of one section, and the spans of the profile that its spans are."""
-        if number not in self._searches:
-            profile = self.profile
-            every = np.arange(len(profile.contours))
-            contours = every if number < 0 else self._sections.contours[number]
-            spans = np.flatnonzero(np.isin(profile.contour, contours))
-            self._searches[number] = FootPointSearch(profile.part(contours), self._margin), spans
-        return self._searches[number]
+        """Search among the contours of one section."""
+        every = np.arange(len(self.profile.contours))
+        return self.among(every if number < 0 else self._steps.sections.contours[number])
 
     def _newton(
         self, x: Floats, y: Floats, span: Ints, t: Floats, steps: int = 6
@@ -317,48 +377,6 @@ class FootPointSearch:
                 rows = rest
         return span, t, settled, values
 
-    def _make_groups(self) -> None:
-        """Put neighbouring steps into groups with a circle round each; a group may be filled up at its end."""
-        profile = self.profile
-        x, y, dx, dy, ddx, ddy = profile._derivatives(self._span, self._t)
-        speed = np.hypot(dx, dy)
-        self._x, self._y, self._dx, self._dy = x, y, dx / speed, dy / speed
-        bend = (dx * ddy - dy * ddx) / speed**3
-        x1, y1, dx, dy, *_ = profile._derivatives(self._span, self._t_end)
-        speed = np.hypot(dx, dy)
-        self._x_end, self._y_end, self._dx_end, self._dy_end = x1, y1, dx / speed, dy / speed
-        before = np.arange(-1, len(x) - 1)
-        ends = np.searchsorted(self._span, profile.first)
-        before[ends[:-1]] = np.where(self._closed, ends[1:] - 1, ends[:-1])
-        self._dx_before, self._dy_before = self._dx_end[before], self._dy_end[before]
-        # Where an open contour opens and closes.
-        self._opens, self._closes = np.zeros(len(x), dtype=bool), np.zeros(len(x), dtype=bool)
-        self._opens[ends[:-1][~self._closed]] = True
-        self._closes[ends[1:][~self._closed] - 1] = True
-        # How sharply the contour bends to either side, in 1/mm; a corner has no radius at all. Past an acute one
-        # a point sees both sides from anywhere.
-        turn = np.where(self._t == 0.0, np.nan_to_num(profile.turn[self._span[before]]), 0.0)
-        turn = np.where(self._opens, 0.0, turn)
-        bend = np.where(np.abs(turn) > FACET_ANGLE, np.copysign(np.inf, turn), bend)
-        acute = np.abs(turn) > np.pi / 2
-        self._bend_left = np.where(acute, np.inf, np.maximum(bend, 0.0))
-        self._bend_right = np.where(acute, np.inf, np.maximum(-bend, 0.0))
-        self._faceted = bool(((np.abs(turn) > SMOOTH_ANGLE) & (np.abs(turn) <= FACET_ANGLE)).any())
-        rows = []
-        for a, b in zip(ends[:-1], ends[1:], strict=True):
-            index = np.arange(a, a + -(-(b - a) // _GROUP) * _GROUP).reshape(-1, _GROUP)
-            rows.append(np.where(index < b, index, -1))
-        member = np.concatenate(rows)
-        self._filled = member >= 0
-        self._member = np.where(self._filled, member, member[:, :1])
-        m = self._member
-        self._step_x, self._step_y = x[m], y[m]
-        all_x, all_y = np.concatenate([x[m], x1[m]], axis=1), np.concatenate([y[m], y1[m]], axis=1)
-        self._group_x = (all_x.min(axis=1) + all_x.max(axis=1)) / 2
-        self._group_y = (all_y.min(axis=1) + all_y.max(axis=1)) / 2
-        away = np.hypot(all_x - self._group_x[:, None], all_y - self._group_y[:, None])
-        self._group_r = away.max(axis=1)
-
     def _compare(
         self, x: Floats, y: Floats, extra: float = 0.0, *, rivals: bool = True
     ) -> tuple[Ints, Floats, Floats, tuple[Floats, ...]]:
@@ -368,7 +386,7 @@ class FootPointSearch:
         beyond it), and `extra` farther; without `rivals` none is. With `extra`, the values end with the sharpest
         bends to the left and to the right so far.
         """
-        n, groups = len(x), len(self._group_x)
+        n, groups = len(x), len(self._steps.group_x)
         span = np.zeros(n, dtype=np.int64)
         t, rival = np.empty(n), np.empty(n)
         values = tuple(np.empty(n) for _ in range(7 if extra else 5))
@@ -378,10 +396,10 @@ class FootPointSearch:
             rows = slice(a, min(a + chunk, n))
             px, py = x[rows], y[rows]
             # Several times as fast as np.hypot, whose care about overflow is not needed.
-            away = np.sqrt((px[:, None] - self._group_x) ** 2 + (py[:, None] - self._group_y) ** 2)
-            nearest = (away + self._group_r).min(axis=1) + 2 * self._spacing
+            away = np.sqrt((px[:, None] - self._steps.group_x) ** 2 + (py[:, None] - self._steps.group_y) ** 2)
+            nearest = (away + self._steps.group_r).min(axis=1) + 2 * self._steps.spacing
             limit = self._window(nearest, extra, rivals)
-            point, group = np.nonzero(away - self._group_r <= limit[:, None])
+            point, group = np.nonzero(away - self._steps.group_r <= limit[:, None])
             first = np.searchsorted(point, np.arange(len(px) + 1))
             # Points far away meet every group: take as many at a time as fit the cache.
             cut = 0
@@ -401,7 +419,8 @@ class FootPointSearch:
         """How far samples are looked at by points whose nearest one is so far."""
         if not rivals:
             return nearest + extra
-        out: Floats = nearest + np.clip(nearest, RIVAL, max(RIVAL, self._margin)) + extra
+        margin = self._band if extra else self._margin
+        out: Floats = nearest + np.clip(nearest, RIVAL, max(RIVAL, margin)) + extra
         return out
 
     def _compare_groups(
@@ -412,30 +431,31 @@ class FootPointSearch:
         A minimum lies within a step if the distance falls at its start and rises at its end, or at its start if
         the distance falls before and rises after.
         """
-        d2 = (self._step_x[group] - x[point, None]) ** 2 + (self._step_y[group] - y[point, None]) ** 2
+        steps = self._steps
+        d2 = (steps.step_x[group] - x[point, None]) ** 2 + (steps.step_y[group] - y[point, None]) ** 2
         first = np.searchsorted(point, np.arange(len(x)))
         nearest = np.sqrt(np.minimum.reduceat(d2.min(axis=1), first))
         # A branch whose sample is this much farther may still come nearest between samples.
-        window = self._window(nearest + 2 * self._spacing, extra, rivals)
-        pair, column = np.nonzero((d2 <= (window**2)[point, None]) & self._filled[group])
-        step = self._member[group[pair], column]
+        window = self._window(nearest + 2 * steps.spacing, extra, rivals)
+        pair, column = np.nonzero((d2 <= (window**2)[point, None]) & steps.filled[group])
+        step = steps.member[group[pair], column]
         curved = self._bends_at(step, point[pair], len(x)) if extra else None
         px, py = x[point[pair]], y[point[pair]]
-        ex, ey = self._x[step] - px, self._y[step] - py
+        ex, ey = steps.x[step] - px, steps.y[step] - py
         # Both sides of a joint must not be missed for rounding; found twice is found once.
         little = 1e-9 * (1.0 + nearest)[point[pair]]
-        slope = ex * self._dx[step] + ey * self._dy[step]
-        slope_before = ex * self._dx_before[step] + ey * self._dy_before[step]
-        slope_end = (self._x_end[step] - px) * self._dx_end[step] + (self._y_end[step] - py) * self._dy_end[step]
-        at_start = (slope >= -little) & ((slope_before <= little) | self._opens[step])
-        at_end = (slope_end <= little) & self._closes[step]
+        slope = ex * steps.dx[step] + ey * steps.dy[step]
+        slope_before = ex * steps.dx_before[step] + ey * steps.dy_before[step]
+        slope_end = (steps.x_end[step] - px) * steps.dx_end[step] + (steps.y_end[step] - py) * steps.dy_end[step]
+        at_start = (slope >= -little) & ((slope_before <= little) | steps.opens[step])
+        at_end = (slope_end <= little) & steps.closes[step]
         kept = np.flatnonzero(((slope < 0) & (slope_end > 0)) | at_start | at_end)
         step = step[kept]
-        seed = (self._t[step] + self._t_end[step]) / 2
-        seed = np.where(at_start[kept], self._t[step], seed)
-        seed = np.where(at_end[kept], self._t_end[step], seed)
+        seed = (steps.t[step] + steps.t_end[step]) / 2
+        seed = np.where(at_start[kept], steps.t[step], seed)
+        seed = np.where(at_end[kept], steps.t_end[step], seed)
         point = point[pair][kept]
-        span, t, settled, values = self._newton(x[point], y[point], self._span[step], seed, steps=40)
+        span, t, settled, values = self._newton(x[point], y[point], steps.span[step], seed, steps=40)
         gap = np.hypot(values[0] - x[point], values[1] - y[point])
         gap = np.where(settled, gap, gap + 1e-9)
         order = np.lexsort((gap, point))
@@ -449,7 +469,7 @@ class FootPointSearch:
             s = np.zeros(len(span))
             s[several] = self.profile.arc_length(span[several], t[several])
             along = self._way(s, s[main], contour)
-            other = (contour != contour[main]) | (along > 1e-6 + 1e-3 * self._spacing)
+            other = (contour != contour[main]) | (along > 1e-6 + 1e-3 * steps.spacing)
             np.minimum.at(rival, point[other], (gap - gap[main])[other])
         best = tuple(v[head] for v in values)
         if curved is not None:
@@ -459,19 +479,19 @@ class FootPointSearch:
     def _bends_at(self, step: Ints, point: Ints, count: int) -> tuple[Floats, Floats]:
         """Sharpest bends to the left and to the right, both positive in 1/mm, among the steps of each point."""
         first = np.searchsorted(point, np.arange(count))
-        left: Floats = np.maximum.reduceat(self._bend_left[step], first)
-        right: Floats = np.maximum.reduceat(self._bend_right[step], first)
+        left: Floats = np.maximum.reduceat(self._steps.bend_left[step], first)
+        right: Floats = np.maximum.reduceat(self._steps.bend_right[step], first)
         return left, right
 
     def _way(self, a: Floats, b: Floats, contour: Ints) -> Floats:
         """Distance along the contour between two arc lengths, the short way round."""
         along = np.abs(a - b)
-        return np.where(self._closed[contour], np.minimum(along, self.profile.total[contour] - along), along)
+        return np.where(self._steps.closed[contour], np.minimum(along, self.profile.total[contour] - along), along)
 
     def _make_grid(self) -> _Grid:
-        x, y = [self._x, self._x_end], [self._y, self._y_end]
-        low = np.array([np.min(x), np.min(y)]) - self._margin
-        high = np.array([np.max(x), np.max(y)]) + self._margin
+        x, y = [self._steps.x, self._steps.x_end], [self._steps.y, self._steps.y_end]
+        low = np.array([np.min(x), np.min(y)]) - self._band
+        high = np.array([np.max(x), np.max(y)]) + self._band
         cell = float(np.sqrt(np.prod(high - low) / _CELLS))
         shape = (int((high[0] - low[0]) / cell) + 1, int((high[1] - low[1]) / cell) + 1)
         n = shape[0] * shape[1] + 1
@@ -491,7 +511,7 @@ class FootPointSearch:
         speed2 = dx * dx + dy * dy
         bend = speed2 + (cx - x) * ddx + (cy - y) * ddy
         # From centre to corner of the cell, either branch's distance changes by half a diagonal at most.
-        reach = np.clip(np.abs(values[4]) + half, RIVAL, max(RIVAL, self._margin))
+        reach = np.clip(np.abs(values[4]) + half, RIVAL, self._band)
         sure = (rival > 2 * half + reach) & (bend > 0.25 * speed2)
         # No point of the cell may come near the centre of a bend towards it: there branches divide.
         distance, left, right = values[4:]
@@ -505,9 +525,10 @@ class FootPointSearch:
 
     def _by_grid(self, x: Floats, y: Floats, span: Ints, t: Floats, out: tuple[Floats, ...]) -> Ints:
         """Foot points by seeds from the grid, in place; returns the points that must be compared themselves."""
-        if self._grid is None:
-            self._grid = self._make_grid()
-        grid = self._grid
+        grids = self._steps.grids
+        if self._band not in grids:
+            grids[self._band] = self._make_grid()
+        grid = grids[self._band]
         n = len(x)
         cell = np.empty(n, dtype=np.int64)
         for a in range(0, n, BLOCK):
@@ -545,7 +566,7 @@ class FootPointSearch:
             for target, value in zip(out, exact, strict=True):
                 target[back] = value[settled]
             again.append(some[~settled])
-        if self._faceted:
+        if self._steps.faceted:
             beside = self._beside_facets(span, t, out[4])
             beside[np.concatenate(again)] = False
             again.append(np.flatnonzero(beside))
@@ -618,7 +639,7 @@ class FootPointSearch:
         contour = profile.contour[here]
         s = profile.begin[here] + t[past] * profile.length[here]
         total = profile.total[contour]
-        s = np.where(self._closed[contour], np.mod(s, total), np.clip(s, 0.0, total))
+        s = np.where(self._steps.closed[contour], np.mod(s, total), np.clip(s, 0.0, total))
         # Arc lengths count from each contour's start; laid end to end they increase through all spans.
         before = np.concatenate([[0.0], np.cumsum(profile.total)])
         begin = profile.begin + before[profile.contour]
@@ -659,7 +680,7 @@ class FootPointSearch:
         after = np.where(at_end, profile.neighbour(span[edge], 1), span[edge])
         turn = profile.turn[before]
         free = before == after
-        single = free & self._closed[profile.contour[before]]
+        single = free & self._steps.closed[profile.contour[before]]
         turn = np.where(free & ~single, np.nan, turn)
         open_end = np.isnan(turn)
         ex, ey = x[edge] - foot[edge, 0], y[edge] - foot[edge, 1]

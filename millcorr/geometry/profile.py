@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike
 from millcorr import progress
 from millcorr.arrays import Floats, Ints, ReadOnlyArrays
 from millcorr.errors import FormatError, InputError
+from millcorr.messages import mm, phrase, xy
 from millcorr.tolerances import EXACT
 
 from .nurbs import NurbsCurve
@@ -155,7 +156,7 @@ class Sections:
         return [(int(k), np.flatnonzero(number == k)) for k in np.unique(number)]
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@dataclass(frozen=True, eq=False, slots=True, weakref_slot=True)
 class Profile(ReadOnlyArrays):
     """One or more contours in the XY plane of the work frame, cut into spans for computation.
 
@@ -207,7 +208,7 @@ class Profile(ReadOnlyArrays):
         """
         contours = tuple(contours)
         if not contours:
-            raise InputError("the profile has no contour")
+            raise InputError(phrase("the profile has no contour"))
         power_of: list[Floats] = []
         owner_of: list[Ints] = []
         bounds_of: list[Floats] = []
@@ -221,19 +222,21 @@ class Profile(ReadOnlyArrays):
                 owner_of.append(np.tile(np.array([k, j], dtype=np.int64), (int(long.sum()), 1)))
                 bounds_of.append(np.stack([knots[:-1], knots[1:]], axis=1)[long])
         if not any(map(len, power_of)):
-            raise InputError("the profile has no length")
+            raise InputError(phrase("the profile has no length"))
         power, owner, bounds = np.concatenate(power_of), np.concatenate(owner_of), np.concatenate(bounds_of)
         power, owner, bounds, arc = _split_until_arc_length_is_exact(power, owner, bounds)
         standing = _speed(power, np.array([0.0, 1.0])).min(axis=1) < 1e-9 * _chebyshev_sum(arc, np.ones(len(arc)))
         if standing.any():
             x, y = power[np.argmax(standing), 0, :2] / power[np.argmax(standing), 0, 2]
             raise InputError(
-                f"the profile has a cusp or a point where its parametrisation stands still near X{x:.3f} Y{y:.3f}"
+                phrase("the profile has a cusp or a point where its parametrisation stands still near {}", xy(x, y))
             )
         contour_of = owner[:, 0]
         first = np.searchsorted(contour_of, np.arange(len(contours) + 1))
         if (np.diff(first) == 0).any():
-            raise InputError(f"contour {int(np.flatnonzero(np.diff(first) == 0)[0])} of the profile has no length")
+            raise InputError(
+                phrase("contour {} of the profile has no length", int(np.flatnonzero(np.diff(first) == 0)[0]))
+            )
         length = _chebyshev_sum(arc, np.ones(len(arc)))
         begin = np.concatenate(
             [np.cumsum(length[a:b]) - length[a:b] for a, b in zip(first[:-1], first[1:], strict=True)]
@@ -533,7 +536,7 @@ class Profile(ReadOnlyArrays):
         """
         try:
             if data.get("unit", "mm") != "mm" or data.get("material", "left") != "left":
-                raise InputError("profile: unit must be mm and material left")
+                raise InputError(phrase("profile: unit must be mm and material left"))
             return Profile.from_contours(
                 Contour(
                     tuple(NurbsCurve.from_dict(n) for n in c["curves"]), bool(c["closed"]), _step_from(c.get("step"))
@@ -541,7 +544,7 @@ class Profile(ReadOnlyArrays):
                 for c in data["contours"]
             )
         except (KeyError, TypeError, AttributeError) as error:
-            raise InputError(f"profile: {error!r} is missing or of the wrong kind") from error
+            raise InputError(phrase("profile: {!r} is missing or of the wrong kind", error)) from error
 
     @staticmethod
     def read_json(path: str | Path) -> Profile:
@@ -551,7 +554,7 @@ class Profile(ReadOnlyArrays):
         except OSError as error:
             raise FormatError(error.strerror or str(error), path) from error
         except (ValueError, UnicodeDecodeError) as error:
-            raise FormatError(f"not a millcorr profile: {error}", path) from error
+            raise FormatError(phrase("not a millcorr profile: {}", error), path) from error
 
 
 def _step_as_dict(step: Step | None) -> dict[str, Any]:
@@ -666,7 +669,7 @@ def _split_until_arc_length_is_exact(power: Floats, owner: Ints, bounds: Floats)
         bounds = np.concatenate([np.stack([bounds[:, 0], middle], 1), np.stack([middle, bounds[:, 1]], 1)])
         order = np.concatenate([order, order + 0.5 ** (depth + 1)])
     if len(power):
-        raise InputError("the profile has a cusp or a point where its parametrisation stands still")
+        raise InputError(phrase("the profile has a cusp or a point where its parametrisation stands still"))
     key = np.argsort(np.concatenate([d[4] for d in done]), kind="stable")
     p, o, b, a = (np.concatenate([d[i] for d in done])[key] for i in range(4))
     return p, o, b, a
@@ -691,7 +694,7 @@ def _turns(power: Floats, contours: tuple[Contour, ...], first: Ints) -> Floats:
         if len(gap) and gap.max() > GAP:
             i = int(np.argmax(gap))
             x, y = end[this[i]]
-            raise InputError(f"contour {k} of the profile has a gap of {gap[i]:.4f} mm at X{x:.3f} Y{y:.3f}")
+            raise InputError(phrase("contour {} of the profile has a gap of {} at {}", k, mm(gap[i], ".4f"), xy(x, y)))
         cross = d1[this, 0] * d0[after, 1] - d1[this, 1] * d0[after, 0]
         dot = (d1[this] * d0[after]).sum(axis=1)
         turn[this] = np.arctan2(cross, dot)

@@ -8,16 +8,18 @@ from math import isfinite
 from pathlib import Path
 from typing import Any
 
+from millcorr.app import programs
 from millcorr.app.properties import QT_TRANSLATE_NOOP, Property
 from millcorr.app.text import translate
 from millcorr.app.unit import unit
-from millcorr.cli import jobs, session
+from millcorr.app.wording import worded
+from millcorr.cli import jobs
 from millcorr.errors import MillcorrError
 from millcorr.production import history, journal
 
 from . import file_task, recorder
 from .batch_run import BatchRun, Ended
-from .options import Expression, call
+from .options import call
 from .qt import QtCore, QtWidgets
 
 _text = QT_TRANSLATE_NOOP
@@ -217,11 +219,13 @@ class HistoryTask(file_task.FileTask):
             fine, decimals = unit().fine_mm, unit().fine_digits + 1
             numbers = [deviation["mean"], deviation["std"], deviation["height"], s["correction"]]
             shown = [f"{v / fine:.{decimals}f}" if isfinite(v) else "\u2013" for v in numbers]
-            decision = history.decision_in_words(entry)
+            decision = worded(history.decision_in_words(entry))
             names = " ".join(name for name, _ in entry.measurements)
             _put(self.table, row, [chain.name, str(entry.part), names, *shown, decision])
         self.table.resizeColumnsToContents()
-        self.text.setPlainText("\n".join(line for chain in outcome for line, _ in history.series(chain.entries)))
+        self.text.setPlainText(
+            "\n".join(worded(line) for chain in outcome for line, _ in history.series(chain.entries))
+        )
 
     def _plot(self) -> None:
         from . import plots
@@ -231,9 +235,8 @@ class HistoryTask(file_task.FileTask):
     def job(self) -> file_task.Job:
         """Write the report."""
         path, directory = file_task.absolute([self.fields["Journal"].value, self.fields["Report"].value or "history"])
-        line = call("session.history", Expression(f"Path({path!r})"), report=Expression(f"Path({directory!r})"))
-        lines = ["from pathlib import Path", "from millcorr.cli import session", f"print({line})"]
-        return file_task.Job(lines, session, "history", lambda: session.history(Path(path), report=Path(directory)))
+        lines = ["from millcorr.app import programs", f"print({call('programs.history', path, report=directory)})"]
+        return file_task.Job(lines, programs, "history", lambda: programs.history(path, report=directory))
 
     def show_written(self, text: str) -> None:
         """Where the report is; the table itself is shown already."""

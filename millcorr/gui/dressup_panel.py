@@ -15,7 +15,7 @@ from millcorr.app.unit import unit
 from millcorr.app.wording import stored, worded
 from millcorr.errors import MillcorrError, RefusedError
 from millcorr.options import field_name
-from millcorr.report.scene.measured import lines_of
+from millcorr.report.picture.measured import lines_of
 from millcorr.report.verdict import what_to_do
 
 from . import methods, picture, picture_properties, preferences

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from pivy import coin
 
-from millcorr.report.scene.wall import Wall
+from millcorr.report.picture.wall import Wall
 
 from .line_set import rows_as_tuples
 

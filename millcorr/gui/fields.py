@@ -8,6 +8,8 @@ from typing import Any
 
 from millcorr.app.text import QT_TRANSLATE_NOOP, label_of, translate
 from millcorr.app.unit import unit
+from millcorr.app.wording import LENGTHS
+from millcorr.report.length_unit import INCH, MM
 
 from .qt import QtCore, QtWidgets
 from .wheel import calm
@@ -225,7 +227,7 @@ class ListField(Field):
     """Numbers or words, separated by semicolons."""
 
     def _make(self, row: Any) -> Any:
-        self._numbers = row.kind == "FloatList"
+        self._numbers, self._unit = row.kind == "FloatList", unit() if row.name in LENGTHS else None
         line = QtWidgets.QLineEdit()
         line.setPlaceholderText(translate("Millcorr", "none; several separated by ;"))
         return line
@@ -237,11 +239,22 @@ class ListField(Field):
         words = [word.strip() for word in self.widget.text().split(";") if word.strip()]
         if not self._numbers:
             return words
+        return [self._number(word) for word in words]
+
+    def _number(self, word: str) -> float:
         # A comma is a decimal mark here: lists are separated otherwise.
-        return [float(word.replace(",", ".").removesuffix("mm")) for word in words]
+        number = word.replace(",", ".")
+        if self._unit is None:
+            return float(number)
+        for one in (self._unit, MM, INCH):
+            if number.endswith(one.name):
+                return float(number.removesuffix(one.name)) * one.mm
+        return float(number) * self._unit.mm
 
     def _put(self, value: Any) -> None:
-        self.widget.setText("; ".join(f"{v:g}" if self._numbers else str(v) for v in value))
+        if self._unit is not None:
+            value = [f"{v / self._unit.mm:.6g} {self._unit.name}" for v in value]
+        self.widget.setText("; ".join(f"{v:g}" if isinstance(v, float) else str(v) for v in value))
 
 
 class SwitchField(Field):

@@ -141,16 +141,18 @@ class ImportDialog(QtWidgets.QDialog):
 
     def _add_offset(self, form: Any) -> None:
         row = QtWidgets.QHBoxLayout()
-        self.offset_given = QtWidgets.QCheckBox(translate("Millcorr", "Origin of the work frame in the file's, mm"))
+        self.offset_given = QtWidgets.QCheckBox(
+            translate("Millcorr", "Origin of the work frame in the file's, {}").format(unit().name)
+        )
         self.offset_given.setObjectName("WorkOffsetGiven")
         self.offset = []
         for axis in "XYZ":
             box = calm(QtWidgets.QDoubleSpinBox())
             box.setRange(-1e6, 1e6)
-            box.setDecimals(4)
+            box.setDecimals(unit().digits)
             box.setKeyboardTracking(False)
             box.setObjectName(f"WorkOffset{axis}")
-            box.setAccessibleName(f"{axis} mm")
+            box.setAccessibleName(f"{axis} {unit().name}")
             box.setEnabled(False)
             box.valueChanged.connect(lambda *_: self._changed())
             self.offset_given.toggled.connect(box.setEnabled)
@@ -220,7 +222,7 @@ class ImportDialog(QtWidgets.QDialog):
         """What is said of the file."""
         value = {name: field.value for name, field in self.fields.items()}
         as_file = measurement_object.AS_FILE
-        columns = self.table.changed_columns()
+        columns, mm = self.table.changed_columns(), unit().mm
         return Reading(
             points=None if value["Points"] == as_file else value["Points"],
             probe_radius=value["BallRadius"] or None,
@@ -229,7 +231,7 @@ class ImportDialog(QtWidgets.QDialog):
             mapping=None if columns is None else _kept(self.seen, columns),
             part=value["Part"] or None,
             probe=Path(value["Probe"]).expanduser().resolve() if value["Probe"] else None,
-            work_offset=tuple(box.value() for box in self.offset) if self.offset_given.isChecked() else None,
+            work_offset=tuple(mm * box.value() for box in self.offset) if self.offset_given.isChecked() else None,
             work_rotation=value["WorkRotation"] or None,
         )
 
@@ -302,7 +304,7 @@ class ImportDialog(QtWidgets.QDialog):
                 self.more.setChecked(True)
             field.set_shown(True)
             # What the file leaves open is a question, not an error of the user's.
-            field.complain(question or worded(text))
+            field.complain(worded(question or text))
         else:
             self._say(worded(text), "wrong")
 

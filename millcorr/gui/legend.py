@@ -10,10 +10,10 @@ from pivy import coin
 
 from millcorr.app.text import QT_TRANSLATE_NOOP, translate
 from millcorr.app.unit import unit
-from millcorr.report.scene import correction as overlay
-from millcorr.report.scene.correction import Overlay
-from millcorr.report.scene.scale import Look
-from millcorr.report.scene.wall import UNKNOWN
+from millcorr.report.picture import correction as overlay
+from millcorr.report.picture.correction import Overlay
+from millcorr.report.picture.scale import Look
+from millcorr.report.picture.wall import UNKNOWN
 
 from .qt import QtCore, QtGui
 

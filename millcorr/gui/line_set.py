@@ -7,7 +7,7 @@ from typing import Any
 
 from pivy import coin
 
-from millcorr.report.scene.correction import Lines
+from millcorr.report.picture.correction import Lines
 
 from .layer import Layer, over_everything, scene_of
 

@@ -12,9 +12,9 @@ from millcorr.app.properties import QT_TRANSLATE_NOOP, Property
 from millcorr.app.text import translate
 from millcorr.app.wording import worded
 from millcorr.errors import UsageError
-from millcorr.messages import option
+from millcorr.messages import option, phrase
 from millcorr.probing import TOUCHES
-from millcorr.report.scene.probing import overlay_of
+from millcorr.report.picture.probing import overlay_of
 
 from . import file_task, preferences
 from .line_set import LineLayer
@@ -67,7 +67,14 @@ _PROBE = (
         40,
         zero=_text("Millcorr", "by their distance"),
     ),
-    Property("Length", "Spacing", "", _text("App::Property", "Distance of points along the contour"), 0.0),
+    Property(
+        "Length",
+        "Spacing",
+        "",
+        _text("App::Property", "Distance of points along the contour"),
+        0.0,
+        zero=_text("Millcorr", "by their number"),
+    ),
     Property("Bool", "Curvature", "", _text("App::Property", "Denser where the contour bends"), False),
     Property(
         "Enumeration",
@@ -229,9 +236,9 @@ class MeasuringTask(file_task.FileTask):
     def job(self) -> file_task.Job:
         """Write the program and what it needs beside it."""
         if not self.fields["Output"].value:
-            raise UsageError(option("output"), " needs a name: the measuring program is written there")
+            raise UsageError(phrase("{} needs a name: the measuring program is written there", option("output")))
         if not self.complete():
-            raise UsageError(option("probe_radius"), ": say the radius at which the probe triggers")
+            raise UsageError(phrase("{}: say the radius at which the probe triggers", option("probe_radius")))
         output = file_task.absolute([self.fields["Output"].value])[0]
         options = self._options()
         made = measuring.prepared(self.operation, **options)

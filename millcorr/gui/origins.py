@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from millcorr.app.text import QT_TRANSLATE_NOOP, translate
+from millcorr.app.wording import worded
 from millcorr.readers.measurement import Basis
 
 _WHATS = {
@@ -18,19 +19,9 @@ _HOWS = {
     "inferred": QT_TRANSLATE_NOOP("Millcorr", "inferred"),
     "assumed": QT_TRANSLATE_NOOP("Millcorr", "assumed"),
 }
-REASONS = (
-    QT_TRANSLATE_NOOP("Millcorr", "the file does not say"),
-    QT_TRANSLATE_NOOP("Millcorr", "the work frame; the file does not say"),
-    QT_TRANSLATE_NOOP("Millcorr", "three decimals, as GRBL prints mm"),
-    QT_TRANSLATE_NOOP("Millcorr", "places farther out than such machines go in inches"),
-    QT_TRANSLATE_NOOP("Millcorr", "no METRIC in the first line, which PC-DMIS takes for inch"),
-    QT_TRANSLATE_NOOP("Millcorr", "the profile values stored in the file"),
-    QT_TRANSLATE_NOOP("Millcorr", "the file's other points"),
-)
-"""Why readers infer or assume something, as they say it."""
 
 
 def in_words(what: str, basis: Basis) -> str:
     """One line: what it is about, how it is known, and why."""
     line = f"{translate('Millcorr', _WHATS.get(what, what))}: {translate('Millcorr', _HOWS[basis.how])}"
-    return f"{line}: {translate('Millcorr', basis.why)}" if basis.why else line
+    return f"{line}: {worded(basis.why)}" if basis.why else line

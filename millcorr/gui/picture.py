@@ -13,11 +13,11 @@ from millcorr.app import compat
 from millcorr.app.unit import unit
 from millcorr.app.wording import worded
 from millcorr.pipeline import Result
-from millcorr.report.scene import correction as overlay
-from millcorr.report.scene.correction import Overlay
-from millcorr.report.scene.plots import row_near
-from millcorr.report.scene.scale import Look
-from millcorr.report.scene.wall import Wall, wall_of
+from millcorr.report.picture import correction as overlay
+from millcorr.report.picture.correction import Overlay
+from millcorr.report.picture.plots import row_near
+from millcorr.report.picture.scale import Look
+from millcorr.report.picture.wall import Wall, wall_of
 
 from .face_set import Faces, FaceSet, faces_of
 from .layer import Layer, over_everything

@@ -14,7 +14,7 @@ from numpy import isfinite
 from millcorr.app.text import translate
 from millcorr.app.unit import unit
 from millcorr.report.length_unit import MM
-from millcorr.report.scene.plots import Along, Distribution, Series
+from millcorr.report.picture.plots import Along, Distribution, Series
 
 from .qt import QtCore, QtWidgets
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from pivy import coin
 
-from millcorr.report.scene import plots as plot_arrays
+from millcorr.report.picture import plots as plot_arrays
 
 from .layer import view_of
 from .qt import QtCore

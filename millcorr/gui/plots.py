@@ -20,8 +20,8 @@ from millcorr.app.wording import worded
 from millcorr.errors import MillcorrError
 from millcorr.report import history as report_history
 from millcorr.report import plots as report_plots
+from millcorr.report.picture import plots as plot_arrays
 from millcorr.report.posterior import posteriors
-from millcorr.report.scene import plots as plot_arrays
 
 from .icons import qt_icon
 from .line_set import LineLayer

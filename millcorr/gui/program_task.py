@@ -13,7 +13,7 @@ from millcorr.app.unit import unit
 from millcorr.app.wording import worded
 from millcorr.correction.settings import Settings
 from millcorr.errors import UsageError
-from millcorr.messages import option
+from millcorr.messages import option, phrase
 from millcorr.options import options_of
 
 from . import file_task, methods, preferences
@@ -167,7 +167,7 @@ class CorrectTask(file_task.FileTask):
         """Write program and report."""
         values = self.values
         if not values["Output"]:
-            raise UsageError(option("output"), " needs a name: the corrected program is written there")
+            raise UsageError(phrase("{} needs a name: the corrected program is written there", option("output")))
         given, options = self._asked()
         written = file_task.absolute([values["Output"], values["Report"] or "."])
         options["output"], options["report"] = written[0], written[1] if values["Report"] else None
@@ -228,7 +228,7 @@ class SplitTask(file_task.FileTask):
         """Write the program of the first cut."""
         values = self.values
         if not (values["Program"] and values["Output"]):
-            raise UsageError("name the program that finishes the part, and the one to write")
+            raise UsageError(phrase("name the program that finishes the part, and the one to write"))
         program, output = file_task.absolute([values["Program"], values["Output"]])
         options = {
             "tool_diameter": values["ToolDiameter"],

@@ -10,7 +10,7 @@ from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 from matplotlib.figure import Figure
 
 from millcorr.app.text import translate
-from millcorr.report.scene.simulation import Trace
+from millcorr.report.picture.simulation import Trace
 
 from .qt import QtCore
 

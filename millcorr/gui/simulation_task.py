@@ -12,9 +12,11 @@ from millcorr.app.text import translate
 from millcorr.app.unit import unit
 from millcorr.app.wording import worded
 from millcorr.errors import UsageError
+from millcorr.messages import phrase
 from millcorr.report import simulation_view
-from millcorr.report.scene import simulation as simulation_arrays
-from millcorr.report.scene.simulation import Played
+from millcorr.report.picture import simulation as simulation_arrays
+from millcorr.report.picture.simulation import Played
+from millcorr.report.reader import Reader, read_by
 
 from . import file_task, plots
 from .cutter import Cutter
@@ -146,12 +148,12 @@ class SimulateTask(file_task.FileTask):
     def work(self) -> Callable[[], Any]:
         """Simulate, and prepare what is drawn."""
         finish = simulating.prepared(self.operation, self.fields["Setup"].value)
-        wanted = self.magnification.wanted
+        wanted, shown = self.magnification.wanted, unit()
 
         def function() -> Any:
             played = finish()
             times = simulation_arrays.magnification(played, wanted)
-            return played, times, simulation_arrays.traces(played), simulation_arrays.lines(played, times)
+            return played, times, simulation_arrays.traces(played, shown), simulation_arrays.lines(played, times)
 
         return function
 
@@ -187,7 +189,8 @@ class SimulateTask(file_task.FileTask):
         if self.canvas is not None:
             self.canvas.fill(self.traces)
         elif self.played is not None:
-            drawn = simulation_view.load_plot(self.played.signals)
+            with read_by(Reader(unit())):
+                drawn = simulation_view.load_plot(self.played.signals)
             self.drawing.show_svg(plots.report_plots.standalone(drawn, theme()), colours()["paper"])
 
     def _recolour(self) -> None:
@@ -210,7 +213,7 @@ class SimulateTask(file_task.FileTask):
         """Write the report."""
         values = self.values
         if not (values["Setup"] and values["Report"]):
-            raise UsageError("name the setup and the directory for the report")
+            raise UsageError(phrase("name the setup and the directory for the report"))
         setup, directory = file_task.absolute([values["Setup"], values["Report"]])
         made = call("simulating.write", Expression(draft.in_python(self.operation)), setup, directory)
         request = simulating.request_of(self.operation, setup)

@@ -14,6 +14,7 @@ from millcorr.app.text import translate
 from millcorr.app.unit import unit
 from millcorr.app.wording import worded
 from millcorr.errors import RefusedError, UsageError
+from millcorr.messages import phrase
 
 from .figure_table import FigureTable
 from .figures import COLUMNS, figures_of
@@ -199,9 +200,9 @@ class SplitPanel(DraftPanel):
     def work(self) -> Callable[[], Any]:
         """Lay the path of the first cut."""
         if not 0 < self.fields["Share"].value < 1:
-            raise UsageError("Share: the first cut takes more than 0 and less than 1 of the allowance")
+            raise UsageError(phrase("Share: the first cut takes more than 0 and less than 1 of the allowance"))
         if not self.fields["Stock"].value > 0:
-            raise UsageError("Stock: say how much stands on the finished contour")
+            raise UsageError(phrase("Stock: say how much stands on the finished contour"))
         return super().work()
 
     def show_outcome(self, outcome: Any) -> None:

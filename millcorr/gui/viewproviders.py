@@ -11,6 +11,7 @@ from typing import Any
 import FreeCAD
 
 from millcorr.app.properties import READ_ONLY, SHOWN, complete, store
+from millcorr.app.stored import NothingStored
 from millcorr.app.views import MAKERS
 from millcorr.errors import MillcorrError
 
@@ -19,7 +20,7 @@ from .preferences import LOOK
 from .qt import QtCore
 
 
-class View:
+class View(NothingStored):
     """View provider of one kind of object; subclasses say which icon and which children."""
 
     icon_name = "Millcorr"
@@ -54,17 +55,6 @@ class View:
         if not panel.show(made):
             made.reject()
         return True
-
-    def dumps(self) -> None:
-        """Nothing is stored."""
-        return None
-
-    def loads(self, state: Any) -> None:
-        """Nothing is stored."""
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 class MeasurementView(View):

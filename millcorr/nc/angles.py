@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from millcorr.arrays import Floats
+from millcorr.messages import phrase
 
 from .codes import INCH
 from .motion import follow
@@ -37,7 +38,7 @@ def straightened(run: Run, name: str) -> Run:
     for k, block in enumerate(angled):
         end = _end(run, name, block, angled[k + 1] if k + 1 < len(angled) else -1)
         if end is None:
-            odd = OddBlock(block, "the angle does not give where this line ends", "")
+            odd = OddBlock(block, phrase("the angle does not give where this line ends"), "")
             run = replace(run, odd=(*run.odd, odd))
         else:
             run = replace(run, words=_stated(run.words, block, end))

@@ -8,6 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from millcorr.arrays import Bools, Floats, Ints
+from millcorr.messages import phrase
 from millcorr.nc.toolpath import Plane
 
 RADIUS_TOLERANCE = 0.0127
@@ -127,11 +128,11 @@ def read_arcs(
         if not len(rows):
             continue
         given = centre_words[a][0] | centre_words[b][0]
-        refuse(here & given & by_radius, "arc with a radius and a centre: keep one of them")
-        refuse(here & ~given & ~by_radius, "arc without a centre: state I, J, K or R")
+        refuse(here & given & by_radius, phrase("arc with a radius and a centre: keep one of them"))
+        refuse(here & ~given & ~by_radius, phrase("arc without a centre: state I, J, K or R"))
         refuse(
             here & absolute & given & ~(centre_words[a][0] & centre_words[b][0]),
-            "arc with an absolute centre (G90.1) needs both of its coordinates",
+            phrase("arc with an absolute centre (G90.1) needs both of its coordinates"),
         )
         strange |= here & centre_words[c][0] & (centre_words[c][1] != 0)
         s, e = start[rows][:, [a, b]], end[rows][:, [a, b]]
@@ -142,9 +143,9 @@ def read_arcs(
             radius = radius_word[1][rows] * scale[rows]
             half = 0.5 * np.hypot(*(e - s).T)
             short = r & (half - abs(radius) > np.maximum(RADIUS_TOLERANCE, RADIUS_TOLERANCE_RELATIVE * half))
-            _refuse_rows(refuse, n, rows, short, "arc radius shorter than half the way to its end: correct R")
+            _refuse_rows(refuse, n, rows, short, phrase("arc radius shorter than half the way to its end: correct R"))
             closed = r & (half <= SAME_POINT)
-            _refuse_rows(refuse, n, rows, closed, "arc with R ends where it starts: state I, J for a circle")
+            _refuse_rows(refuse, n, rows, closed, phrase("arc with R ends where it starts: state I, J for a circle"))
             middle[r] = centre_by_radius(s[r], e[r], radius[r], clockwise[rows][r])
         first, last = np.hypot(*(s - middle).T), np.hypot(*(e - middle).T)
         allowed = np.maximum(RADIUS_TOLERANCE, RADIUS_TOLERANCE_RELATIVE * np.maximum(first, last))
@@ -153,14 +154,14 @@ def read_arcs(
             n,
             rows,
             ~r & (abs(first - last) > allowed),
-            "arc whose end is not on its circle: correct it",
+            phrase("arc whose end is not on its circle: correct it"),
         )
-        _refuse_rows(refuse, n, rows, np.maximum(first, last) == 0, "arc of radius zero: state its centre")
+        _refuse_rows(refuse, n, rows, np.maximum(first, last) == 0, phrase("arc of radius zero: state its centre"))
         centre[rows, a], centre[rows, b] = middle[:, 0], middle[:, 1]
         centre[rows, c] = start[rows, c]
         sweep[rows] = sweep_of(s, e, middle, clockwise[rows])
     turns = np.where(turns_word[0], turns_word[1], 1.0)
-    refuse((turns < 1) | (turns != np.rint(turns)), "the number of turns P of an arc is a whole number from 1")
+    refuse((turns < 1) | (turns != np.rint(turns)), phrase("the number of turns P of an arc is a whole number from 1"))
     return centre, sweep + np.sign(sweep) * 2 * np.pi * (turns - 1), strange
 
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from millcorr.messages import phrase
 from millcorr.nc.toolpath import Compensation
 
 INCH = 25.4
@@ -57,27 +58,27 @@ INITIAL = {
 }
 
 FRAME_ON = {
-    920: "G92 shifts the frame",
-    LOCAL_SHIFT: "G52 turns the frame",
-    100: "G10 may change a work offset",
-    680: "G68 rotates the frame",
-    681: "G68.1 rotates the frame",
-    682: "G68.2 tilts the plane",
-    510: "G51 scales the frame",
-    511: "G51.1 mirrors the frame",
-    1010: "G101 mirrors the frame",
-    160: "G16 states polar coordinates",
-    121: "G12.1 interpolates in polar coordinates",
-    1120: "G112 interpolates in polar coordinates",
-    71: "G7.1 interpolates on a cylinder",
-    1070: "G107 interpolates on a cylinder",
-    70: "G7 states diameters",
-    434: "G43.4 controls the tool centre point",
-    435: "G43.5 controls the tool centre point",
-    2340: "G234 controls the tool centre point",
-    660: "G66 calls a macro at every move",
-    930: "G93 states the feed as inverse time",
-    round(10 * OTHER_FRAME): "ROT, MIRROR or SCALE changes the frame",
+    920: phrase("G92 shifts the frame"),
+    LOCAL_SHIFT: phrase("G52 turns the frame"),
+    100: phrase("G10 may change a work offset"),
+    680: phrase("G68 rotates the frame"),
+    681: phrase("G68.1 rotates the frame"),
+    682: phrase("G68.2 tilts the plane"),
+    510: phrase("G51 scales the frame"),
+    511: phrase("G51.1 mirrors the frame"),
+    1010: phrase("G101 mirrors the frame"),
+    160: phrase("G16 states polar coordinates"),
+    121: phrase("G12.1 interpolates in polar coordinates"),
+    1120: phrase("G112 interpolates in polar coordinates"),
+    71: phrase("G7.1 interpolates on a cylinder"),
+    1070: phrase("G107 interpolates on a cylinder"),
+    70: phrase("G7 states diameters"),
+    434: phrase("G43.4 controls the tool centre point"),
+    435: phrase("G43.5 controls the tool centre point"),
+    2340: phrase("G234 controls the tool centre point"),
+    660: phrase("G66 calls a macro at every move"),
+    930: phrase("G93 states the feed as inverse time"),
+    round(10 * OTHER_FRAME): phrase("ROT, MIRROR or SCALE changes the frame"),
 }
 FRAME_OFF: dict[int, tuple[int, ...]] = {
     921: (920,),
@@ -103,7 +104,7 @@ FRAME_OFF: dict[int, tuple[int, ...]] = {
     **{code: (100,) for code in OFFSETS},
 }
 POSITION_SURVIVES = (930, 70)
-CALL_CODES = {650: "G65 calls a macro"}
+CALL_CODES = {650: phrase("G65 calls a macro")}
 PROGRAM_ENDS = (2, 30, 99)
 
 # The axis words of a line with one of these are not the target of a move.

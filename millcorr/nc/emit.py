@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from millcorr.errors import FormatError, InputError
+from millcorr.messages import mm, phrase
 from millcorr.nc.toolpath import Kind, Plane
 
 from .line import Line
@@ -314,8 +315,8 @@ class Emitter:
             self._put(line, moves[0])
             return [line.text(), *self._inserted_all(body, moves[1:])]
         if any(self._sets_state(line, i) for i in range(len(line.words))):
-            message = "this line becomes several moves, but its M code belongs behind the last of them"
-            raise self._error(f"{message}: put the M code on a line of its own")
+            message = phrase("this line becomes several moves, but its M code belongs behind the last of them")
+            raise self._error(phrase("{}: put the M code on a line of its own", message))
         before = self._inserted_all(body, moves[:-1])
         self._put(line, moves[-1])
         return [*before, line.text()]
@@ -391,7 +392,9 @@ class Emitter:
         had_radius = line.find("R") >= 0 and self._code(line) in (2, 3)
         if move.kind == Kind.ARC:
             if move.plane != form.plane:
-                raise InputError(f"toolpath: an arc of line {form.line + 1} is not in the plane in force there")
+                raise InputError(
+                    phrase("toolpath: an arc of line {} is not in the plane in force there", form.line + 1)
+                )
             arc = self._arc_words(move, end, had_radius)
             code = code if arc else 1
         elif move.kind == Kind.CUBIC:
@@ -480,7 +483,9 @@ class Emitter:
             return
         why = self.form.shared(piece)
         if why:
-            raise self._error(f"{piece.before}{piece.expression}{piece.after} cannot be corrected: {why}")
+            raise self._error(
+                phrase("{}{}{} cannot be corrected: {}", piece.before, piece.expression, piece.after, why)
+            )
 
     def _absolute_centre(self, line: Line) -> bool:
         a, b, _ = Plane(self.form.plane).axes
@@ -491,7 +496,7 @@ class Emitter:
         out = dict(arc)
         if line.find("p") >= 0:
             if line.number("p") != arc.get("P", 1.0) - 1.0:
-                raise self._error("the turns of this arc would change: write it as arcs of one turn")
+                raise self._error(phrase("the turns of this arc would change: write it as arcs of one turn"))
             out.pop("P", None)
         for k, letter in enumerate("IJK"):
             if line.find(letter.lower()) < 0:
@@ -511,8 +516,12 @@ class Emitter:
         for at, start in zip(self.state.position, move.start, strict=True):
             if abs(at - start) > allowed:
                 raise InputError(
-                    f"toolpath: a move of line {self.form.line + 1} of {self.form.program} starts "
-                    f"{abs(at - start):.4f} mm from where the one before ends"
+                    phrase(
+                        "toolpath: a move of line {} of {} starts {} from where the one before ends",
+                        self.form.line + 1,
+                        self.form.program,
+                        mm(abs(at - start), ".4f"),
+                    )
                 )
 
     def _cubic_words(self, move: Move, end: list[float]) -> dict[str, float]:
@@ -539,7 +548,7 @@ class Emitter:
         if abs(_sweep(s, e, centre, clockwise) - sweep) > slack or centre == s:
             if move.turns == 1 and sweep < math.pi and arc.sagitta <= form.tolerance / 2:
                 return {}
-            raise self._error("rounding would make another arc of this one: allow more decimals")
+            raise self._error(phrase("rounding would make another arc of this one: allow more decimals"))
         out = {"IJK"[a]: words[0], "IJK"[b]: words[1]}
         if by_radius and move.turns == 1 and sweep < math.pi - 1e-6:
             r = form.round(radius / form.scale)

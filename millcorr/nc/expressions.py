@@ -11,6 +11,8 @@ import math
 import re
 from collections.abc import Callable, Mapping
 
+from millcorr.messages import phrase
+
 
 class UnknownValue(Exception):
     """A value that only the control knows; says which."""
@@ -35,7 +37,7 @@ _DEEPEST = 60
 
 def _whole(value: float, up: bool) -> float:
     if value < 0 and value != math.floor(value):
-        raise UnknownValue("controls round numbers below zero differently")
+        raise UnknownValue(phrase("controls round numbers below zero differently"))
     return float(math.ceil(value) if up else math.floor(value))
 
 
@@ -114,10 +116,10 @@ class _Parser:
             value = rule(self)
         except (ArithmeticError, ValueError):
             if self.variables is not None:
-                raise UnknownValue(f"'{self.text.strip()[:40]}' has no value") from None
+                raise UnknownValue(phrase("'{}' has no value", self.text.strip()[:40])) from None
             value = math.nan
         if self.variables is not None and not math.isfinite(value):
-            raise UnknownValue(f"'{self.text.strip()[:40]}' has no value")
+            raise UnknownValue(phrase("'{}' has no value", self.text.strip()[:40]))
         return value, self.place
 
     def skip(self) -> None:
@@ -151,9 +153,9 @@ class _Parser:
         if self.variables is None:
             return math.nan
         if sign in ("MOD", "DIV") and (a < 0 or b <= 0):
-            raise UnknownValue("controls divide numbers below zero differently")
+            raise UnknownValue(phrase("controls divide numbers below zero differently"))
         if sign in ("AND", "OR", "XOR") and not {a, b} <= {0.0, 1.0}:
-            raise UnknownValue(f"{sign} of bits is not computed")
+            raise UnknownValue(phrase("{} of bits is not computed", sign))
         same = abs(a - b) < 1e-9
         values: dict[str, Callable[[], float]] = {
             "+": lambda: a + b,
@@ -187,7 +189,7 @@ class _Parser:
         self.skip()
         self.depth += 1
         if self.depth > _DEEPEST or self.place >= len(self.text):
-            raise UnknownValue("an expression is not complete")
+            raise UnknownValue(phrase("an expression is not complete"))
         found = _NUMBER.match(self.text, self.place)
         if found:
             self.place = found.end()
@@ -203,10 +205,10 @@ class _Parser:
         """Value between brackets of either kind."""
         opening = self.take("[", "(")
         if not opening:
-            raise UnknownValue("a bracket is missing")
+            raise UnknownValue(phrase("a bracket is missing"))
         value = self.binary(0)
         if not self.take("]" if opening == "[" else ")"):
-            raise UnknownValue("a bracket is not closed")
+            raise UnknownValue(phrase("a bracket is not closed"))
         return value
 
     def _named(self) -> float:
@@ -224,7 +226,7 @@ class _Parser:
         if self.variables is None:
             return math.nan
         if key not in self.variables:
-            raise UnknownValue(f"{key or 'a variable'} has no value that this program sets")
+            raise UnknownValue(phrase("{} has no value that this program sets", key or phrase("a variable")))
         return self.variables[key]
 
     def _arc_tangent(self, place: int) -> float:
@@ -238,13 +240,13 @@ class _Parser:
         else:
             closed = self.take("]" if opening == "[" else ")")
             if not self.take("/"):
-                raise UnknownValue("ATAN of one number is not computed")
+                raise UnknownValue(phrase("ATAN of one number is not computed"))
             b = self.bracket()
         if not closed:
-            raise UnknownValue("a bracket is not closed")
+            raise UnknownValue(phrase("a bracket is not closed"))
         value = math.degrees(math.atan2(a, b))
         if self.variables is not None and value < 0:
-            raise UnknownValue("controls give arc tangents below zero differently")
+            raise UnknownValue(phrase("controls give arc tangents below zero differently"))
         return value
 
     def variable(self) -> str:
@@ -259,7 +261,7 @@ class _Parser:
             return self._indexed("#")
         found = _NAME.match(self.text, self.place)
         if not found:
-            raise UnknownValue(f"'{self.text[self.place :].strip()[:20]}' is no value")
+            raise UnknownValue(phrase("'{}' is no value", self.text[self.place :].strip()[:20]))
         self.place = found.end()
         name = found.group()
         if self.text[self.place : self.place + 1] in ("[", "(") and (name in ("R", "VC", "V", "Q") or name[0] == "$"):

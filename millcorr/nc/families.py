@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from millcorr.errors import FormatError
+from millcorr.messages import phrase
 from millcorr.nc.toolpath import Toolpath
 
 from . import heidenhain, program, writer
@@ -32,7 +33,7 @@ def read(path: str | Path) -> Program:
     try:
         data = Path(path).read_bytes()
     except OSError as error:
-        raise FormatError(f"cannot be read: {error.strerror or error}", path) from error
+        raise FormatError(phrase("cannot be read: {}", error.strerror or error), path) from error
     return parse(data, str(path), folder=Path(path).parent)
 
 
@@ -60,11 +61,13 @@ def parse(data: bytes | str, name: str = "program", *, folder: Path | None = Non
     if isinstance(data, str):
         data = data.encode("utf-8", "surrogatepass")
     if not data.strip():
-        raise FormatError("the file is empty", name)
+        raise FormatError(phrase("the file is empty"), name)
     if b"\0" in data:
-        raise FormatError("this is a binary file or UTF-16 text: save the program as plain text", name)
-    if heidenhain.recognises(data):
-        return heidenhain.parse(data, name)
+        raise FormatError(phrase("this is a binary file or UTF-16 text: save the program as plain text"), name)
+    if heidenhain.din_program.recognises(data):
+        return heidenhain.din_program.parse(data, name)
+    if heidenhain.program.recognises(data):
+        return heidenhain.program.parse(data, name)
     return program.parse(data, name, folder=folder)
 
 
@@ -105,6 +108,8 @@ def write(
     InputError
         If the toolpath is not continuous or does not fit the program.
     """
+    if isinstance(program, heidenhain.DinProgram):
+        return heidenhain.din_writer.write(program, toolpath, decimals=decimals, tolerance=tolerance, header=header)
     if isinstance(program, heidenhain.KlartextProgram):
-        return heidenhain.write(program, toolpath, decimals=decimals, tolerance=tolerance, header=header)
+        return heidenhain.writer.write(program, toolpath, decimals=decimals, tolerance=tolerance, header=header)
     return writer.write(program, toolpath, decimals=decimals, tolerance=tolerance, header=header)

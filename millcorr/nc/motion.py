@@ -11,6 +11,7 @@ import numpy as np
 from millcorr import progress
 from millcorr.arrays import Bools, CompactColumns, Floats, Ints
 from millcorr.errors import FormatError
+from millcorr.messages import phrase
 from millcorr.nc.toolpath import Kind, Plane, Toolpath
 
 from . import arcs_by
@@ -152,7 +153,7 @@ class _Follower:
         if last < self.lines - 1:
             behind = np.searchsorted(words.line, last + 1)
             if np.isin(words.letter[behind:], [ord(c) for c in "XYZIJKR"]).any():
-                self.stretches.append(Stretch(last + 1, self.lines - 1, "behind the end of the program"))
+                self.stretches.append(Stretch(last + 1, self.lines - 1, phrase("behind the end of the program")))
             words = words.take(np.arange(behind))
         self.odd = [o for o in run.odd if o.line <= last]
         self.words = words
@@ -164,7 +165,7 @@ class _Follower:
         tenths = g.value[plain] * 10
         bad = np.flatnonzero((tenths < 0) | (tenths > 99999) | (abs(tenths - self.code) > 1e-6))
         if len(bad):
-            raise self._error(int(self.code_line[bad[0]]), f"G{tenths[bad[0]] / 10:g} is not a G code")
+            raise self._error(int(self.code_line[bad[0]]), phrase("G{:g} is not a G code", tenths[bad[0]] / 10))
         present = np.flatnonzero(np.bincount(self.code))
         self.present = frozenset(present.tolist())
 
@@ -188,7 +189,7 @@ class _Follower:
                 return np.broadcast_to(np.False_, self.lines), np.broadcast_to(np.nan, self.lines)
             twice = np.flatnonzero(these.line[1:] == these.line[:-1])
             if len(twice) and letter in _ONCE:
-                message = f"two {letter} words on one line: keep the one that is meant"
+                message = phrase("two {} words on one line: keep the one that is meant", letter)
                 raise self._error(int(these.line[twice[0]]), message)
             stated = np.zeros(self.lines, np.bool_)
             value = np.full(self.lines, np.nan)
@@ -241,7 +242,7 @@ class _Follower:
         clash = np.flatnonzero((line[1:] == line[:-1]) & (values[these][1:] != values[these][:-1]))
         if len(clash):
             a, b = self.code[these][clash[0] : clash[0] + 2] / 10
-            raise self._error(int(line[clash[0]]), f"G{a:g} and G{b:g} on one line contradict each other")
+            raise self._error(int(line[clash[0]]), phrase("G{:g} and G{:g} on one line contradict each other", a, b))
         stated[line] = True
         state[line] = values[these]
         if without is not None:
@@ -326,7 +327,9 @@ class _Follower:
         """Lines behind which nothing is known, and lines whose motion code is not known."""
         lost = np.zeros(self.lines, np.bool_)
         doubtful = np.zeros(self.lines, np.bool_)
-        calls = [(line, CALL_CODES[c]) for c in CALL_CODES for line in self.lines_with([c]).tolist()]
+        calls: list[tuple[int, str]] = [
+            (line, CALL_CODES[c]) for c in CALL_CODES for line in self.lines_with([c]).tolist()
+        ]
         for o in self.odd:
             if o.effect == "flow":
                 self.stretches.append(Stretch(o.line, self.lines - 1, o.reason))
@@ -342,7 +345,9 @@ class _Follower:
             until = _next(motions, line, self.lines)
             doubtful[line:until] = True
             until = _next(distances, line, self.lines)
-            self.stretches.append(Stretch(line, until - 1, f"{reason}, G90 or G91 is not stated afresh behind it"))
+            self.stretches.append(
+                Stretch(line, until - 1, phrase("{}, G90 or G91 is not stated afresh behind it", reason))
+            )
         return lost, doubtful
 
     def _strange(self, xy: Bools, motion_stated: Bools) -> tuple[Bools, Bools]:
@@ -353,10 +358,10 @@ class _Follower:
         motions = np.flatnonzero(motion_stated)
         for code in sorted(self.present - HARMLESS):
             lines = self.lines_with([code])
-            self._mark(lines, f"G{code / 10:g} is not followed")
+            self._mark(lines, phrase("G{:g} is not followed", code / 10))
             strange[lines] = True
         quadratic = self.marked([51]) & xy
-        self._mark(np.flatnonzero(quadratic), "G5.1 with a target is not followed")
+        self._mark(np.flatnonzero(quadratic), phrase("G5.1 with a target is not followed"))
         strange |= quadratic
         for line in np.flatnonzero(strange).tolist():
             doubtful[line : _next(motions, line, self.lines)] = True
@@ -500,12 +505,12 @@ class _Follower:
         on_path = ordinary & np.isin(motion, (*PATHS, *SIEMENS_ARCS))
         turning = self.any_of("ABCUVW") & on_path & (motion > 0)
         for lines, reason in (
-            (turning, "a rotary or parallel axis moves with this line"),
-            (ordinary & (motion == UNSTATED), "no motion code is in force"),
-            (ordinary & (motion == CANCEL_CYCLE), "axis words behind G80"),
-            (ordinary & cycle, "canned cycle, never rewritten"),
-            (homing, "G28 or G30 leaves the work frame"),
-            (self.marked([530]), "G53 moves in the machine frame"),
+            (turning, phrase("a rotary or parallel axis moves with this line")),
+            (ordinary & (motion == UNSTATED), phrase("no motion code is in force")),
+            (ordinary & (motion == CANCEL_CYCLE), phrase("axis words behind G80")),
+            (ordinary & cycle, phrase("canned cycle, never rewritten")),
+            (homing, phrase("G28 or G30 leaves the work frame")),
+            (self.marked([530]), phrase("G53 moves in the machine frame")),
         ):
             self._mark(np.flatnonzero(lines), reason)
 
@@ -549,7 +554,7 @@ class _Follower:
                 if row >= 0 and source[row] == line:
                     found.append(Corner(row, letter, float(size[line] * scale[line])))
                 else:
-                    self._mark(np.array([line]), "a corner word without a move")
+                    self._mark(np.array([line]), phrase("a corner word without a move"))
         stated, size = self.column("s")
         if stated.any():
             own = {c.row for c in found}
@@ -558,12 +563,13 @@ class _Follower:
             rows = np.flatnonzero((held[:-1] > 0) & cuts[:-1] & cuts[1:])
             found += [Corner(k, "r", float(held[k])) for k in rows.tolist() if k not in own]
             self._mark(
-                np.unique(source[np.concatenate([rows, rows + 1])]), "RNDM rounds every corner: write RND= at each"
+                np.unique(source[np.concatenate([rows, rows + 1])]),
+                phrase("RNDM rounds every corner: write RND= at each"),
             )
         toolpath, failed = rounded(toolpath, sorted(found, key=lambda c: c.row))
         for row in failed:
             lines = np.unique(source[row : row + 2])
-            self._mark(lines, "a corner rounding or chamfer that is not followed")
+            self._mark(lines, phrase("a corner rounding or chamfer that is not followed"))
         return toolpath
 
     def _opaque(self) -> Bools:
@@ -602,9 +608,9 @@ class _Follower:
         axes = np.array([Plane(p).axes[:2] for p in (17, 18, 19)])[plane[lines] - 17]
         unknown = ~np.isfinite(np.take_along_axis(start[arcs], axes, axis=1)).all(axis=1)
         never = ~np.take_along_axis(ever[arcs], axes, axis=1).all(axis=1)
-        message = "arc from an unknown start: state the position before it"
+        message = phrase("arc from an unknown start: state the position before it")
         self._refuse(lines[never & unknown & ~opaque], message)
-        self._mark(lines[unknown & ~opaque], "arc from an unknown start")
+        self._mark(lines[unknown & ~opaque], phrase("arc from an unknown start"))
         sweep[arcs[unknown | opaque]] = np.nan
         plain = ~(unknown | opaque)
         arcs = arcs[plain]
@@ -645,7 +651,7 @@ class _Follower:
             scale[lines],
             lambda mask, message: self._refuse(lines[mask], message),
         )
-        self._mark(lines[strange], "arc with a pitch word along its axis")
+        self._mark(lines[strange], phrase("arc with a pitch word along its axis"))
         if len(others):
             self._named_arcs(others, rows, kind, start, end, plane, motion, scale, shift, centre, sweep)
         return centre, sweep
@@ -686,7 +692,7 @@ class _Follower:
                 found = arcs_by.opening(s, e, float(np.radians(numbers["a"])), motion[line] == 20)
             if found is None or not np.isfinite(found[0]).all():
                 sweep[k] = np.nan
-                self._mark(np.array([line]), "this way to state an arc is not followed")
+                self._mark(np.array([line]), phrase("this way to state an arc is not followed"))
                 continue
             centre[k, [a, b]], centre[k, c], sweep[k] = found[0], start[k, c], found[1]
 
@@ -702,24 +708,24 @@ class _Follower:
         control = np.full((len(rows), 4), np.nan)
         lines = rows[cubics]
         i, j, p, q = (self.column(letter) for letter in "IJPQ")
-        self._refuse(lines[plane[lines] != 17], "G5 works in the XY plane only: state G17")
-        self._refuse(lines[i[0][lines] != j[0][lines]], "G5 needs both I and J, or neither behind another G5")
-        self._refuse(lines[~(p[0] & q[0])[lines]], "G5 needs P and Q")
-        self._refuse(lines[self.column("Z")[0][lines]], "G5 moves X and Y only: move Z on a line of its own")
+        self._refuse(lines[plane[lines] != 17], phrase("G5 works in the XY plane only: state G17"))
+        self._refuse(lines[i[0][lines] != j[0][lines]], phrase("G5 needs both I and J, or neither behind another G5"))
+        self._refuse(lines[~(p[0] & q[0])[lines]], phrase("G5 needs P and Q"))
+        self._refuse(lines[self.column("Z")[0][lines]], phrase("G5 moves X and Y only: move Z on a line of its own"))
         free = ~i[0][lines]
         previous = np.concatenate([[-1], cubics[:-1]])
         chained = previous == cubics - 1
         unbroken = np.zeros(len(cubics), np.bool_)
         for k in np.flatnonzero(free & chained).tolist():
             unbroken[k] = bool((motion[rows[previous[k]] : rows[cubics[k]] + 1] == 50).all())
-        self._refuse(lines[free & ~unbroken], "the first G5 of a row needs I and J")
+        self._refuse(lines[free & ~unbroken], phrase("the first G5 of a row needs I and J"))
         ends = np.column_stack([p[1][lines], q[1][lines]]) * scale[lines, None]
         begins = np.column_stack([i[1][lines], j[1][lines]]) * scale[lines, None]
         begins[free] = -np.roll(ends, 1, axis=0)[free]
         control[cubics, :2] = start[cubics, :2] + begins
         control[cubics, 2:] = end[cubics, :2] + ends
         unknown = ~np.isfinite(control[cubics]).all(axis=1)
-        self._refuse(lines[unknown], "spline from an unknown start: state the position before it")
+        self._refuse(lines[unknown], phrase("spline from an unknown start: state the position before it"))
         return control
 
 

@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from millcorr.arrays import Ints
+from millcorr.messages import joined, phrase
 
 from .expressions import UnknownValue, Variables, evaluate, evaluate_factor, variable
 from .statements import Piece, Statement
@@ -146,7 +147,9 @@ def run(
     m = words.of("M")
     steers = any(s.flow or s.assigned or any(p.expression for p in s.pieces) for s in statements.values())
     if not (steers or np.isin(m.value, _CALLS).any() or len(_bare_calls(words))):
-        odd = [OddBlock(i, "; ".join(dict.fromkeys(s.reasons)), s.effect) for i, s in statements.items() if s.reasons]
+        odd = [
+            OddBlock(i, joined(dict.fromkeys(s.reasons), "; "), s.effect) for i, s in statements.items() if s.reasons
+        ]
         return Run(None, words, tuple(odd), lines, statements, {})
     return _Runner(words, statements, lines, sections, beside).result()
 
@@ -245,7 +248,7 @@ class _Runner:
         there = n.line[n.value == number]
         there = there[(there >= first) & (there < last)]
         if not len(there):
-            raise _Lost(f"no line N{number:g} is there to go to")
+            raise _Lost(phrase("no line N{:g} is there to go to", number))
         ahead = there[there > line]
         return int(ahead[0] if len(ahead) else there[0])
 
@@ -287,10 +290,10 @@ class _Runner:
             try:
                 self.steps += 1
                 if self.blocks > MOST_BLOCKS or self.steps > MOST_STEPS:
-                    raise _Lost("a loop does not end")
+                    raise _Lost(phrase("a loop does not end"))
                 following = self._special(stop)
             except _Lost as lost:
-                self._mark(stop, str(lost), "flow")
+                self._mark(stop, lost.args[0], "flow")
                 self._rest(stop + 1)
                 return
             if stop == self.again:
@@ -329,7 +332,7 @@ class _Runner:
         for i in range(line, stop):
             s = self.statements.get(i)
             if s and s.reasons and block + i - line not in odd:
-                self.odd.append(OddBlock(block + i - line, "; ".join(dict.fromkeys(s.reasons)), s.effect))
+                self.odd.append(OddBlock(block + i - line, joined(dict.fromkeys(s.reasons), "; "), s.effect))
 
     def _emit(self, first: int, last: int) -> None:
         if self.ranges and self.ranges[-1][1] == first:
@@ -381,7 +384,9 @@ class _Runner:
                 self.values.append((self.blocks - 1, k, value))
             except UnknownValue as unknown:
                 if piece.letter not in _HARMLESS_UNKNOWN:
-                    reasons.append(f"{piece.letter.upper()} is computed by a macro expression: {unknown}")
+                    reasons.append(
+                        phrase("{} is computed by a macro expression: {}", piece.letter.upper(), unknown.args[0])
+                    )
         computed: dict[str, float | None] = {}
         for target, expression in s.assigned:
             try:
@@ -402,14 +407,14 @@ class _Runner:
             else:
                 self.variables[name] = number
         if reasons:
-            self._mark(line, "; ".join(dict.fromkeys(reasons)), s.effect)
+            self._mark(line, joined(dict.fromkeys(reasons), "; "), s.effect)
 
     # -- calls --------------------------------------------------------------------------------------------
 
     def _called_by_code(self, line: int, code: float) -> int:
         number, count = self._word(line, "P"), self._word(line, "L")
         if number is None or not np.isfinite(number) or self._word(line, "H") is not None:
-            return self._unknown_call(line, "a subprogram is called")
+            return self._unknown_call(line, phrase("a subprogram is called"))
         times = 1 if count is None else int(count)
         if code == 97:
             return self._enter(self._numbered(number, line), line + 1, times)
@@ -441,7 +446,9 @@ class _Runner:
     def _call(self, name: str, line: int, times: int) -> int:
         begin = self._find(name)
         if begin is None:
-            return self._unknown_call(line, f"subprogram {name} is called, which is neither in the file nor beside it")
+            return self._unknown_call(
+                line, phrase("subprogram {} is called, which is neither in the file nor beside it", name)
+            )
         return self._enter(begin, line + 1, times)
 
     def _unknown_call(self, line: int, reason: str) -> int:
@@ -452,7 +459,7 @@ class _Runner:
 
     def _enter(self, begin: int, back: int, times: int, local: dict[str, float] | None = None) -> int:
         if len(self.frames) >= _DEEPEST:
-            raise _Lost("subprograms call each other without end")
+            raise _Lost(phrase("subprograms call each other without end"))
         if times < 1:
             return back
         self.frames.append(_Frame(begin, back, times - 1, local))
@@ -463,7 +470,7 @@ class _Runner:
             return -1
         frame = self.frames[-1]
         if self._word(line, "L") is not None:
-            raise _Lost("M99 with L is not followed")
+            raise _Lost(phrase("M99 with L is not followed"))
         if frame.left:
             frame.left -= 1
             return frame.begin
@@ -481,9 +488,9 @@ class _Runner:
         try:
             value, end = evaluate(text, 0, self.variables)
         except UnknownValue as unknown:
-            raise _Lost(f"{unknown}: which line comes next is not known") from unknown
+            raise _Lost(phrase("{}: which line comes next is not known", unknown.args[0])) from unknown
         if text[end:].strip(" \t)"):
-            raise _Lost(f"'{text.strip()[:40]}' is not followed")
+            raise _Lost(phrase("'{}' is not followed", text.strip()[:40]))
         return value
 
     def _flow(self, line: int, s: Statement) -> int:
@@ -496,8 +503,8 @@ class _Runner:
         if name and self._find(name) is not None:
             return self._call(name, line, 1)
         if s.effect == "call":
-            return self._unknown_call(line, "; ".join(dict.fromkeys(s.reasons)))
-        raise _Lost("; ".join(dict.fromkeys(s.reasons)))
+            return self._unknown_call(line, joined(dict.fromkeys(s.reasons), "; "))
+        raise _Lost(joined(dict.fromkeys(s.reasons), "; "))
 
     def goto(self, line: int, target: str) -> int:
         # Whatever loop is left so begins anew.
@@ -514,7 +521,7 @@ class _Runner:
         first, last = self._section(line)
         there = [i for i in sorted(self.labels()) if first <= i < last and self.labels()[i] == name]
         if not there:
-            raise _Lost(f"no label {name} is there to go to")
+            raise _Lost(phrase("no label {} is there to go to", name))
         return next((i for i in there if i > line), there[0])
 
     def labels(self) -> dict[int, str]:
@@ -530,7 +537,7 @@ class _Runner:
 
     def _group(self, line: int) -> list[int]:
         if line not in self.match:
-            raise _Lost("a loop or choice is not complete")
+            raise _Lost(phrase("a loop or choice is not complete"))
         return self.match[line]
 
     def loop_while(self, line: int, condition: str) -> int:
@@ -582,7 +589,7 @@ class _Runner:
         begin = self.label(line, label)
         if not only and last is None:
             if begin > line:
-                raise _Lost("REPEAT of what stands behind it is not followed")
+                raise _Lost(phrase("REPEAT of what stands behind it is not followed"))
             return begin
         end = begin if only else self.label(line, last or label)
         stop = end + 1
@@ -590,7 +597,7 @@ class _Runner:
             # What is repeated is run as it stands: nothing that steers stands in it.
             s = self.statements.get(begin)
             if begin in self.stops and (s is None or s.flow):
-                raise _Lost("REPEAT of lines that call or jump is not followed")
+                raise _Lost(phrase("REPEAT of lines that call or jump is not followed"))
             self._emit(begin, begin + 1)
             if s is not None:
                 self._compute(begin, s)
@@ -604,19 +611,19 @@ class _Runner:
         for place in sorted(self.statements):
             if place > line and re.match(re.escape(name) + r"\s*ENDSUB\b", self.statements[place].flow):
                 return place + 1
-        raise _Lost(f"{name} SUB without its ENDSUB")
+        raise _Lost(phrase("{} SUB without its ENDSUB", name))
 
     def word_call(self, line: int, name: str, arguments: str) -> int:
         """LinuxCNC's call with its values."""
         begin = self._find(name)
         if begin is None:
-            return self._unknown_call(line, f"subprogram {name} is called, which is not in the file")
+            return self._unknown_call(line, phrase("subprogram {} is called, which is not in the file", name))
         values, place = [], 0
         while arguments[place:].strip():
             try:
                 value, place = evaluate_factor(arguments, place, self.variables)
             except UnknownValue as unknown:
-                raise _Lost(str(unknown)) from unknown
+                raise _Lost(*unknown.args) from unknown
             values.append(value)
         local = {f"#{i}": self.variables.pop(f"#{i}") for i in _LOCALS if f"#{i}" in self.variables}
         self.variables |= {f"#{i}": 0.0 for i in _LOCALS}

@@ -13,6 +13,7 @@ import numpy as np
 from millcorr import progress
 from millcorr.arrays import Bools, Ints
 from millcorr.errors import FormatError, InputError
+from millcorr.messages import phrase
 from millcorr.nc.toolpath import Toolpath
 
 from .angles import straightened
@@ -70,7 +71,7 @@ class Program:
     folder: Path | None = None
     led: Ints = field(default_factory=lambda: np.zeros(0, np.int64))
 
-    plain_moves: ClassVar[str] = "plain G0 to G3 moves"
+    plain_moves: ClassVar[str] = phrase("plain G0 to G3 moves")
     """What can always be corrected, in the words of the program's language."""
 
     @property
@@ -176,7 +177,7 @@ class Program:
         """
         source = toolpath.source
         if len(source) and (source[0] < 0 or source[-1] >= self.run.blocks or (np.diff(source) < 0).any()):
-            raise InputError("toolpath: its lines are not those of the program, in their order")
+            raise InputError(phrase("toolpath: its lines are not those of the program, in their order"))
 
     def require_plain(self, moves: Bools) -> None:
         """Refuse moves that cannot be corrected.
@@ -198,14 +199,16 @@ class Program:
         line = self.line_of(block)
         if line >= len(self):
             raise FormatError(
-                "this move cannot be corrected: it stands in a file beside the program; put the subprogram into the "
-                "program's own file",
+                phrase(
+                    "this move cannot be corrected: it stands in a file beside the program; put the subprogram "
+                    "into the program's own file"
+                ),
                 *self._place_beside(line),
             )
         why = next(s for s in self.opaque if s.first <= block <= s.last)
-        since = "" if why.first == block else f" since line {self.line_of(why.first) + 1}"
+        since = "" if why.first == block else phrase(" since line {}", self.line_of(why.first) + 1)
         raise FormatError(
-            f"this move cannot be corrected: {why.reason}{since}; write the stretch as {self.plain_moves}",
+            phrase("this move cannot be corrected: {}{}; write the stretch as {}", why.reason, since, self.plain_moves),
             self.name,
             line + 1,
         )

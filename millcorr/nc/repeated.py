@@ -9,6 +9,7 @@ import numpy as np
 
 from millcorr.arrays import Floats, Ints
 from millcorr.errors import FormatError
+from millcorr.messages import mm, phrase
 from millcorr.nc.toolpath import Toolpath
 
 from .program import Program
@@ -55,11 +56,11 @@ def agreed(program: Program, toolpath: Toolpath, tolerance: float) -> Toolpath:
                 rows.stop - rows.start != first.stop - first.start
                 or (toolpath.kind[rows] != toolpath.kind[first]).any()
             ):
-                raise _disagree(program, runs, n, "other moves")
+                raise _disagree(program, runs, n, phrase("other moves"))
             wanted = end[first, :2] + off
             apart = float(np.nan_to_num(np.abs(end[rows, :2] - wanted)).max(initial=0.0))
             if apart > tolerance:
-                raise _disagree(program, runs, n, f"corrections that differ by {apart:.4f} mm")
+                raise _disagree(program, runs, n, phrase("corrections that differ by {}", mm(apart, ".4f")))
             end[rows, :2] = np.where(np.isnan(end[rows, :2]), np.nan, wanted)
             centre[rows, :2] = centre[first, :2] + off
             control[rows] = control[first] + np.tile(off, 2)
@@ -78,12 +79,17 @@ def _disagree(program: Program, runs: Ints, n: int, what: str) -> FormatError:
     def run(k: int) -> str:
         move = int(np.searchsorted(program.toolpath.source, runs[k]))
         height = program.toolpath.end[move, 2]
-        return f"run {k + 1}" + ("" if np.isnan(height) else f" at Z{height:g}")
+        return phrase("run {}", k + 1) + ("" if np.isnan(height) else phrase(" at Z{:g}", height))
 
     line = program.line_of(int(runs[0]))
     return FormatError(
-        f"this line runs {len(runs)} times, and its {run(0)} and {run(n)} want {what}: write the runs out, each with "
-        "lines of its own",
+        phrase(
+            "this line runs {} times, and its {} and {} want {}: write the runs out, each with lines of its own",
+            len(runs),
+            run(0),
+            run(n),
+            what,
+        ),
         program.name,
         line + 1,
     )
@@ -124,7 +130,7 @@ def one_text_a_line(
         texts = [written.get(block, program.line(line)) for block in blocks]
         other = next((k for k, text in enumerate(texts) if text != texts[0]), None)
         if other is not None:
-            raise _disagree(program, np.array(blocks), other, "other words")
+            raise _disagree(program, np.array(blocks), other, phrase("other words"))
         if texts[0] != program.line(line):
             out.append((line, line, [texts[0]]))
     return out

@@ -12,6 +12,7 @@ import re
 from dataclasses import dataclass, field
 
 from millcorr.errors import FormatError
+from millcorr.messages import phrase
 from millcorr.nc.toolpath import named_tool
 
 from .codes import CIRCLE_BY_POINT, NEW_FRAME, OTHER_FRAME, SHIFT, SHIFT_MORE, TANGENT_CIRCLE
@@ -38,6 +39,7 @@ ADDRESSES = {
     "ANG": "g",
 }
 """Siemens' named addresses and the letters they are words of."""
+POLAR_POSITION = phrase("polar positions (AP=, RP=) are not followed")
 _CORNERS = {"R": "r", "C": "c", "A": "g"}
 _MOTIONS = {"CIP": CIRCLE_BY_POINT, "CT": TANGENT_CIRCLE}
 _FRAMES = ("ROT", "AROT", "ROTS", "AROTS", "MIRROR", "AMIRROR", "SCALE", "ASCALE")
@@ -272,11 +274,11 @@ class _Line:
         letter, number = found.groups()
         value = float(re.sub(r"[ \t]", "", number))
         if abs(value) > LARGEST:
-            raise FormatError("number too large: correct it", self.name, self.line + 1)
+            raise FormatError(phrase("number too large: correct it"), self.name, self.line + 1)
         rest = self.text[found.end() :].strip()
         if letter == "O" and rest:
             # An O word with a keyword behind it.
-            self._steers(found.start(), "an O word steers the program")
+            self._steers(found.start(), phrase("an O word steers the program"))
             return len(self.text)
         end = found.start() + len(found.group().rstrip())
         self.out.pieces.append(Piece(letter, value, found.start(), end, letter))
@@ -309,7 +311,7 @@ class _Line:
                 raise self._malformed(place)
             return self._assign(self.text[place:end].strip(), sign.end())
         except UnknownValue:
-            self.out.reasons.append(f"variable set: {self.text[place:].strip()[:40]}")
+            self.out.reasons.append(phrase("variable set: {}", self.text[place:].strip()[:40]))
             self.out.assigned.append((self.text[place:], ""))
             return len(self.text)
 
@@ -318,7 +320,7 @@ class _Line:
         self.out.assigned.append((target, self.text[place:end].strip()))
         system = re.match(r"#\s*(\d+)$", target)
         if (system and int(system.group(1)[:9]) >= 5000) or target.startswith("$"):
-            self.out.reasons.append(f"{target} may change the frame")
+            self.out.reasons.append(phrase("{} may change the frame", target))
             self.out.effect = self.out.effect or "frame"
         return end
 
@@ -332,17 +334,19 @@ class _Line:
             return self._value(ADDRESSES[name], start, place, f"{name}=")
         if len(name) == 1 and name not in "SMHDTE":
             if name in "GO":
-                self._steers(start, f"{name} is assigned with '='")
+                self._steers(start, phrase("{} is assigned with '='", name))
                 return len(self.text)
             return self._value(name, start, place, f"{name}=")
         if name in ("AP", "RP", "POS", "POSA", "POLF"):
-            self.out.reasons.append(f"{name} is not followed")
-            self.out.pieces += [Piece(axis, math.nan, start, start, axis) for axis in "XYZ"]
+            polar = name in ("AP", "RP")
+            self.out.reasons.append(POLAR_POSITION if polar else phrase("{} is not followed", name))
+            stated = {piece.letter for piece in self.out.pieces}
+            self.out.pieces += [Piece(axis, math.nan, start, start, axis) for axis in "XYZ" if axis not in stated]
             return self._behind(place)
         if bare in _NO_MOVE or (len(bare) == 1 and not index):
             return self._behind(place)
         if name == "OFFN":
-            self.out.reasons.append("OFFN shifts the contour")
+            self.out.reasons.append(phrase("OFFN shifts the contour"))
             self.out.effect = self.out.effect or "frame"
             return self._behind(place)
         try:
@@ -361,7 +365,7 @@ class _Line:
         elif name in ADDRESSES:
             letter = ADDRESSES[name]
         if letter != name and letter in "lmnR" and mode != "AC":
-            self.out.reasons.append(f"{name}={mode}() is not followed")
+            self.out.reasons.append(phrase("{}={}() is not followed", name, mode))
         end = self._value(letter, start, inner, f"{name}={mode}(")
         closed = re.compile(r"\s*\)").match(self.text, end)
         if closed is None:
@@ -374,7 +378,7 @@ class _Line:
         """A letter with a variable or a bracket behind it."""
         letter = found.group(1)
         if letter in "OG" or self.text[found.end() : found.end() + 1] == "<":
-            self._steers(found.start(), f"{letter} is computed by a macro expression")
+            self._steers(found.start(), phrase("{} is computed by a macro expression", letter))
             return len(self.text)
         return self._value(letter, found.start(), found.end(), letter, factor=True)
 
@@ -387,8 +391,11 @@ class _Line:
         if len(token.rstrip("0123456789")) < 3 and token not in _SHORT and not (place == 0 and len(token) > 3):
             raise self._malformed(place)
         if token in ("BEGIN", "TOOL", "BLK"):
-            remedy = "write the program as ISO code (DIN 66025)"
-            raise FormatError(f"plain-language programs are not read; {remedy}", self.name, self.line + 1)
+            raise FormatError(
+                phrase("a plain-language block among ISO code; write the program in one of both languages"),
+                self.name,
+                self.line + 1,
+            )
         if token in _MOTIONS:
             out.pieces.append(Piece("G", _MOTIONS[token], place, found.end(), token))
             return found.end()
@@ -411,9 +418,9 @@ class _Line:
                 return self._definition(found.end())
             return self._behind_bracket(found.end())
         if token == "M17" or token in ("RET", "RTS"):
-            self._steers(place, "the program returns")
+            self._steers(place, phrase("the program returns"))
             return len(text)
-        self._steers(place, f"{token} is not plain ISO code", "call" if token.startswith(_CALLS) else "flow")
+        self._steers(place, phrase("{} is not plain ISO code", token), "call" if token.startswith(_CALLS) else "flow")
         return len(text)
 
     def _definition(self, place: int) -> int:
@@ -466,11 +473,13 @@ def malformed(rest: str) -> str:
     """What is wrong with a text that is no word."""
     shown = rest[:20].encode("ascii", "replace").decode()
     if re.match(r"L\s*\d+,\d+\s*\*?\s*$", rest):
-        return f"'{shown}' calls a label as HEIDENHAIN's ISO programs do, which is not read: write it in plain language"
+        return phrase(
+            "'{}' calls a label as HEIDENHAIN's ISO programs do: let the program begin with %NAME G71 or G70", shown
+        )
     if re.match(r"[A-Z]\s*[+-]?\s*\d+,\d", rest):
-        return f"decimal comma in '{shown}': write numbers with a decimal point"
+        return phrase("decimal comma in '{}': write numbers with a decimal point", shown)
     if rest.startswith("("):
-        return "comment without ')': close it on the same line"
+        return phrase("comment without ')': close it on the same line")
     if rest[0].isascii() and rest[0].isalpha():
-        return f"'{shown}' is not a word: a letter needs one number behind it"
-    return f"cannot read '{shown}': is this an NC program?"
+        return phrase("'{}' is not a word: a letter needs one number behind it", shown)
+    return phrase("cannot read '{}': is this an NC program?", shown)

@@ -6,6 +6,8 @@ from __future__ import annotations
 import re
 from collections import Counter
 
+from millcorr.messages import phrase
+
 from .order import Run
 from .statements import Piece
 
@@ -44,10 +46,12 @@ class Uses:
         """What else uses the variables of a word; "" where nothing does."""
         for name in names(piece.expression):
             if name[-1] in "[(#":
-                return "which variable it is, is computed; state the number here"
+                return phrase("which variable it is, is computed; state the number here")
             if self.count[name] > 1:
                 there = sorted({line + 1 for line in self.where[name]})
-                came = f"{name}, set in line {self.set[name] + 1}," if name in self.set else name
+                came = phrase("{}, set in line {},", name, self.set[name] + 1) if name in self.set else name
                 listed = ", ".join(map(str, there))
-                return f"{came} is used {self.count[name]} times (line {listed}); state the numbers in these lines"
+                return phrase(
+                    "{} is used {} times (line {}); state the numbers in these lines", came, self.count[name], listed
+                )
         return ""

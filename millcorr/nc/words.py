@@ -17,9 +17,10 @@ from numpy.typing import NDArray
 from millcorr import progress
 from millcorr.arrays import Bytes, Floats, Ints
 from millcorr.errors import FormatError
+from millcorr.messages import phrase
 from millcorr.nc.toolpath import named_tool
 
-from .statements import LARGEST, Statement, is_title, take_line_apart
+from .statements import LARGEST, POLAR_POSITION, Statement, is_title, take_line_apart
 
 MOST_DECIMALS = 127
 """Digits behind a point are counted up to this: more than a double has."""
@@ -50,6 +51,8 @@ _CLASS[10] = _NEWLINE
 _TO_BLANK = bytes(32 if c in (_LETTER, _NEWLINE) else i for i, c in enumerate(_CLASS))
 _BLANKS = b" \t\r\x0b\x0c\x1a"
 BYTE_ORDER_MARK = b"\xef\xbb\xbf"
+_POLAR = re.compile(rb"(?<![A-Za-z_])[AaRr][Pp][ \t]*=")
+_POLE = re.compile(rb"(?im)^[ \t]*(?:N[ \t]*\d+[ \t]*)?G11[012](?!\d)")
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -130,6 +133,8 @@ def take_apart(data: bytes, starts: Ints, name: str) -> tuple[Words, dict[int, S
     marks, kinds, line, length = _marks(buffer)
     progress.step()
     odd = _odd_lines(buffer, marks, kinds, line, length)
+    poles = _poles(data, starts)
+    odd = np.union1d(odd, poles)
     found: dict[int, Statement] = {}
     if len(odd):
         blanked = buffer.copy()
@@ -139,6 +144,9 @@ def take_apart(data: bytes, starts: Ints, name: str) -> tuple[Words, dict[int, S
         for i in odd.tolist():
             blanked[(newlines[i - 1] + 1 if i else 0) : newlines[i]] = 32
             raw = data[starts[i] : starts[i + 1]].removeprefix(BYTE_ORDER_MARK)
+            if i in poles:
+                found[i] = Statement(reasons=[POLAR_POSITION])
+                continue
             before = data[starts[i - 1] : starts[i]] if i else b""
             title = i < first_code and is_title(raw.decode("latin-1"), before.decode("latin-1"))
             found[i] = title or take_line_apart(raw.decode("latin-1"), name, i)
@@ -154,7 +162,7 @@ def take_apart(data: bytes, starts: Ints, name: str) -> tuple[Words, dict[int, S
         except (DeprecationWarning, ValueError):
             value = np.empty(0)
     if len(value) != len(word):
-        raise FormatError("the numbers of this program cannot be read; is it an NC program?", name)
+        raise FormatError(phrase("the numbers of this program cannot be read; is it an NC program?"), name)
     progress.step()
     at, width = marks[word], length[word]
     points = np.append(np.flatnonzero(buffer == ord(".")), len(buffer)).astype(at.dtype)
@@ -162,10 +170,18 @@ def take_apart(data: bytes, starts: Ints, name: str) -> tuple[Words, dict[int, S
     decimals = np.clip(behind, -1, MOST_DECIMALS).astype(np.int8)
     large = np.flatnonzero(~(abs(value) <= LARGEST))
     if len(large):
-        raise FormatError("number too large: correct it", name, int(line[word[large[0]]]) + 1)
+        raise FormatError(phrase("number too large: correct it"), name, int(line[word[large[0]]]) + 1)
     letter = np.bitwise_and(buffer[at], np.uint8(0xDF))
     words = Words(letter, value, line[word], decimals)
     return (_merge(words, found) if found else words), found
+
+
+def _poles(data: bytes, starts: Ints) -> Ints:
+    """Lines that state the pole of Siemens' polar positions; elsewhere G110 to G112 are other codes."""
+    if not _POLAR.search(data):
+        return np.zeros(0, np.int64)
+    places = [found.start() for found in _POLE.finditer(data)]
+    return np.unique(np.searchsorted(starts, np.array(places, np.int64), side="right") - 1)
 
 
 def _plain_text(data: bytes) -> bytes:

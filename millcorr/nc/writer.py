@@ -17,6 +17,7 @@ import numpy as np
 from millcorr import progress
 from millcorr.arrays import Bools, Floats, Ints
 from millcorr.errors import FormatError
+from millcorr.messages import phrase
 from millcorr.nc.toolpath import Kind, Toolpath
 
 from .codes import CYCLES, INCH
@@ -250,7 +251,9 @@ class _Writer:
             self.program.require_plain(self.old.source == line)
         codes = [i for i in range(len(text.words)) if text.letter(i) == "G"]
         if not codes and self._state_before(line).motion != state.motion:
-            raise FormatError("the motion code before this line has changed: state it here", name, form.line + 1)
+            raise FormatError(
+                phrase("the motion code before this line has changed: state it here"), name, form.line + 1
+            )
         for k, axis in enumerate("XYZ"):
             end = float(a.end[0, k])
             off = abs(state.position[k] - float(a.start[0, k]))
@@ -260,8 +263,12 @@ class _Writer:
             counted = form.incremental if incremental is None else incremental
             if not math.isnan(end) and off > form.unit + SAME and (counted or not stated):
                 leaves = any(text.value(code) in _LEAVES_FRAME for code in codes)
-                remedy = f"lead the cut out to a stated {axis} on a line before it" if leaves else f"state {axis} here"
-                message = f"the position before this line has changed, but not its move: {remedy}"
+                remedy = (
+                    phrase("lead the cut out to a stated {} on a line before it", axis)
+                    if leaves
+                    else phrase("state {} here", axis)
+                )
+                message = phrase("the position before this line has changed, but not its move: {}", remedy)
                 raise FormatError(message, name, form.line + 1)
             if stated or math.isnan(end):
                 state.position[k] = end

@@ -10,6 +10,7 @@ import numpy as np
 
 from millcorr.arrays import Bools, Floats, Ints
 from millcorr.errors import FitError
+from millcorr.messages import mm, phrase, xy
 from millcorr.nc.toolpath import Kind, Plane, Toolpath
 
 PROBES = (np.arange(15) + 1) / 16
@@ -107,7 +108,7 @@ def fit_moves(intervals: Intervals, path: ExactPath, tolerance: float) -> tuple[
         rest = _halves(rest.take(~done), path)
     if len(rest.owner):
         x, y = rest.start[0]
-        raise FitError(f"the corrected path near X{x:.3f} Y{y:.3f} cannot be written within {tolerance:g} mm")
+        raise FitError(phrase("the corrected path near {} cannot be written within {}", xy(x, y), mm(tolerance, "g")))
     if not moves:
         empty = np.zeros((0, 2))
         return _moves(empty, empty, np.zeros(0), np.zeros(0), Kind.LINE), np.zeros(0, dtype=np.int64), 0.0

@@ -552,7 +552,7 @@ def _at_the_ends(
             _cut_off(shift, node_row, node_u, corner, (a, b), (this, next_one), toolpath, rows)
     joined = np.zeros((2, len(rows)), dtype=bool)
     joined[0, next_one], joined[1, this] = True, True
-    return _floating(shift, lost, first, last, (joined[0], joined[1]))
+    return _floating(shift, node_u, lost, first, last, (joined[0], joined[1]))
 
 
 def _heights_of(toolpath: Toolpath, rows: Ints) -> tuple[Floats, Floats]:
@@ -649,7 +649,9 @@ def _cut_off(
             left = (shorter >= 0) & (side >= 0)
 
 
-def _floating(shift: Floats, lost: Bools, first: Ints, last: Ints, joined: tuple[Bools, Bools]) -> Floats:
+def _floating(
+    shift: Floats, node_u: Floats, lost: Bools, first: Ints, last: Ints, joined: tuple[Bools, Bools]
+) -> Floats:
     """Moves that touch nothing take their ends' displacement, straight between; at a free end that of the other."""
     whole = np.flatnonzero(lost[first])
     for k in whole:
@@ -657,7 +659,7 @@ def _floating(shift: Floats, lost: Bools, first: Ints, last: Ints, joined: tuple
         if joined[0][k] != joined[1][k]:
             shift[a : b + 1] = shift[b if joined[1][k] else a]
             continue
-        share = np.linspace(0.0, 1.0, b - a + 1)[:, None]
+        share = node_u[a : b + 1, None]
         shift[a : b + 1] = shift[a] * (1 - share) + shift[b] * share
     return shift
 

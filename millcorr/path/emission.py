@@ -153,7 +153,7 @@ def emit(
     emitted = proven.moves.toolpath().with_lines(proven.line)
     progress.step()
     emitted = emitted.take(~_nowhere(emitted))
-    goes = ~_nowhere(regeneration.toolpath)
+    goes = _stated(regeneration.toolpath, emitted, settings.tolerance)
     planned, following_now = regeneration.toolpath.take(goes), regeneration.following[goes]
     if len(emitted) != len(planned):
         raise LimitError(
@@ -262,6 +262,22 @@ def _nowhere(toolpath: Toolpath) -> Bools:
     still = (np.abs(toolpath.end - toolpath.start) < ARITHMETIC) | np.isnan(toolpath.start + toolpath.end)
     out: Bools = still.all(axis=1) & (toolpath.sweep == 0)
     return out
+
+
+def _stated(planned: Toolpath, emitted: Toolpath, tolerance: float) -> Ints:
+    """Planned moves that a text states, (n,): of those shorter than its last digit rounding may leave nothing."""
+    rows = np.flatnonzero(~_nowhere(planned))
+    short = (np.abs(planned.end - planned.start) < tolerance).all(axis=1) & (planned.sweep == 0)
+    while len(rows) > len(emitted):
+        progress.step()
+        off = np.abs(planned.end[rows[: len(emitted)]] - emitted.end).max(axis=1) > tolerance
+        # What is missing stands before the first place where the two are apart.
+        before = int(np.argmax(off)) if off.any() else len(emitted)
+        missing = np.flatnonzero(short[rows[: before + 1]])
+        if not len(missing):
+            break
+        rows = np.delete(rows, missing[-1])
+    return rows
 
 
 def compensated_profile(nominal: Profile, correction: Correction, surface: WantedSurface) -> tuple[Profile, float]:

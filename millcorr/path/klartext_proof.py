@@ -10,12 +10,14 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
 from millcorr.arrays import Bools, Ints
 from millcorr.errors import LimitError
+from millcorr.messages import phrase
 from millcorr.nc.toolpath import Kind
 
 from .klartext_reading import read, without_numbers
@@ -69,19 +71,59 @@ def prove(
     LimitError
         If anything else differs; names the line of the written text and what differs.
     """
-    led = led_lines(original)
+    return prove_by(SCRIPT, original, written, may_change, header=header, reach=reach, tolerance=tolerance)
+
+
+@dataclass(frozen=True, slots=True)
+class Script:
+    """One of HEIDENHAIN's two ways to write a program, as the proof takes it.
+
+    Parameters
+    ----------
+    language : Language
+    without_numbers : callable
+        A text without its block numbers, and these.
+    led_lines : callable
+        Lines of a text whose place the control computes, (lines,) bool.
+    pole : re.Pattern
+        Beginning of a block that states a pole.
+    numbers_fit : callable
+        Whether block numbers of the written text may be what they are, beside those of the original.
+    """
+
+    language: Language
+    without_numbers: Callable[[bytes], tuple[bytes, list[int]]]
+    led_lines: Callable[[bytes], Bools]
+    pole: re.Pattern[bytes]
+    numbers_fit: Callable[[list[int], list[int]], bool]
+
+
+def prove_by(
+    script: Script,
+    original: bytes,
+    written: bytes,
+    may_change: Ints,
+    *,
+    header: Sequence[str],
+    reach: float,
+    tolerance: float,
+) -> TextProof:
+    """Prove a written program of either way; see `prove`."""
+    led = script.led_lines(original)
     if original == written:
-        return prove_text(original, written, may_change, language=KLARTEXT, unplaced=led)
-    (old, was), (new, now) = without_numbers(original), without_numbers(written)
-    _refuse_numbers(was, now)
+        return prove_text(original, written, may_change, language=script.language, unplaced=led)
+    (old, was), (new, now) = script.without_numbers(original), script.without_numbers(written)
+    if not script.numbers_fit(was, now):
+        raise LimitError(
+            phrase("the written program differs where it must not: its block numbers do not follow one another")
+        )
     free = led.copy()
     free[may_change] = True
     starts = line_starts(old)
-    poles = [
-        i for i in range(len(free)) if re.match(rb"[ \t]*CC(?![A-Z])", old[starts[i] : starts[i + 1]], re.IGNORECASE)
-    ]
-    free[poles] = True
-    return prove_text(old, new, free, header=header, reach=reach, tolerance=tolerance, language=KLARTEXT, unplaced=led)
+    free[[i for i in range(len(free)) if script.pole.match(old[starts[i] : starts[i + 1]])]] = True
+    return prove_text(
+        old, new, free, header=header, reach=reach, tolerance=tolerance, language=script.language, unplaced=led
+    )
 
 
 def led_lines(data: bytes) -> Bools:
@@ -106,15 +148,12 @@ def led_lines(data: bytes) -> Bools:
     return out
 
 
-def _refuse_numbers(was: list[int], now: list[int]) -> None:
-    """LimitError where blocks that counted on by one do so no more, or others have other numbers."""
+def _numbers_fit(was: list[int], now: list[int]) -> bool:
+    """Whether blocks that count on by one do so still, and others have the numbers that they had."""
     if was and was == list(range(was[0], was[0] + len(was))):
-        fits = now == list(range(was[0], was[0] + len(now)))
-    else:
-        rest = iter(was)
-        fits = all(number in rest for number in now)
-    if not fits:
-        raise LimitError("the written program differs where it must not: its block numbers do not follow one another")
+        return now == list(range(was[0], was[0] + len(now)))
+    rest = iter(was)
+    return all(number in rest for number in now)
 
 
 def _content(text: Text, i: int) -> Content:
@@ -143,10 +182,10 @@ def _content(text: Text, i: int) -> Content:
             continue
         else:
             rest.append(word)
-    return Content(tuple(rest), _feed(text, i), height, None, found[1], False)
+    return Content(tuple(rest), feed_of(text, i), height, None, found[1], False)
 
 
-def _feed(text: Text, i: int) -> str | None:
+def feed_of(text: Text, i: int) -> str | None:
     """Feed of a line's moves, where it is another one than that of the feed move before."""
     m, first = text.moves, text.first
     rows = np.arange(first[i], first[i + 1])
@@ -168,3 +207,4 @@ def _feed_restated(old: bytes, new: bytes) -> bool:
 
 
 KLARTEXT = Language(read=read, content=_content, restated=_feed_restated, opening=_OPENING, comment=_COMMENT)
+SCRIPT = Script(KLARTEXT, without_numbers, led_lines, re.compile(rb"[ \t]*CC(?![A-Z])", re.IGNORECASE), _numbers_fit)

@@ -29,7 +29,7 @@ _TAIL = re.compile(
     r"(R0(?![\d.,])|RL|RR|F *MAX|F *AUTO|DR[-+]|R[-+](?! *[\dQ.,]))"
     r"|(I?)(PR|PA|LEN|CCA|CHF|MB|F[UZT]?|[XYZABCUVWRM])(?: *([-+]?) *(Q[LR]?\d+|\d+[.,]?\d*|[.,]\d+))?"
 )
-_FUNCTIONS: dict[str, Callable[[float], float]] = {
+FUNCTIONS: dict[str, Callable[[float], float]] = {
     "SIN": lambda v: math.sin(v * math.pi / 180),
     "COS": lambda v: math.cos(v * math.pi / 180),
     "TAN": lambda v: math.tan(v * math.pi / 180),
@@ -47,7 +47,7 @@ _FUNCTIONS: dict[str, Callable[[float], float]] = {
     "ABS": abs,
     "SGN": lambda v: float(np.sign(v)),
 }
-_DYADIC: dict[int, Callable[[float, float], float]] = {
+DYADIC: dict[int, Callable[[float, float], float]] = {
     1: lambda a, b: a + b,
     2: lambda a, b: a - b,
     3: lambda a, b: a * b,
@@ -125,8 +125,13 @@ def read(data: bytes, beside: Sequence[tuple[str, bytes]] = ()) -> Reading:
     >>> read(text).moves.end[:, :2].tolist()
     [[0.0, 0.0], [4.0, 0.0], [5.0, 1.0], [5.0, 4.0]]
     """
+    return reading_of(data, Reader)
+
+
+def reading_of(data: bytes, reader_of: type[Reader]) -> Reading:
+    """Read a text by one of the readers of HEIDENHAIN's languages."""
     starts = line_starts(data)
-    reader = _Reader(data, starts)
+    reader = reader_of(data, starts)
     lines = np.array(reader.line, np.int64)
     if (lines == np.arange(len(lines))).all():
         reader.line += range(len(lines), len(starts) - 1)
@@ -165,7 +170,7 @@ def _blocks(text: str, starts: Ints) -> Iterator[tuple[int, int, str]]:
 
 
 @dataclass(slots=True)
-class _Words:
+class Words:
     """Words of a block: numbers by name, which of them are increments, and what stands alone."""
 
     number: dict[str, float] = field(default_factory=dict)
@@ -174,7 +179,7 @@ class _Words:
     codes: list[int] = field(default_factory=list)
 
 
-class _Reader:
+class Reader:
     """The blocks one after another, each from the place where the one before ends."""
 
     def __init__(self, data: bytes, starts: Ints) -> None:
@@ -193,14 +198,39 @@ class _Reader:
         self.side, self.tool, self.sense = 0, -1, 0
         self.offset, self.shifts = 0, {"": 0}
         self.cycle = ""
-        self._run(list(_blocks(data.decode("latin-1").upper(), starts)))
+        self._run(list(self.blocks(data.decode("latin-1").upper(), starts)))
+
+    # -- the language ----------------------------------------------------------------------------------------
+
+    def blocks(self, text: str, starts: Ints) -> Iterator[tuple[int, int, str]]:
+        """First and last line of every block, and its text without number and comments."""
+        return _blocks(text, starts)
+
+    def label(self, text: str) -> str | None:
+        """Label that a block sets, "0" for the end of a subprogram."""
+        found = re.match(r"LBL +(.+)", text)
+        return found[1].strip() if found else None
+
+    def call(self, text: str) -> tuple[str, int | None] | None:
+        """Label that a block calls, "" for one that is not known, and how often a section is repeated."""
+        found = re.match(r'CALL +LBL +("[^"]*"|\w+) *(?:REP *(\d+)(?: */ *\d+)?)?$', text)
+        if found is None:
+            return ("", None) if text.startswith("CALL LBL") else None
+        return found[1], None if found[2] is None else int(found[2])
+
+    def jump(self, text: str) -> tuple[int, float, float, str] | None:
+        """Number of the comparison, what is compared and the label of a jump."""
+        found = re.match(r"FN *0*(9|1[012]) *: *IF *([-+]?) *(\S+) +[A-Z]+ *([-+]?) *(\S+) +GOTO +LBL *(.+)", text)
+        if found is None:
+            return None
+        return int(found[1]), self.value(found[2], found[3]), self.value(found[4], found[5]), found[6].strip()
 
     def _run(self, blocks: list[tuple[int, int, str]]) -> None:
         """The blocks in the order in which they run; as they stand behind a jump that is not known."""
         labels: dict[str, int] = {}
         for k, (_, _, text) in enumerate(blocks):
-            if found := re.match(r"LBL +(.+)", text):
-                labels.setdefault(found[1].strip(), k)
+            if (name := self.label(text)) is not None:
+                labels.setdefault(name, k)
         back: list[int] = []
         rounds: dict[int, int] = {}
         k, known = 0, True
@@ -210,7 +240,7 @@ class _Reader:
             self.line += range(first, last + 1)
             self.in_plane += [False] * (last + 1 - first)
             self.words += [math.nan] * (last + 1 - first)
-            going_on = self._block(text, now)
+            going_on = self.block(text, now)
             for i in range(now, len(self.line)):
                 self.words[i] = self.feed if math.isnan(self.words[now]) else self.words[now]
             if not going_on:
@@ -218,27 +248,24 @@ class _Reader:
             k += 1
             if not known:
                 continue
-            call = re.match(r'CALL +LBL +("[^"]*"|\w+) *(?:REP *(\d+)(?: */ *\d+)?)?$', text)
-            jump = re.match(r"FN *0*(9|1[012]) *: *IF *([-+]?) *(\S+) +[A-Z]+ *([-+]?) *(\S+) +GOTO +LBL *(.+)", text)
+            call, jump = self.call(text), self.jump(text)
             target: str | None = None
-            if call is not None and call[2] is not None:
-                left = rounds.get(k, int(call[2]))
+            if call is not None and call[1] is not None:
+                left = rounds.get(k, call[1])
                 rounds[k] = left - 1
                 if left:
-                    target = call[1]
+                    target = call[0]
                 else:
                     del rounds[k]
             elif call is not None:
-                target = call[1]
+                target = call[0]
                 back.append(k)
-            elif text.startswith("CALL LBL"):
-                known = False
             elif jump is not None:
-                a, b = self.value(jump[2], jump[3]), self.value(jump[4], jump[5])
+                number, a, b, name = jump
                 known = a == a and b == b
-                if {"9": a == b, "10": a != b, "11": a > b, "12": a < b}[jump[1]] and known:
-                    target = jump[6].strip()
-            elif re.fullmatch(r"LBL +0", text) and back:
+                if {9: a == b, 10: a != b, 11: a > b, 12: a < b}[number] and known:
+                    target = name
+            elif self.label(text) == "0" and back:
                 k = back.pop()
             if target is not None:
                 if re.fullmatch(r"Q[LR]?\d+", target) and target in self.q:
@@ -249,11 +276,13 @@ class _Reader:
     # -- numbers -------------------------------------------------------------------------------------------
 
     def value(self, sign: str, text: str) -> float:
+        """Number, or parameter, with its sign."""
         number = self.q.get(text, math.nan) if text.startswith("Q") else float(text.replace(",", "."))
         return -number if sign == "-" else number
 
-    def taken(self, text: str) -> _Words:
-        out = _Words()
+    def taken(self, text: str) -> Words:
+        """Words of a block."""
+        out = Words()
         place = 0
         while place < len(text):
             found = _TAIL.match(text, place)
@@ -285,7 +314,7 @@ class _Reader:
 
     # -- blocks --------------------------------------------------------------------------------------------
 
-    def _block(self, text: str, line: int) -> bool:
+    def block(self, text: str, line: int) -> bool:
         """Take a block over; False where the program ends."""
         if not text or text[0] in "*%":
             return True
@@ -297,27 +326,27 @@ class _Reader:
         elif head == "END":
             return False
         elif head in ("L", "LP", "C", "CP", "CR", "CT", "CTP", ""):
-            return self._go(head, self.taken(rest), line)
+            return self.go(head, self.taken(rest), line)
         elif head in ("RND", "CHF"):
-            self._corner(head, self.taken(text if head == "CHF" else rest), line)
+            self.corner(head, self.taken(text if head == "CHF" else rest), line)
         elif head in ("APPR", "DEP"):
             form = re.match(r"P?(LT|LN|CT|LCT)(?![A-Z])", rest)
             if form is not None:
-                return self._lead(head, form[1], self.taken(rest[form.end() :]), line)
+                return self.lead(head, form[1], self.taken(rest[form.end() :]), line)
         elif head == "CC":
-            self._pole(self.taken(rest))
+            self.pole(self.taken(rest))
         elif re.match(r"Q[LRS]?\d* *=", text) or head == "FN":
             self._assign(text)
         elif head == "TOOL" and rest.startswith("CALL"):
-            self._tool(rest[4:].strip())
+            self.tool_call(rest[4:].strip())
         elif head == "CYCL" and rest.startswith("DEF"):
-            self._cycle(rest[3:].strip())
+            self.define_cycle(rest[3:].strip())
         elif head == "CYCL":
-            self._called()
+            self.called()
         elif head == "LN":
             self._unknown(self.taken(rest), line)
         elif head in ("TRANS", "PLANE") or (head == "FUNCTION" and "TCPM" in rest):
-            self._shifted(text)
+            self.shifted(text)
         elif head == "TCH":
             for found in re.finditer(r"(Q\d+) *= *([-+]?) *(Q\d+|[\d.,]+)", rest):
                 self.q[found[1]] = self.value(found[2], found[3])
@@ -353,12 +382,12 @@ class _Reader:
             if number in (5, 6, 7):
                 found = re.fullmatch(r"(?:SQRT|SIN|COS) *" + one, right)
                 return (
-                    _FUNCTIONS[right.split()[0][:4].strip("+-")](self.value(found[1], found[2])) if found else math.nan
+                    FUNCTIONS[right.split()[0][:4].strip("+-")](self.value(found[1], found[2])) if found else math.nan
                 )
             found = re.fullmatch(one + r" *(?:\+|-|\*|/|DIV|LEN|ANG) *" + one, right)
-            if found is None or number not in _DYADIC:
+            if found is None or number not in DYADIC:
                 return math.nan
-            return float(_DYADIC[number](self.value(found[1], found[2]), self.value(found[3], found[4])))
+            return float(DYADIC[number](self.value(found[1], found[2]), self.value(found[3], found[4])))
         tokens = re.findall(r"Q[LR]?\d+|\d+\.?\d*|\.\d+|[A-Z]+|\S", right)[::-1]
         value = self._climb(tokens, 0)
         return math.nan if tokens else value
@@ -374,8 +403,8 @@ class _Reader:
                 raise ValueError(token)
         elif token == "PI":
             value = math.pi
-        elif token in _FUNCTIONS:
-            value = float(_FUNCTIONS[token](self._climb(tokens, 4)))
+        elif token in FUNCTIONS:
+            value = float(FUNCTIONS[token](self._climb(tokens, 4)))
         else:
             value = self.value("", token)
         rank = {"+": 1, "-": 1, "*": 2, "/": 2, "%": 2, "^": 3}
@@ -396,7 +425,8 @@ class _Reader:
                 value = math.fmod(value, other)
         return value
 
-    def _tool(self, rest: str) -> None:
+    def tool_call(self, rest: str) -> None:
+        """A tool, its axis and its feed."""
         found = re.match(r'"([^"]*)"|(\d+)(?:\.\d+)?|(Q[LR]?\d+)', rest)
         was = self.tool
         if found is not None:
@@ -415,31 +445,35 @@ class _Reader:
         if feed is not None:
             self.feed = self.tool_feed = self.value("", feed[1])
 
-    def _cycle(self, rest: str) -> None:
+    def define_cycle(self, rest: str) -> None:
+        """What the definition of a cycle does to place, datum and parameters."""
         number = re.match(r"(\d+)(\.\d+)?", rest)
         if number is None:
             return
         for found in re.finditer(r"(Q\d+) *= *([-+]?) *(Q\d+|[\d.,]+)", rest):
             self.q[found[1]] = self.value(found[2], found[3])
         if number[1] in ("7", "247"):
-            self._shifted("" if re.fullmatch(r"7\.1 *(?:I?[XYZ] *[-+]?0*[.,]?0* *)+", rest) else rest)
+            self.shifted("" if re.fullmatch(r"7\.1 *(?:I?[XYZ] *[-+]?0*[.,]?0* *)+", rest) else rest)
         elif number[1] in ("8", "10", "11", "19", "26", "27", "28", "29"):
             if number[2] != ".0":
-                self._shifted(rest)
+                self.shifted(rest)
         elif int(number[1]) not in (9, 13, 14, 20, 21, 22, 23, 24, 25, 32, 270, 271, 272):
             self.cycle = number[1]
 
-    def _shifted(self, how: str) -> None:
+    def shifted(self, how: str) -> None:
+        """Another datum or frame: the place is not known."""
         self.offset = self.shifts.setdefault(how, -len(self.shifts))
         self.at = [math.nan] * 3
 
-    def _called(self) -> None:
+    def called(self) -> None:
+        """A cycle runs: where it leaves the tool."""
         known = int(self.cycle or -1) in (1, 2, 17, 18, *range(200, 208), 209, 240, 241)
         self.at = [*self.at[:2], math.nan] if known else [math.nan] * 3
         if self.cycle == "12":
             self.q = {}
 
-    def _pole(self, words: _Words) -> None:
+    def pole(self, words: Words) -> None:
+        """Where arcs have their centre and polar places their pole."""
         axes = _AXES_OF[self.plane][:2]
         named = [k for k in range(3) if "XYZ"[k] in words.number]
         if not named:
@@ -450,13 +484,13 @@ class _Reader:
             if k in axes:
                 self.centre[k] = self._coordinate(words, k)
 
-    def _coordinate(self, words: _Words, k: int) -> float:
+    def _coordinate(self, words: Words, k: int) -> float:
         name = "XYZ"[k]
         if name not in words.number:
             return self.at[k]
         return words.number[name] * self.unit + (self.at[k] if name in words.more else 0.0)
 
-    def _there(self, head: str, words: _Words) -> tuple[list[float], float]:
+    def _there(self, head: str, words: Words) -> tuple[list[float], float]:
         """End of a block, and the angle in rad by which a polar one is stated to turn; NaN where it is not."""
         a, b, _ = _AXES_OF[self.plane]
         end = [self._coordinate(words, k) for k in range(3)]
@@ -477,7 +511,7 @@ class _Reader:
             end[a], end[b] = place.real, place.imag
         return end, turn
 
-    def _modal(self, words: _Words) -> bool:
+    def _modal(self, words: Words) -> bool:
         """Take feed and compensation over; whether the block runs in rapid traverse."""
         if words.alone & {"R0", "RL", "RR"}:
             self.side = 1 if "RL" in words.alone else -1 if "RR" in words.alone else 0
@@ -511,13 +545,14 @@ class _Reader:
             self.offset,
         )
 
-    def _go(self, head: str, words: _Words, line: int) -> bool:
+    def go(self, head: str, words: Words, line: int) -> bool:
+        """A contour element; False where the program ends."""
         stated = words.number.keys() & {"X", "Y", "Z", "PR", "PA"}
         self.in_plane[line] = bool(words.number.keys() & {"X", "Y", "PR", "PA"})
         if 136 in words.codes or 137 in words.codes:
             self.per_turn = 136 in words.codes
         if set(words.codes) & {114, 115, 128, 129, 144, 145}:
-            self._shifted(" ".join(str(code) for code in words.codes if code in (114, 128, 144)))
+            self.shifted(" ".join(str(code) for code in words.codes if code in (114, 128, 144)))
         end, turn = self._there(head, words)
         if "?" in words.alone:
             end = [math.nan] * 3
@@ -536,10 +571,10 @@ class _Reader:
         if 140 in words.codes:
             self.at[2] = math.nan
         if 89 in words.codes or 99 in words.codes:
-            self._called()
+            self.called()
         return not (2 in words.codes or 30 in words.codes)
 
-    def _bend(self, step: _Step, head: str, words: _Words, turn: float) -> None:
+    def _bend(self, step: _Step, head: str, words: Words, turn: float) -> None:
         """Centre and angle of an arc."""
         step.rapid = False
         for sign in (1, -1):
@@ -577,7 +612,8 @@ class _Reader:
         angle = angle % (2 * math.pi) if sense > 0 else -((-angle) % (2 * math.pi))
         step.turn = angle if angle != 0 else sense * 2 * math.pi
 
-    def _corner(self, head: str, words: _Words, line: int) -> None:
+    def corner(self, head: str, words: Words, line: int) -> None:
+        """A corner that the control makes of its neighbours."""
         size = words.number.get("R" if head == "RND" else "CHF", math.nan) * self.unit
         held = self.feed
         rapid = self._modal(words)
@@ -587,7 +623,8 @@ class _Reader:
         self.feed = held
         self.words[line] = step.word
 
-    def _lead(self, head: str, form: str, words: _Words, line: int) -> bool:
+    def lead(self, head: str, form: str, words: Words, line: int) -> bool:
+        """An approach or departure; False where the program ends."""
         self.in_plane[line] = bool(words.number.keys() & {"X", "Y", "PR", "PA"})
         before = self.was_rapid, self._speed(self.feed)
         end, _ = self._there("", words)
@@ -615,7 +652,7 @@ class _Reader:
             self.at[a], self.at[b] = (far.real, far.imag) if known else (math.nan, math.nan)
         return not (2 in words.codes or 30 in words.codes)
 
-    def _unknown(self, words: _Words, line: int) -> None:
+    def _unknown(self, words: Words, line: int) -> None:
         end, _ = self._there("", words)
         self.in_plane[line] = True
         self.steps.append(self._step("go", line, end, self._modal(words)))
@@ -757,7 +794,8 @@ def _approach(step: _Step, ahead: complex) -> list[_Step]:
     if over != step.high and not math.isnan(step.high):
         out.append(replace(step, what="done", a=helper, b=helper, low=over, rapid=rapid, feed=feed))
     onto = replace(step, what="lead", a=helper, low=step.high, centre=centre, turn=turn)
-    onto.rapid = onto.rapid and not turn
+    if onto.rapid and turn:
+        onto.rapid, onto.feed = False, math.nan
     return [*out, onto]
 
 
@@ -794,7 +832,8 @@ def _departure(step: _Step) -> list[_Step]:
                 return [replace(step, what="done", b=_NOWHERE, centre=_NOWHERE)]
             turn = left * ((left * cmath.phase((helper - centre) / (contour - centre))) % (2 * math.pi))
             out = [replace(flat, b=helper, centre=centre, turn=turn or left * 2 * math.pi), replace(flat, a=helper)]
-        out[0].rapid = False
+        if out[0].rapid:
+            out[0].rapid, out[0].feed = False, math.nan
     if step.high != step.low and not math.isnan(step.high):
         out.append(replace(out[-1], a=out[-1].b, high=step.high, centre=_NOWHERE, turn=0.0, rapid=step.rapid))
     return out
@@ -803,7 +842,7 @@ def _departure(step: _Step) -> list[_Step]:
 # -- columns --------------------------------------------------------------------------------------------------
 
 
-def _reading(text: bytes, starts: Ints, lines: Ints, steps: list[_Step], reader: _Reader) -> Reading:
+def _reading(text: bytes, starts: Ints, lines: Ints, steps: list[_Step], reader: Reader) -> Reading:
     n = len(steps)
     start, end, centre = np.full((n, 3), np.nan), np.full((n, 3), np.nan), np.full((n, 2), np.nan)
     for i, step in enumerate(steps):

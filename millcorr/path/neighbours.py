@@ -13,6 +13,7 @@ from millcorr.arrays import Bools, Floats, Ints
 from millcorr.comparison.commanded_surface import CommandedSurface, rows_near
 from millcorr.comparison.path_distance import PathDistance
 from millcorr.errors import LimitError
+from millcorr.messages import phrase, um, xy
 from millcorr.nc.toolpath import Kind, Toolpath
 from millcorr.path.passes import FEW_HEIGHTS
 from millcorr.path.path_following import length_in_plane
@@ -96,9 +97,14 @@ def refuse_cut_neighbours(
         return
     x, y = place[k]
     raise LimitError(
-        f"line {written.toolpath.line(by)} of the corrected program would cut {amount * 1000:.1f} um into "
-        f"another wall at X{x:.3f} Y{y:.3f}, which line {original.toolpath.line(row[k])} of the program has "
-        "made and which is not corrected: measure it, too, or correct less there",
+        phrase(
+            "line {} of the corrected program would cut {} into another wall at {}, which line {} of "
+            "the program has made and which is not corrected: measure it, too, or correct less there",
+            written.toolpath.line(by),
+            um(amount, ".1f"),
+            xy(x, y),
+            original.toolpath.line(row[k]),
+        ),
         place=(float(x), float(y)),
         figure=amount,
     )

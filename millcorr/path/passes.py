@@ -19,7 +19,7 @@ from millcorr.geometry.footpoint import FootPoints, FootPointSearch, Place
 from millcorr.geometry.profile import Profile
 from millcorr.messages import mm, option, phrase, xy
 from millcorr.nc.toolpath import Kind, Toolpath
-from millcorr.path.carried import carried_correction
+from millcorr.path.earlier_correction import earlier_correction
 from millcorr.path.leads import sections
 from millcorr.path.moves import BAND
 from millcorr.path.path_following import follow, length_in_plane
@@ -334,7 +334,7 @@ class Commanded:
         """
         expected = nominal
         if limit > 0:
-            carried = carried_correction(toolpath, nominal, radius, usable, band=BAND, reach=limit + BAND)
+            carried = earlier_correction(toolpath, nominal, radius, usable, band=BAND, reach=limit + BAND)
             expected = CompensatedContour(nominal.profile, carried)
         parts = follow(toolpath, expected, radius, band=BAND, rows=usable)
         if not len(parts.row):

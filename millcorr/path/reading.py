@@ -161,27 +161,6 @@ def line_starts(data: bytes) -> Ints:
     return np.concatenate([[0], starts, [] if closed else [len(data)]]).astype(np.int64)
 
 
-def read_moves(data: bytes, beside: Sequence[tuple[str, bytes]] = ()) -> PlainMoves:
-    r"""Read the moves of a program's text.
-
-    Parameters
-    ----------
-    data : bytes
-    beside : sequence of (str, bytes)
-        Names and texts of files that hold its subprograms.
-
-    Returns
-    -------
-    PlainMoves
-
-    Examples
-    --------
-    >>> read_moves(b"G0 X1 Y2 Z5\nG1 Z-1 F60\nG3 X3 I1").sweep.round(4).tolist()
-    [0.0, 0.0, 3.1416]
-    """
-    return read(data, beside).moves
-
-
 def read(data: bytes, beside: Sequence[tuple[str, bytes]] = ()) -> Reading:
     """Read a program's text: its moves and what the proof wants of its lines."""
     starts = line_starts(data)

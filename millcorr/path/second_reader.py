@@ -4,17 +4,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from millcorr.arrays import Ints
 
-from . import klartext_proof, klartext_reading, reading
-from .reading import PlainMoves
+from . import din_proof, din_reading, klartext_proof, klartext_reading, reading
+from .reading import PlainMoves, Reading
 from .text_proof import TextProof, prove_text
 
 
 def moves_of(data: bytes, beside: Sequence[tuple[str, bytes]] = ()) -> PlainMoves:
-    """Moves of a program's text.
+    r"""Moves of a program's text.
 
     Parameters
     ----------
@@ -25,8 +25,13 @@ def moves_of(data: bytes, beside: Sequence[tuple[str, bytes]] = ()) -> PlainMove
     Returns
     -------
     PlainMoves
+
+    Examples
+    --------
+    >>> moves_of(b"G0 X1 Y2 Z5\nG1 Z-1 F60\nG3 X3 I1").sweep.round(4).tolist()
+    [0.0, 0.0, 3.1416]
     """
-    read = klartext_reading.read if klartext_reading.plain_language(data) else reading.read
+    read, _ = _family(data)
     return read(data, beside).moves
 
 
@@ -47,5 +52,14 @@ def prove(
     LimitError
         If anything else differs; names the line of the written text and what differs.
     """
-    family = klartext_proof.prove if klartext_reading.plain_language(original) else prove_text
+    _, family = _family(original)
     return family(original, written, may_change, header=header, reach=reach, tolerance=tolerance, beside=beside)
+
+
+def _family(data: bytes) -> tuple[Callable[..., Reading], Callable[..., TextProof]]:
+    """Reader and proof of the family of controls that a text is written for."""
+    if din_reading.iso_of_heidenhain(data):
+        return din_reading.read, din_proof.prove
+    if klartext_reading.plain_language(data):
+        return klartext_reading.read, klartext_proof.prove
+    return reading.read, prove_text

@@ -189,7 +189,7 @@ def _off_the_parallel(
         off = np.where(feet.place == Place.END, np.fmin(np.abs(off), np.abs(across)), off)
     else:
         # Past a convex corner and an open end the cutter may be farther away.
-        off = np.where((feet.place == Place.SMOOTH) & ~after.nearest_a_corner(places), off, np.minimum(off, 0.0))
+        off = np.where((feet.place == Place.SMOOTH) & ~after.nearest_a_joint(places), off, np.minimum(off, 0.0))
     own = original.only(made_by[0]).offset(before.nominal, before.normal)
     made = np.isfinite(own) & (np.abs(own - before.moved) < BAND)
     return off, places, made, np.where(made, own, np.inf)

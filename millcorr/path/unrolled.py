@@ -338,6 +338,7 @@ class _Machine:
         self.blocks: list[int] = []
         self.plain: list[bytes] = []
         self.pairs: dict[int, list[int]] = {}
+        self.polar = any(re.search(rb"(?i)(?<![A-Z_])[AR]P\s*=", line) for line in lines if b"=" in line)
         self._take(0)
 
     def _take(self, since: int) -> None:
@@ -354,6 +355,8 @@ class _Machine:
             skip = re.match(r"(\s*(?:N\s*\d+\s*)?)/[1-9]?", bare)
             if skip and self.raw[i].lstrip()[:1] in (b"/", b"N", b"n"):
                 bare, said = skip.group(1) + bare[skip.end() :], said + "/"
+            if self.polar and (pole := re.match(r"(\s*(?:N\s*\d+\s*)?)G11[012](?!\d)", bare)):
+                bare = pole[1]
             self.text.append(bare)
             self.said.append(said)
             if bare.lstrip()[:1] == "%" and not re.match(r"\s*%_N_", bare) and since == 0:
@@ -784,6 +787,11 @@ class _Machine:
             new, place = self._word(text, found)
             out += new
         out += text[place:]
+        if re.search(r"(?<![A-Z_])[AR]P\s*=", text):
+            # Where Siemens' polar positions are is not known here.
+            number = re.match(r"\s*(?:N\s*\d+)?", out)
+            place = number.end() if number else 0
+            out = f"{out[:place]} X# Y# Z# {out[place:]}"
         # Variables that are set, and words that do not move.
         out = re.sub(r"(?:#\s*\d+|#\s*<[^>]*>|#\s*\[[^=]*\]|(?<![A-Z])(?:R|VC|V|Q)(?:\d+|\[[^=]*\]))\s*=.*", "", out)
         out = _PUSHED_ASIDE.sub(" ", out)

@@ -15,6 +15,7 @@ from millcorr.arrays import Bools, Floats, Ints
 from millcorr.comparison.path_distance import SegmentTree
 from millcorr.geometry.correction import Correction
 from millcorr.geometry.profile import CORNER_ANGLE, Profile
+from millcorr.tolerances import EXACT
 
 CHORD = 2e-5
 """The surface is drawn by chords that are off it by no more than this, in mm. Two surfaces drawn at the same places
@@ -132,13 +133,18 @@ class WantedSurface:
         first = first_of[profile.neighbour(span[last], 1)]
         n0, n1 = self.normal[last], self.normal[first]
         shift = meeting(n0, n1, self.moved[last], self.moved[first])
-        corners = np.flatnonzero(np.abs(profile.turn[span[last]]) > CORNER_ANGLE)
+        turn = np.abs(profile.turn[span[last]])
+        corners = np.flatnonzero(turn > CORNER_ANGLE)
         sides = [(self._side(profile, last[i], -1), self._side(profile, first[i], 1)) for i in corners]
         for i, both in zip(corners, sides, strict=True):
             shift[i] = self._where_sides_meet(nominal[last[i]], both, shift[i])
         corner = nominal[last] + shift
         self.place[last], self.place[first] = corner, corner
         self._corners, self._corner_shift = nominal[last], shift
+        self._sharp = corners
+        # Where a side would be at a joint lies beyond where the other one cuts it off.
+        beside = np.abs(self.moved[last]) * turn**2 / 2 > CHORD
+        self.at_corner[last[beside]] = self.at_corner[first[beside]] = True
         for i, both in zip(corners, sides, strict=True):
             for (side, away), way in zip(both, (-1, 1), strict=True):
                 normal, total = self.normal[side[0]], float(profile.total[self._contour[side[0]]])
@@ -283,19 +289,23 @@ class WantedSurface:
             out[active, :2] += (own[active] / np.maximum(size[short], 1e-9) - 1.0)[:, None] * away[short]
         return out[:, :2]
 
-    def nearest_a_corner(self, points: Floats) -> Bools:
-        """Whether of the surface a corner is what is nearest to points (n, 2) or (n, 3), mm; (n,)."""
+    def nearest_a_joint(self, points: Floats) -> Bools:
+        """Whether of the surface a joint is what is nearest to points (n, 2) or (n, 3), mm; (n,)."""
         # Sides that turn with their corrections meet beside where they would as straight ones.
-        return self.on_a_corner(self._nearest(points), FINEST)
+        return self._within(self._nearest(points), self._corners + self._corner_shift, FINEST)
 
-    def on_a_corner(self, places: Floats, within: float = 1e-6) -> Bools:
-        """Whether places (n, 2) of the surface are corners of it, within so many mm; (n,)."""
+    def on_a_corner(self, places: Floats) -> Bools:
+        """Whether places (n, 2) of the surface are corners of it, and no joints of facets; (n,)."""
+        return self._within(places, (self._corners + self._corner_shift)[self._sharp], EXACT)
+
+    @staticmethod
+    def _within(places: Floats, others: Floats, reach: float) -> Bools:
         from scipy.spatial import cKDTree
 
-        if not len(self._corners):
+        if not len(others):
             return np.zeros(len(places), dtype=bool)
-        apart, _ = cKDTree(self._corners + self._corner_shift).query(places)
-        out: Bools = apart < within
+        apart, _ = cKDTree(others).query(places)
+        out: Bools = apart < reach
         return out
 
     def _nearest(self, points: Floats) -> Floats:

@@ -9,7 +9,7 @@ import numpy as np
 
 from millcorr import progress
 from millcorr.arrays import Bools, Floats, Ints
-from millcorr.comparison.deviation import Deviation
+from millcorr.comparison.deviation import UNREACHED, Deviation
 from millcorr.geometry.footpoint import FootPointSearch
 from millcorr.geometry.profile import Profile
 from millcorr.messages import at_z, joined, mm, option, phrase, um, xy
@@ -163,14 +163,16 @@ def examine_deviations(
 
 
 def _rejected(deviation: Deviation) -> list[Finding]:
-    """A large share of points that belong nowhere."""
-    rejected = deviation.rejected
-    read = len(deviation) + len(rejected)
-    if len(rejected) <= SOME_REJECTED * read:
+    """A large share of points that belong nowhere.
+
+    What a cutter leaves in corners is what its program cuts: points there only say nothing of the walls.
+    """
+    strange = [r.reason for r in deviation.rejected if r.reason != UNREACHED]
+    read = len(deviation) + len(strange)
+    if len(strange) <= SOME_REJECTED * read:
         return []
-    reasons = [r.reason for r in rejected]
-    commonest = max(sorted(set(reasons)), key=reasons.count)
-    if len(rejected) > MANY_REJECTED * read:
+    commonest, share = max(sorted(set(strange)), key=strange.count), len(strange) / read
+    if share > MANY_REJECTED:
         text = phrase(
             "only {} of {} points can be used, most others are {}: is the program whole, and is it the "
             "one that cut the part?",
@@ -178,11 +180,11 @@ def _rejected(deviation: Deviation) -> list[Finding]:
             read,
             commonest,
         )
-        return [Finding("many-rejected", text, True, figure=len(rejected) / read)]
+        return [Finding("many-rejected", text, True, figure=share)]
     text = phrase(
-        "{} of {} points cannot be used, most are {}: see the report for which", len(rejected), read, commonest
+        "{} of {} points cannot be used, most are {}: see the report for which", len(strange), read, commonest
     )
-    return [Finding("many-rejected", text, False, figure=len(rejected) / read)]
+    return [Finding("many-rejected", text, False, figure=share)]
 
 
 def _heights(deviation: Deviation, heights: CutHeights) -> list[Finding]:

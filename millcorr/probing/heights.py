@@ -14,7 +14,7 @@ from millcorr.arrays import Bools, Floats
 from millcorr.errors import UsageError
 from millcorr.geometry.footpoint import FootPointSearch
 from millcorr.geometry.profile import Profile
-from millcorr.messages import option, remedy
+from millcorr.messages import at_z, mm, option, phrase, remedy
 from millcorr.nc.toolpath import Compensation, Kind, Plane, Toolpath
 
 from .planning import TouchProbe
@@ -115,25 +115,31 @@ class Room:
         lowest = self.floor + probe.margin
         if z < lowest - _DIGIT:
             raise UsageError(
-                option("z", z),
-                f" lies below Z{lowest:g}, a margin of {probe.margin:g} mm above the deepest that the ",
-                "program cuts beside the contour: say ",
-                remedy("z", lowest + probe.ball_radius),
-                " or higher",
+                phrase(
+                    "{} lies below {}, a margin of {} above the deepest that the program cuts beside the "
+                    "contour: say {} or higher",
+                    option("z", z),
+                    at_z(lowest),
+                    mm(probe.margin, "g"),
+                    remedy("z", lowest + probe.ball_radius),
+                ),
             )
         over = top + probe.ball_radius + probe.margin
         for least, what in (
-            (self.passing, "the program's lowest rapid across the part"),
-            (self.cut, "the program's highest cut"),
-            (over, "the top of the model and the ball above it"),
+            (self.passing, phrase("the program's lowest rapid across the part")),
+            (self.cut, phrase("the program's highest cut")),
+            (over, phrase("the top of the model and the ball above it")),
         ):
             if safe_z < least - _DIGIT:
                 needed = np.nanmax([self.least, over, least])
                 raise UsageError(
-                    option("safe_z", safe_z),
-                    f" lies below Z{least:g}, {what}: say ",
-                    remedy("safe_z", float(needed)),
-                    " or higher",
+                    phrase(
+                        "{} lies below {}, {}: say {} or higher",
+                        option("safe_z", safe_z),
+                        at_z(least),
+                        what,
+                        remedy("safe_z", float(needed)),
+                    ),
                 )
 
 

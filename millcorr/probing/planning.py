@@ -20,7 +20,7 @@ from millcorr.comparison.deviation import REACHED
 from millcorr.errors import RefusedError, UsageError
 from millcorr.geometry.footpoint import FootPointSearch
 from millcorr.geometry.profile import Profile
-from millcorr.messages import message, option
+from millcorr.messages import mm, option, phrase, xy
 
 from .links import links_between
 from .space import Space
@@ -77,13 +77,15 @@ class TouchProbe:
             ("stock", self.stock, 0.0),
         ):
             if not (isfinite(value) and least <= value <= 1000.0):
-                raise UsageError(option(key, value), f" must lie between {least:g} and 1000 mm")
+                raise UsageError(phrase("{} must lie between {:g} and 1000 mm", option(key, value), least))
         if not (isfinite(self.margin) and 0.0 <= self.margin <= 1000.0):
-            raise UsageError(f"the margin {self.margin:g} at corners must lie between 0 and 1000 mm")
+            raise UsageError(phrase("the margin {:g} at corners must lie between 0 and 1000 mm", self.margin))
         if not self.free_width > 2 * self.ball_radius + self.stock:
-            raise UsageError(option("free_width", self.free_width), ": the ball and the stock do not fit in there")
+            raise UsageError(
+                phrase("{}: the ball and the stock do not fit in there", option("free_width", self.free_width))
+            )
         if self.touch not in TOUCHES:
-            raise UsageError(option("touch"), f" is one of {', '.join(TOUCHES)}, not {self.touch!r}")
+            raise UsageError(phrase("{} is one of {}, not {!r}", option("touch"), ", ".join(TOUCHES), self.touch))
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,11 +114,11 @@ class Placement:
 
     def __post_init__(self) -> None:
         if (self.count is None) == (self.spacing is None):
-            raise UsageError("give either ", option("points_count"), " or ", option("spacing"))
+            raise UsageError(phrase("give either {} or {}", option("points_count"), option("spacing")))
         if self.count is not None and not 1 <= self.count <= MOST_POINTS:
-            raise UsageError(option("points_count", self.count), f" must lie between 1 and {MOST_POINTS}")
+            raise UsageError(phrase("{} must lie between 1 and {}", option("points_count", self.count), MOST_POINTS))
         if self.spacing is not None and not (isfinite(self.spacing) and self.spacing > 0):
-            raise UsageError(option("spacing", self.spacing), " is no distance in mm")
+            raise UsageError(phrase("{} is no distance in mm", option("spacing", self.spacing)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -294,13 +296,14 @@ def plan(
         reason = np.where(standing, reason, _NOTHING)
     left_out = list(where.left_out)
     for row in np.flatnonzero(reason != ""):
-        left_out.append(LeftOut(float(contact[row, 0]), float(contact[row, 1]), str(reason[row])))
+        left_out.append(LeftOut(float(contact[row, 0]), float(contact[row, 1]), _SAID[str(reason[row])]))
     good = reason == ""
     if not good.any():
-        first = f"near X{left_out[0].x:.3f} Y{left_out[0].y:.3f} {left_out[0].reason}" if left_out else "no stretch"
-        too_high = bool(left_out) and left_out[0].reason == _NOTHING
-        check = option("z") if too_high else message(option("probe_radius"), " and ", option("clearance"))
-        raise RefusedError(f"no point of the contour can be touched: {first}; check ", check)
+        worst = left_out[0] if left_out else None
+        first = phrase("near {} {}", xy(worst.x, worst.y), worst.reason) if worst else phrase("no stretch")
+        too_high = worst is not None and worst.reason == _NOTHING
+        check = option("z") if too_high else phrase("{} and {}", option("probe_radius"), option("clearance"))
+        raise RefusedError(phrase("no point of the contour can be touched: {}; check {}", first, check))
     target = centre + (probe.overtravel / steep)[:, None] * direction
     start, contour, s = start[good], contour[good], s[good]
     links = links_between(
@@ -372,12 +375,14 @@ def places(profile: Profile, placement: Placement, keep: float) -> tuple[Ints, F
     if placement.contour is not None:
         if not 1 <= placement.contour <= len(profile.contours):
             raise UsageError(
-                option("contour", placement.contour), f": the profile has {len(profile.contours)} contours"
+                phrase("{}: the profile has {} contours", option("contour", placement.contour), len(profile.contours))
             )
         stretches = [stretch for stretch in stretches if stretch.contour == placement.contour - 1]
     if placement.stretch is not None:
         if not 1 <= placement.stretch <= len(stretches):
-            raise UsageError(option("stretch", placement.stretch), f": there are {len(stretches)} smooth stretches")
+            raise UsageError(
+                phrase("{}: there are {} smooth stretches", option("stretch", placement.stretch), len(stretches))
+            )
         stretches = stretches[placement.stretch - 1 : placement.stretch]
     left_out: list[LeftOut] = []
     pieces: list[tuple[int, Floats, Floats]] = []
@@ -385,8 +390,10 @@ def places(profile: Profile, placement: Placement, keep: float) -> tuple[Ints, F
         first, last = (0.0, stretch.length) if stretch.closed else (keep, stretch.length - keep)
         if last <= first:
             middle, _ = profile.at(stretch.contour, np.array([stretch.begin + stretch.length / 2]))
-            reason = f"the stretch of {stretch.length:.3f} mm between corners is shorter than {2 * keep:g} mm"
-            left_out.append(LeftOut(float(middle[0, 0]), float(middle[0, 1]), reason))
+            short = phrase(
+                "the stretch of {} between corners is shorter than {}", mm(stretch.length), mm(2 * keep, "g")
+            )
+            left_out.append(LeftOut(float(middle[0, 0]), float(middle[0, 1]), short))
             continue
         steps = int(np.clip(np.ceil((last - first) / 0.05), 64, 4000))
         along = np.linspace(first, last, steps + 1)
@@ -397,14 +404,17 @@ def places(profile: Profile, placement: Placement, keep: float) -> tuple[Ints, F
         pieces.append((stretch.contour, stretch.begin + along, np.concatenate([[0.0], np.cumsum(np.abs(turn))])))
     if not pieces:
         raise RefusedError(
-            f"no point of the contour can be touched: {left_out[0].reason} near X{left_out[0].x:.3f} "
-            f"Y{left_out[0].y:.3f}; use a smaller ball"
+            phrase(
+                "no point of the contour can be touched: {} near {}; use a smaller ball",
+                left_out[0].reason,
+                xy(left_out[0].x, left_out[0].y),
+            )
         )
     length = sum(float(along[-1] - along[0]) for _, along, _ in pieces)
     turned = sum(float(turn[-1]) for _, _, turn in pieces)
     number = placement.count or int(min(np.ceil(length / (placement.spacing or length)), MOST_POINTS + 1))
     if number > MOST_POINTS:
-        raise UsageError(option("spacing", placement.spacing), f" makes more than {MOST_POINTS} points")
+        raise UsageError(phrase("{} makes more than {} points", option("spacing", placement.spacing), MOST_POINTS))
     shares = (np.arange(number) + 0.5) / number
     by_turn = 0.5 if placement.by_curvature and turned > 1e-6 else 0.0
     contour, s, before = [], [], 0.0
@@ -418,11 +428,13 @@ def places(profile: Profile, placement: Placement, keep: float) -> tuple[Ints, F
     return which, np.mod(np.concatenate(s), profile.total[which]), left_out
 
 
-_TIGHT = "the ball does not reach it: the contour is too hollow there, or another wall is too near"
-_FILLET = "the cutter does not reach it: its fillet stands there"
-_IN_THE_WAY = "another wall is in the way of the touch"
-_NOTHING = "no wall stands there that is as high, and cut as deep, as the ball needs it"
-_NO_ROOM = "there is no room for the ball to stand clear before the touch"
+_TIGHT = phrase("the ball does not reach it: the contour is too hollow there, or another wall is too near")
+_FILLET = phrase("the cutter does not reach it: its fillet stands there")
+_IN_THE_WAY = phrase("another wall is in the way of the touch")
+_NOTHING = phrase("no wall stands there that is as high, and cut as deep, as the ball needs it")
+_NO_ROOM = phrase("there is no room for the ball to stand clear before the touch")
+_SAID = {str(reason): reason for reason in (_TIGHT, _FILLET, _IN_THE_WAY, _NOTHING, _NO_ROOM)}
+"""Reasons by what an array keeps of them."""
 
 
 def _starts(

@@ -16,6 +16,7 @@ from types import UnionType
 from typing import Any, TypeVar, get_args, get_type_hints
 
 from millcorr.errors import FormatError, UsageError
+from millcorr.messages import message, mm, phrase
 
 EFFECTIVE_DIAMETER = 0.8
 """A fluted shank bends like a solid one of 0.8 times its diameter (dat-2025, eq. 4)."""
@@ -71,14 +72,16 @@ class Tool:
     spindle_rpm: float = _key(high=1e6)
     helix_deg: float = _key(0.0, 75.0, default=0.0, open_=False)
     overhang_mm: float | None = _key(high=2000.0, default=None)
-    youngs_modulus_gpa: float = _key(10.0, 2000.0, default=600.0, hint="GPa: 600 for carbide, 210 for high-speed steel")
+    youngs_modulus_gpa: float = _key(
+        10.0, 2000.0, default=600.0, hint=phrase("GPa: 600 for carbide, 210 for high-speed steel")
+    )
     effective_diameter_factor: float = _key(0.1, 1.0, default=EFFECTIVE_DIAMETER, open_=False)
     stiffness_n_per_mm: float | None = _key(
-        1.0, 1e7, default=None, hint="N/mm: an end mill has 500 to 100000 (1 N/um = 1000 N/mm)"
+        1.0, 1e7, default=None, hint=phrase("N/mm: an end mill has 500 to 100000 (1 N/um = 1000 N/mm)")
     )
     rotation: str = field(default="clockwise", metadata={"one_of": ("clockwise", "anticlockwise")})
-    radius_error_mm: float = _key(-1.0, 1.0, default=0.0, open_=False, hint="mm, not um")
-    runout_mm: float = _key(0.0, 0.5, default=0.0, open_=False, hint="mm, not um")
+    radius_error_mm: float = _key(-1.0, 1.0, default=0.0, open_=False, hint=phrase("mm, not um"))
+    runout_mm: float = _key(0.0, 0.5, default=0.0, open_=False, hint=phrase("mm, not um"))
     runout_deg: float = _key(-360.0, 360.0, default=0.0, open_=False)
 
     @property
@@ -129,7 +132,7 @@ class Material:
     """
 
     name: str = ""
-    ktc_n_per_mm2: float = _key(10.0, 1e5, default=math.nan, hint="N/mm2: 500 to 5000 for metals")
+    ktc_n_per_mm2: float = _key(10.0, 1e5, default=math.nan, hint=phrase("N/mm2: 500 to 5000 for metals"))
     krc_n_per_mm2: float = _key(-1e5, 1e5, default=math.nan)
     kte_n_per_mm: float = _key(0.0, 1000.0, default=0.0, open_=False)
     kre_n_per_mm: float = _key(0.0, 1000.0, default=0.0, open_=False)
@@ -140,9 +143,10 @@ class Material:
         """What to say about numbers that were not calibrated; empty where they were."""
         if self.calibrated:
             return ""
-        return (
-            f"cutting coefficients of {self.name or 'the material'} are not calibrated on this machine "
-            f"({self.origin or 'origin not stated'}): forces are good to a factor of two"
+        return phrase(
+            "cutting coefficients of {} are not calibrated on this machine ({}): forces are good to a factor of two",
+            self.name or phrase("the material"),
+            self.origin or phrase("origin not stated"),
         )
 
 
@@ -180,8 +184,8 @@ class Machine:
         Where the stiffness comes from; said wherever figures rest on it.
     """
 
-    kx_n_per_mm: float | None = _key(1.0, 1e7, default=None, hint="N/mm (1 N/um = 1000 N/mm)")
-    ky_n_per_mm: float | None = _key(1.0, 1e7, default=None, hint="N/mm (1 N/um = 1000 N/mm)")
+    kx_n_per_mm: float | None = _key(1.0, 1e7, default=None, hint=phrase("N/mm (1 N/um = 1000 N/mm)"))
+    ky_n_per_mm: float | None = _key(1.0, 1e7, default=None, hint=phrase("N/mm (1 N/um = 1000 N/mm)"))
     acceleration_time_x_ms: float = _key(0.0, 10_000.0, default=0.0, open_=False)
     acceleration_time_y_ms: float = _key(0.0, 10_000.0, default=0.0, open_=False)
     acceleration_shape: str = field(default="linear", metadata={"one_of": ("linear", "bell", "exponential")})
@@ -189,9 +193,11 @@ class Machine:
     contour_time_slope_ms_per_mm_min: float = _key(0.0, 10.0, default=0.0062, open_=False)
     contour_time_offset_ms: float = _key(0.0, 10_000.0, default=39.226, open_=False)
     contour_speed_change_mm_min: float | None = _key(
-        0.0, 100_000.0, default=None, hint="mm/min: the feed difference that the control allows at a corner"
+        0.0, 100_000.0, default=None, hint=phrase("mm/min: the feed difference that the control allows at a corner")
     )
-    position_gain_per_s: float | None = _key(0.1, 10_000.0, default=None, hint="1/s, not (m/min)/mm: Kv 1 is 16.67/s")
+    position_gain_per_s: float | None = _key(
+        0.1, 10_000.0, default=None, hint=phrase("1/s, not (m/min)/mm: Kv 1 is 16.67/s")
+    )
     stiffness_along: tuple[tuple[float, float, float], ...] = ()
     wall_over_height: tuple[tuple[float, float, float], ...] = ()
     origin: str = ""
@@ -200,14 +206,18 @@ class Machine:
         """Where the stiffness comes from, in words; empty where that is not stated or there is none."""
         if not self.origin or self.kx_n_per_mm is None or self.ky_n_per_mm is None:
             return ""
-        return f"stiffness of {self.kx_n_per_mm:g} and {self.ky_n_per_mm:g} N/mm: {self.origin}"
+        return phrase("stiffness of {:g} and {:g} N/mm: {}", self.kx_n_per_mm, self.ky_n_per_mm, self.origin)
 
     def stiffness(self, source: str = "") -> tuple[float, float]:
         """Stiffnesses (kx, ky) in N/mm; UsageError, naming the source, where the setup has none."""
         if self.kx_n_per_mm is None or self.ky_n_per_mm is None:
             missing = "kx_n_per_mm" if self.kx_n_per_mm is None else "ky_n_per_mm"
             raise UsageError(
-                f"{source or 'setup'}: [machine] {missing} is missing: deflection needs the stiffness of both axes"
+                phrase(
+                    "{}: [machine] {} is missing: deflection needs the stiffness of both axes",
+                    source or "setup",
+                    missing,
+                )
             )
         return self.kx_n_per_mm, self.ky_n_per_mm
 
@@ -306,24 +316,30 @@ class Setup:
         for key in ("ktc_n_per_mm2", "krc_n_per_mm2"):
             if math.isnan(getattr(material, key)):
                 self._refuse(
-                    f"[material] {key} is missing: give ktc_n_per_mm2 and krc_n_per_mm2, or ks_n_per_mm2 and mu"
+                    phrase(
+                        "[material] {} is missing: give ktc_n_per_mm2 and krc_n_per_mm2, or ks_n_per_mm2 and mu", key
+                    )
                 )
         given = [k for k in ("allowance_mm", "contour", "program") if getattr(stock, k) is not None]
         given += ["solid"] if stock.solid else []
         if not given:
-            self._refuse("[stock] is missing: give allowance_mm, contour, program or solid = true")
+            self._refuse(phrase("[stock] is missing: give allowance_mm, contour, program or solid = true"))
         if len(given) > 1:
-            self._refuse(f"[stock] {given[1]} and {given[0]} say the same twice: give one of them")
+            self._refuse(phrase("[stock] {} and {} say the same twice: give one of them", given[1], given[0]))
         if stock.program_tool_diameter_mm is not None and stock.program is None:
-            self._refuse("[stock] program_tool_diameter_mm goes with program, which is missing")
+            self._refuse(phrase("[stock] program_tool_diameter_mm goes with program, which is missing"))
         if stock.end != STOCK_ENDS[0] and stock.allowance_mm is None and stock.contour is None:
-            self._refuse(f'[stock] end = "{stock.end}" goes with allowance_mm or contour, one is missing')
+            self._refuse(phrase('[stock] end = "{}" goes with allowance_mm or contour, one is missing', stock.end))
         if (stock.top_z_mm is None) == (stock.axial_depth_mm is None):
-            self._refuse("[stock] top_z_mm or axial_depth_mm is needed, one of them: it says how deep the tool cuts")
+            self._refuse(
+                phrase("[stock] top_z_mm or axial_depth_mm is needed, one of them: it says how deep the tool cuts")
+            )
         if self.machine.contour_control and self.machine.contour_speed_change_mm_min is None:
             self._refuse(
-                "[machine] contour_speed_change_mm_min is missing: contour_control needs the speed change allowed at a "
-                "corner"
+                phrase(
+                    "[machine] contour_speed_change_mm_min is missing: contour_control needs the speed change "
+                    "allowed at a corner"
+                )
             )
         for key, name, rows in (
             ("stiffness_along", "s", self.machine.stiffness_along),
@@ -332,12 +348,12 @@ class Setup:
             behind = -1e-12
             for place, *_ in rows:
                 if not place > behind:
-                    self._refuse(f"[machine] {key}: {name} is 0 or more and ascends, {place:g} does not")
+                    self._refuse(phrase("[machine] {}: {} is 0 or more and ascends, {:g} does not", key, name, place))
                 behind = place
         if stock.axial_depth_mm is not None:
             self.require_overhang(stock.axial_depth_mm)
         if tool.overhang_mm is not None and tool.overhang_mm > 40 * tool.diameter_mm:
-            self._refuse(f"[tool] overhang_mm {tool.overhang_mm:g} is more than 40 diameters: is its unit mm?")
+            self._refuse(phrase("[tool] overhang_mm {:g} is more than 40 diameters: is its unit mm?", tool.overhang_mm))
 
     @property
     def cautions(self) -> tuple[str, ...]:
@@ -348,7 +364,7 @@ class Setup:
         """FormatError where the tool's overhang is shorter than a cut of `depth` mm."""
         overhang = self.tool.overhang_mm
         if overhang is not None and overhang < depth:
-            self._refuse(f"[tool] overhang_mm {overhang:g} is shorter than the cut of {depth:g} mm")
+            self._refuse(phrase("[tool] overhang_mm {:g} is shorter than the cut of {}", overhang, mm(depth, "g")))
 
     def _refuse(self, message: str) -> None:
         raise FormatError(message, self.source or None)
@@ -370,12 +386,12 @@ def load(path: str | Path) -> Setup:
     path = Path(path)
     try:
         if path.stat().st_size > _LARGEST_FILE:
-            raise FormatError("too large for a setup", path)
+            raise FormatError(phrase("too large for a setup"), path)
         data = tomllib.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
         raise FormatError(error.strerror or str(error), path) from error
     except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise FormatError(f"not TOML: {error}", path) from error
+        raise FormatError(phrase("not TOML: {}", error), path) from error
     return from_dict(data, str(path))
 
 
@@ -383,14 +399,14 @@ def from_dict(data: dict[str, Any], source: str = "") -> Setup:
     """Setup from the tables of a TOML file; FormatError as `load`."""
     for name in data:
         if name not in _TABLES:
-            raise FormatError(f"[{name}] is unknown{_near(name, _TABLES)}", source or None)
+            raise FormatError(phrase("[{}] is unknown{}", name, _near(name, _TABLES)), source or None)
     parts: dict[str, Any] = {}
     for name, kind in _TABLES.items():
         if name in _OPTIONAL and name not in data:
             continue
         table = data.get(name, {})
         if not isinstance(table, dict):
-            raise FormatError(f"[{name}] is a table of keys", source or None)
+            raise FormatError(phrase("[{}] is a table of keys", name), source or None)
         table = dict(table)
         if name == "material":
             table = _specific_force(table, source)
@@ -409,12 +425,16 @@ def _specific_force(table: dict[str, Any], source: str) -> dict[str, Any]:
     for key, low, high in (("ks_n_per_mm2", 10.0, 1e5), ("mu", 0.0, 5.0)):
         value = table.get(key)
         if value is None:
-            raise FormatError(f"[material] {key} is missing: ks_n_per_mm2 and mu go together", source or None)
+            raise FormatError(phrase("[material] {} is missing: ks_n_per_mm2 and mu go together", key), source or None)
         if isinstance(value, bool) or not isinstance(value, int | float) or not low <= value <= high:
-            raise FormatError(f"[material] {key} {value!r} is not a number from {low:g} to {high:g}", source or None)
+            raise FormatError(
+                phrase("[material] {} {!r} is not a number from {:g} to {:g}", key, value, low, high), source or None
+            )
     for key in ("ktc_n_per_mm2", "krc_n_per_mm2", "kte_n_per_mm", "kre_n_per_mm"):
         if key in table:
-            raise FormatError(f"[material] {key} and ks_n_per_mm2 say the same twice: give one of them", source or None)
+            raise FormatError(
+                phrase("[material] {} and ks_n_per_mm2 say the same twice: give one of them", key), source or None
+            )
     ks, mu = float(table.pop("ks_n_per_mm2")), float(table.pop("mu"))
     return {**table, "ktc_n_per_mm2": ks, "krc_n_per_mm2": mu * ks}
 
@@ -424,10 +444,10 @@ def _made(kind: type[Table], name: str, table: dict[str, Any], source: str) -> T
     for key in table:
         if key not in known:
             extra = ("ks_n_per_mm2", "mu") if kind is Material else ()
-            raise FormatError(f"[{name}] {key} is unknown{_near(key, [*known, *extra])}", source or None)
+            raise FormatError(phrase("[{}] {} is unknown{}", name, key, _near(key, [*known, *extra])), source or None)
     for key, item in known.items():
         if key not in table and item.default is MISSING:
-            raise FormatError(f"[{name}] {key} is missing", source or None)
+            raise FormatError(phrase("[{}] {} is missing", name, key), source or None)
     for key in _ROWS & table.keys():
         if isinstance(table[key], list):
             table[key] = tuple(tuple(r) if isinstance(r, list) else r for r in table[key])
@@ -447,12 +467,17 @@ def _check(part: Any, name: str, source: str) -> None:
         if value is None and _wants(type(part), item.name, type(None)):
             continue
         where = f"[{name}] {item.name} {value!r}"
-        hint = f" ({range_['hint']})" if range_.get("hint") else ""
+        hint = message(" (", range_["hint"], ")") if range_.get("hint") else ""
         if _wants(type(part), item.name, float) or _wants(type(part), item.name, int):
             number = isinstance(value, int | float) and not isinstance(value, bool)
             if not number or (_wants(type(part), item.name, int) and not isinstance(value, int)):
-                kind = "whole number" if _wants(type(part), item.name, int) else "number"
-                raise FormatError(f"{where} is not a {kind}{hint}", source or None)
+                whole = _wants(type(part), item.name, int)
+                said = (
+                    phrase("{} is not a whole number{}", where, hint)
+                    if whole
+                    else phrase("{} is not a number{}", where, hint)
+                )
+                raise FormatError(said, source or None)
             if value is item.default:
                 continue
             if "one_of" in range_:
@@ -460,19 +485,19 @@ def _check(part: Any, name: str, source: str) -> None:
                 continue
             low, high = range_["low"], range_["high"]
             if not (low < value <= high or (value == low and not range_["open"])):
-                above = "above" if range_["open"] else "at least"
-                most = f" and at most {high:g}" if math.isfinite(high) else ""
-                raise FormatError(f"{where} is not {above} {low:g}{most}{hint}", source or None)
+                above = phrase("above {:g}", low) if range_["open"] else phrase("at least {:g}", low)
+                most = phrase(" and at most {:g}", high) if math.isfinite(high) else ""
+                raise FormatError(phrase("{} is not {}{}{}", where, above, most, hint), source or None)
         elif _wants(type(part), item.name, bool):
             if not isinstance(value, bool):
-                raise FormatError(f"{where} is not true or false", source or None)
+                raise FormatError(phrase("{} is not true or false", where), source or None)
         elif item.name in _ROWS:
             _check_rows(value, f"[{name}] {item.name}", source)
         elif _wants(type(part), item.name, Path):
             if not isinstance(value, Path):
-                raise FormatError(f"{where} is not the name of a file", source or None)
+                raise FormatError(phrase("{} is not the name of a file", where), source or None)
         elif not isinstance(value, str):
-            raise FormatError(f"{where} is not a text", source or None)
+            raise FormatError(phrase("{} is not a text", where), source or None)
         elif "one_of" in range_:
             _require_one_of(value, range_["one_of"], where, source)
 
@@ -482,14 +507,16 @@ def _check_rows(rows: Any, where: str, source: str) -> None:
     for row in rows if isinstance(rows, tuple) else (rows,):
         three = isinstance(row, tuple) and len(row) == 3
         if not three or any(isinstance(v, bool) or not isinstance(v, int | float) for v in row):
-            raise FormatError(f"{where}: {row!r} is no row [mm, kx_n_per_mm, ky_n_per_mm]", source or None)
+            raise FormatError(phrase("{}: {!r} is no row [mm, kx_n_per_mm, ky_n_per_mm]", where, row), source or None)
         if not (math.isfinite(row[0]) and all(1.0 < k <= 1e7 for k in row[1:])):
-            raise FormatError(f"{where}: {row!r}: stiffness is above 1 and at most 1e+07 N/mm", source or None)
+            raise FormatError(
+                phrase("{}: {!r}: stiffness is above 1 and at most 1e+07 N/mm", where, row), source or None
+            )
 
 
 def _require_one_of(value: Any, legal: tuple[Any, ...], where: str, source: str) -> None:
     if value not in legal:
-        raise FormatError(f"{where} is none of {', '.join(map(str, legal))}", source or None)
+        raise FormatError(phrase("{} is none of {}", where, ", ".join(map(str, legal))), source or None)
 
 
 def _near(key: str, known: Any) -> str:
@@ -497,4 +524,4 @@ def _near(key: str, known: Any) -> str:
     names = list(known)
     stem = key.split("_")[0]
     close = difflib.get_close_matches(key, names, n=1, cutoff=0.7) or [n for n in names if n.split("_")[0] == stem][:1]
-    return f": is it {close[0]}?" if close else f", known are {', '.join(names)}"
+    return phrase(": is it {}?", close[0]) if close else phrase(", known are {}", ", ".join(names))

@@ -9,6 +9,7 @@ from millcorr.arrays import Floats
 from millcorr.errors import UsageError
 from millcorr.geometry.footpoint import FootPointSearch
 from millcorr.geometry.profile import Profile
+from millcorr.messages import mm, phrase
 from millcorr.process.setup_file import Setup
 
 
@@ -43,12 +44,19 @@ def weights_at(setup: Setup, nominal: Profile | None, place: Floats) -> Floats:
     """Share of every row of the setup's table in the compliance at places; (n, k), rows add up to 1; as above."""
     source = setup.source or "setup"
     if nominal is None or len(nominal.contours) != 1:
-        raise UsageError(f"{source}: [machine] stiffness_along needs a nominal of one contour, which it goes along")
+        raise UsageError(
+            phrase("{}: [machine] stiffness_along needs a nominal of one contour, which it goes along", source)
+        )
     knots = np.array(setup.machine.stiffness_along)[:, 0]
     total, closed = float(nominal.total[0]), nominal.contours[0].closed
     if knots[-1] > total + 1e-6:
         raise UsageError(
-            f"{source}: [machine] stiffness_along goes to {knots[-1]:g} mm, the contour is {total:.3f} mm long"
+            phrase(
+                "{}: [machine] stiffness_along goes to {}, the contour is {} long",
+                source,
+                mm(knots[-1], "g"),
+                mm(total, ".3f"),
+            )
         )
     feet = FootPointSearch(nominal, margin=setup.tool.radius + 2.0).find(place)
     s = nominal.arc_length(feet.span, feet.t)

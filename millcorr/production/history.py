@@ -14,19 +14,19 @@ import numpy as np
 
 from millcorr.arrays import Floats
 from millcorr.errors import UsageError
-from millcorr.messages import option
+from millcorr.messages import option, phrase
 
 from . import trend
 from .form import shared_form
 from .journal import Chain, Entry
 from .trend import Change
 
-KEPT, PENDING = "NOT CORRECTED", "PENDING"
+KEPT = phrase("NOT CORRECTED")
 
 DECISIONS = {
-    "correct": "corrected",
-    "direct": "corrected by its own deviation",
-    "smoothed": "corrected by the smoothed deviation",
+    "correct": phrase("corrected"),
+    "direct": phrase("corrected by its own deviation"),
+    "smoothed": phrase("corrected by the smoothed deviation"),
     "keep": KEPT,
 }
 """What a decision is called."""
@@ -65,7 +65,7 @@ COLUMNS = (
 def decision_in_words(entry: Entry) -> str:
     """What became of a part; a program that stayed is never called corrected."""
     if entry.pending:
-        return f"{PENDING}: the next run that uses the journal settles it"
+        return phrase("PENDING: the next run that uses the journal settles it")
     return DECISIONS[entry.decision] if entry.corrected else KEPT
 
 
@@ -131,7 +131,9 @@ def refuse_other_file(path: Path) -> None:
     with open(path, "rb") as file:
         begin = file.read(len(header))
     if begin not in (header, b""):
-        raise UsageError(option("csv", path), " is no table of a journal and stays untouched: name another file")
+        raise UsageError(
+            phrase("{} is no table of a journal and stays untouched: name another file", option("csv", path))
+        )
 
 
 def changes(entries: Sequence[Entry]) -> list[tuple[str, Change]]:

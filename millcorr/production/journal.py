@@ -30,7 +30,7 @@ import numpy as np
 
 from millcorr.arrays import Floats
 from millcorr.errors import FormatError, InputError, RefusedError, UsageError
-from millcorr.messages import option
+from millcorr.messages import option, phrase
 
 from .places import Places
 from .points import Points
@@ -240,8 +240,15 @@ class Journal:
             if row:
                 part, time, earlier, output, before, after = row
                 raise RepeatedError(
-                    f"{name}: this measurement is part {part} of {self.path} already (as {earlier} on {time}, for "
-                    f"{output}); measure a new part",
+                    phrase(
+                        "{}: this measurement is part {} of {} already (as {} on {}, for {}); measure a new part",
+                        name,
+                        part,
+                        self.path,
+                        earlier,
+                        time,
+                        output,
+                    ),
                     before,
                     (self.path.resolve().parent / output).resolve(),
                     after,
@@ -281,7 +288,9 @@ class Journal:
                 self._settle(number, output, entry.after[1])
             raise
         if not self._settle(number, output, entry.after[1]):
-            raise RefusedError(f"{output}: not what the journal {self.path} announced; part {part} was not recorded")
+            raise RefusedError(
+                phrase("{}: not what the journal {} announced; part {} was not recorded", output, self.path, part)
+            )
 
     def _insert(self, chain: Chain, entry: Entry, after: str) -> tuple[int, int]:
         with _transaction(self._connection):
@@ -354,12 +363,14 @@ def held(path: str | Path, *, patience: float = TURN) -> Iterator[Journal]:
     """
     path = Path(path)
     if path.is_dir():
-        raise UsageError(option("journal", path), " is a directory; name a file")
+        raise UsageError(phrase("{} is a directory; name a file", option("journal", path)))
     if not path.resolve().parent.is_dir():
-        raise UsageError(option("journal", path), f": there is no directory {path.resolve().parent}: make it first")
+        raise UsageError(
+            phrase("{}: there is no directory {}: make it first", option("journal", path), path.resolve().parent)
+        )
     # SQLite would open it for reading only, and lock nothing.
     if not os.access(path if path.exists() else path.resolve().parent, os.W_OK):
-        raise InputError(f"{path}: the journal cannot be written: no permission")
+        raise InputError(phrase("{}: the journal cannot be written: no permission", path))
     with _named_errors(path), closing(_connected(path, "rwc", patience)) as connection:
         with _transaction(connection, "EXCLUSIVE"):
             # Keeps the lock from here to the end. Set before, two that wait would each keep a lock for reading that
@@ -383,7 +394,7 @@ def read(path: str | Path) -> tuple[Chain, ...]:
     """
     path = Path(path)
     if not path.is_file():
-        raise InputError(f"{path}: there is no such journal")
+        raise InputError(phrase("{}: there is no such journal", path))
     with _named_errors(path), closing(_connected(path, "rw", PATIENCE)) as connection:
         with _transaction(connection, "DEFERRED"):
             return () if _is_new(connection, path) else tuple(_chains(connection, path))
@@ -426,14 +437,17 @@ def _is_new(connection: sqlite3.Connection, path: Path) -> bool:
     if not (application or version or tables):
         return True
     if application != APPLICATION:
-        raise FormatError("an SQLite file of another program, not a journal of millcorr", path)
+        raise FormatError(phrase("an SQLite file of another program, not a journal of millcorr"), path)
     if version > VERSION:
         raise FormatError(
-            f"written by a newer millcorr (journal version {version}, this one knows {VERSION}): update millcorr", path
+            phrase(
+                "written by a newer millcorr (journal version {}, this one knows {}): update millcorr", version, VERSION
+            ),
+            path,
         )
     (sound,) = connection.execute("PRAGMA quick_check(1)").fetchone()
     if sound != "ok":
-        raise FormatError(f"the journal is damaged ({' '.join(sound.split())}): restore it from a copy", path)
+        raise FormatError(phrase("the journal is damaged ({}): restore it from a copy", " ".join(sound.split())), path)
     return False
 
 
@@ -450,15 +464,16 @@ def _named_errors(path: Path) -> Iterator[None]:
         yield
     except sqlite3.OperationalError as error:
         if error.sqlite_errorcode in (sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED):
-            raise InputError(f"{path}: another run has held the journal for too long; try again when it is done") from (
-                error
-            )
+            raise InputError(
+                phrase("{}: another run has held the journal for too long; try again when it is done", path)
+            ) from (error)
         if error.sqlite_errorcode == sqlite3.SQLITE_CORRUPT:
-            raise FormatError(f"the journal is damaged ({error}): restore it from a copy", path) from error
-        raise InputError(f"{path}: the journal cannot be read or written ({error})") from error
+            raise FormatError(phrase("the journal is damaged ({}): restore it from a copy", error), path) from error
+        raise InputError(phrase("{}: the journal cannot be read or written ({})", path, error)) from error
     except sqlite3.DatabaseError as error:
         raise FormatError(
-            f"not a journal of millcorr, or damaged ({error}): give the journal, or restore it from a copy", path
+            phrase("not a journal of millcorr, or damaged ({}): give the journal, or restore it from a copy", error),
+            path,
         ) from error
 
 
@@ -490,7 +505,7 @@ def _chains(connection: sqlite3.Connection, path: Path, first: str | None = None
             where = Places.from_text(places)
             entries = tuple(_entry(row, tuple(files.get(row[0], ())), len(where), points.get(row[0])) for row in rows)
         except (ValueError, TypeError, LookupError, zlib.error) as error:
-            raise FormatError(f"the journal is damaged ({error}): restore it from a copy", path) from error
+            raise FormatError(phrase("the journal is damaged ({}): restore it from a copy", error), path) from error
         yield Chain(own, name, tuple(carried.split()), where, entries)
 
 

@@ -15,6 +15,7 @@ from millcorr.correction.compensation import correction_from
 from millcorr.errors import InputError
 from millcorr.geometry.correction import Correction, Course
 from millcorr.geometry.profile import Profile, Stretch
+from millcorr.messages import phrase
 from millcorr.tolerances import EXACT
 
 SPACING = 0.5
@@ -152,6 +153,6 @@ def field_of_text(text: str, measured: Sequence[str]) -> Correction | None:
             raise ValueError("values and places do not belong together")
         return places.field(value) if read["measured"] == list(measured) else None
     except (ValueError, TypeError, LookupError) as error:
-        raise InputError(f"the smoothed deviation of a series is damaged ({error}): correct from the part again") from (
-            error
-        )
+        raise InputError(
+            phrase("the smoothed deviation of a series is damaged ({}): correct from the part again", error)
+        ) from (error)

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 
 from millcorr.arrays import Floats
 from millcorr.errors import LimitError, UsageError
-from millcorr.messages import option
+from millcorr.messages import option, phrase, um
 
 ACCEPTED = "difference"
 """Name by which a part beyond the difference alarm is accepted."""
@@ -31,6 +31,9 @@ LIMITS = {
     "sum_limit": "sum_limit",
 }
 """Fields of `Control` by the option that says them."""
+
+_FINE = ".2f"
+"""Micrometres as a decision says them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +72,7 @@ class Control:
 
     def __post_init__(self) -> None:
         if not 1 <= self.weight < math.inf:
-            raise UsageError(option("control", f"ewma:{self.weight:g}"), ": K must be 1 or more")
+            raise UsageError(phrase("{}: K must be 1 or more", option("control", f"ewma:{self.weight:g}")))
         row = (
             ("dead_band", self.dead_band),
             ("control_limit", self.limit),
@@ -79,21 +82,29 @@ class Control:
         )
         for key, value in (*row[1:], ("step_limit", self.step_limit), ("sum_limit", self.sum_limit)):
             if not value > 0:
-                raise UsageError(option(key, value), ": must be above 0")
+                raise UsageError(phrase("{}: must be above 0", option(key, value)))
         if not 0 <= self.dead_band < math.inf:
-            raise UsageError(option("dead_band", self.dead_band), ": must not be negative")
+            raise UsageError(phrase("{}: must not be negative", option("dead_band", self.dead_band)))
         if not self.limit < math.inf:
             raise UsageError(
-                option("control"), " needs ", option("control_limit"), ": the program stays as it is within it"
+                phrase("{} needs {}: the program stays as it is within it", option("control"), option("control_limit"))
             )
         for less, more in pairwise((key, value) for key, value in row if value < math.inf):
             if not less[1] < more[1]:
                 raise UsageError(
-                    option(*less), " must be below ", option(*more), ": dead band < limit < tolerance < alarm < abort"
+                    phrase(
+                        "{} must be below {}: dead band < limit < tolerance < alarm < abort",
+                        option(*less),
+                        option(*more),
+                    )
                 )
         if math.isfinite(self.step_limit) and self.step_limit > self.sum_limit:
             raise UsageError(
-                option("step_limit", self.step_limit), " must not be above ", option("sum_limit", self.sum_limit)
+                phrase(
+                    "{} must not be above {}",
+                    option("step_limit", self.step_limit),
+                    option("sum_limit", self.sum_limit),
+                )
             )
 
     @staticmethod
@@ -112,7 +123,9 @@ class Control:
         except ValueError:
             pass
         raise UsageError(
-            option("control", text), ": write ewma:K, such as ewma:2, K being how many parts are smoothed over"
+            phrase(
+                "{}: write ewma:K, such as ewma:2, K being how many parts are smoothed over", option("control", text)
+            )
         )
 
     def numbers(self) -> dict[str, float]:
@@ -195,17 +208,22 @@ def decide(
     seen = _largest(d)
     if seen > control.abort:
         raise LimitError(
-            f"the part is {_um(seen)} um off, more than ",
-            option("control_abort", control.abort),
-            " mm: this cannot be a part of this program; nothing was recorded or written",
+            phrase(
+                "the part is {} off, more than {}: this cannot be a part of this program; nothing was "
+                "recorded or written",
+                um(seen, _FINE),
+                option("control_abort", control.abort),
+            ),
         )
     if seen > control.alarm and not accepted:
         raise LimitError(
-            f"the part is {_um(seen)} um off, more than ",
-            option("control_alarm", control.alarm),
-            " mm: look for the cause; if it is real and stays (a new tool), ",
-            option("accept", ACCEPTED),
-            " corrects it; nothing was recorded or written",
+            phrase(
+                "the part is {} off, more than {}: look for the cause; if it is real and stays (a new tool), "
+                "{} corrects it; nothing was recorded or written",
+                um(seen, _FINE),
+                option("control_alarm", control.alarm),
+                option("accept", ACCEPTED),
+            ),
         )
     z: Floats = np.asarray(smoothed, dtype=np.float64)
     zero = np.zeros_like(z)
@@ -214,22 +232,27 @@ def decide(
             "direct",
             z,
             zero,
-            f"the part itself is {_um(seen)} um off, beyond the tolerance of {_um(control.tolerance)} um: corrected by "
-            "its own deviation",
+            phrase(
+                "the part itself is {} off, beyond the tolerance of {}: corrected by its own deviation",
+                um(seen, _FINE),
+                um(control.tolerance, _FINE),
+            ),
         )
-    largest, limit = _largest(z), _um(control.limit)
+    largest = _largest(z)
+    beyond = um(largest, _FINE), um(control.limit, _FINE)
     if alone and largest > control.limit:
         return Decision(
             "direct",
             z,
             zero,
-            f"first correction: the deviation, {_um(largest)} um at most, is beyond the limit of {limit} um",
+            phrase("first correction: the deviation, {} at most, is beyond the limit of {}", *beyond),
         )
     if largest > control.limit:
-        reason = f"the smoothed deviation, {_um(largest)} um at most, is beyond the limit of {limit} um"
+        reason = phrase("the smoothed deviation, {} at most, is beyond the limit of {}", *beyond)
         return Decision("smoothed", z, zero, reason)
-    what = "deviation" if alone else "smoothed deviation"
-    return Decision("keep", z, z, f"the {what}, {_um(largest)} um at most, is within the limit of {limit} um")
+    if alone:
+        return Decision("keep", z, z, phrase("the deviation, {} at most, is within the limit of {}", *beyond))
+    return Decision("keep", z, z, phrase("the smoothed deviation, {} at most, is within the limit of {}", *beyond))
 
 
 def refuse_beyond(control: Control, step: ArrayLike, total: ArrayLike) -> None:
@@ -251,22 +274,34 @@ def refuse_beyond(control: Control, step: ArrayLike, total: ArrayLike) -> None:
     LimitError
     """
     for what, value, limit, key, way_out in (
-        ("one correction would move the contour", step, control.step_limit, "step_limit", "look for what jumped"),
-        ("all corrections together would move the contour", total, control.sum_limit, "sum_limit", "change the tool"),
+        (
+            phrase("one correction would move the contour"),
+            step,
+            control.step_limit,
+            "step_limit",
+            phrase("look for what jumped"),
+        ),
+        (
+            phrase("all corrections together would move the contour"),
+            total,
+            control.sum_limit,
+            "sum_limit",
+            phrase("change the tool"),
+        ),
     ):
         largest = _largest(np.asarray(value, dtype=np.float64))
         if largest > limit:
             raise LimitError(
-                f"{what} by {_um(largest)} um, more than ",
-                option(key, limit),
-                f" mm: {way_out}, or raise the limit; nothing was recorded or written",
+                phrase(
+                    "{} by {}, more than {}: {}, or raise the limit; nothing was recorded or written",
+                    what,
+                    um(largest, _FINE),
+                    option(key, limit),
+                    way_out,
+                ),
             )
 
 
 def _largest(value: Floats) -> float:
     known = value[np.isfinite(value)] if value.ndim else np.atleast_1d(value)
     return float(np.abs(known).max()) if len(known) else 0.0
-
-
-def _um(value: float) -> str:
-    return f"{value * 1000:.2f}"

@@ -16,7 +16,7 @@ from millcorr.correction.settings import Settings
 from millcorr.errors import FormatError, LimitError, UsageError
 from millcorr.geometry.correction import Correction
 from millcorr.geometry.profile import Profile
-from millcorr.messages import Place, option
+from millcorr.messages import Place, option, phrase
 from millcorr.process.deflection.height_error import HeightError, WallModel
 from millcorr.process.deflection.real_path import SPACING, RealPath, real_path
 from millcorr.process.deflection.tilt import NEAR, Remedy, even_shift, mean_shift, on_nominal, remedies, tip_shifts
@@ -67,16 +67,17 @@ def slowed(program: nc.Program, setup: Setup, bound: float | None, tolerance: fl
     """
     if bound is None:
         raise UsageError(
-            option("slowed"), " needs ", option("corner_error", of="MM"), ", how far the tool may pass a corner"
+            phrase("{} needs {}, how far the tool may pass a corner", option("slowed"), option("corner_error", of="MM"))
         )
     control = control_of(setup)
     if control is None:
         raise UsageError(
-            Place(setup.source or "setup"),
-            ": ",
-            option("slowed"),
-            " needs [machine] acceleration_time_x_ms, acceleration_time_y_ms or position_gain_per_s: without ",
-            "inertia no corner is rounded off",
+            phrase(
+                "{}: {} needs [machine] acceleration_time_x_ms, acceleration_time_y_ms or "
+                "position_gain_per_s: without inertia no corner is rounded off",
+                Place(setup.source or "setup"),
+                option("slowed"),
+            ),
         )
     try:
         halts_of(program)
@@ -212,7 +213,9 @@ def tilted_program(
     model = WallModel.of(path_as_run(shifted, setup), setup, simulation.stock, nominal)
     found = remedies(model.errors(error.heights), nominal, near=near)
     if not np.array_equal(found.number, remedy.number):
-        raise LimitError(f"{request.program.name}: the moved path no longer makes the same walls: nothing is written")
+        raise LimitError(
+            phrase("{}: the moved path no longer makes the same walls: nothing is written", request.program.name)
+        )
     # The tilt is the one that the tip was moved for.
     found = replace(found, lean=remedy.lean)
     data = tilted(shifted, model.errors(error.heights), found, setup.tilt)
@@ -240,4 +243,6 @@ def _same_path(back: nc.Program, wanted: nc.Program) -> None:
         for x, y in ((a.start, b.start), (a.end, b.end), (a.feed, b.feed))
     )
     if not same:
-        raise LimitError(f"{back.name}: the tilted program does not read back as it was meant: nothing is written")
+        raise LimitError(
+            phrase("{}: the tilted program does not read back as it was meant: nothing is written", back.name)
+        )

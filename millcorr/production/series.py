@@ -24,7 +24,7 @@ from millcorr.comparison.deviation import statistics
 from millcorr.correction import provenance
 from millcorr.errors import InputError, UsageError
 from millcorr.geometry.correction import Correction
-from millcorr.messages import message, option
+from millcorr.messages import option, phrase, um
 from millcorr.path.reconstruction import CompensatedContour
 from millcorr.path.verification import verify
 from millcorr.pipeline import Request, Result, Settings
@@ -96,15 +96,17 @@ def control_from(kind: str | None, dead_band: float, *, journal: bool, **limits:
     given = {name: value for name, value in limits.items() if value is not None}
     if kind is None:
         if given:
-            raise UsageError(option(next(iter(given))), " belongs to ", option("control", of="ewma:K"))
+            raise UsageError(phrase("{} belongs to {}", option(next(iter(given))), option("control", of="ewma:K")))
         return None
     if not journal:
         raise UsageError(
-            option("control"), " needs ", option("journal"), ": what earlier parts have shown is kept there"
+            phrase("{} needs {}: what earlier parts have shown is kept there", option("control"), option("journal"))
         )
     if "control_limit" not in given:
         raise UsageError(
-            option("control"), " needs ", option("control_limit", of="MM"), ": the program stays as it is within it"
+            phrase(
+                "{} needs {}: the program stays as it is within it", option("control"), option("control_limit", of="MM")
+            )
         )
     rules = {process_control.LIMITS[name]: value for name, value in given.items()}
     return Control(Control.parse(kind), dead_band=dead_band, **rules)
@@ -196,7 +198,7 @@ def judged(
         If the program is not the one that the journal goes on with; if the journal cannot be used.
     """
     if request.measurement is None:
-        raise UsageError(option("journal"), " keeps measured parts: nothing was measured")
+        raise UsageError(phrase("{} keeps measured parts: nothing was measured", option("journal")))
     if control is not None:
         _require_whole_series(request.settings)
     accepted = process_control.ACCEPTED in request.settings.accept
@@ -301,23 +303,39 @@ def _refuse_other(chain: Chain, name: str, carried: tuple[str, ...], places: Pla
         entry = next(e for e in chain.entries if any(f[:16] in missing for _, f in e.measurements))
         last = chain.entries[-1]
         raise InputError(
-            f"{name}: {book.path} goes on from {last.after[0]}; since {name} it was corrected by part {entry.part} on "
-            f"{entry.time}, and correcting again from a part of the earlier program would count its error twice: "
-            f"measure a part cut with {last.after[0]}"
+            phrase(
+                "{}: {} goes on from {}; since {} it was corrected by part {} on {}, and correcting again "
+                "from a part of the earlier program would count its error twice: measure a part cut with {}",
+                name,
+                book.path,
+                last.after[0],
+                name,
+                entry.part,
+                entry.time,
+                last.after[0],
+            )
         )
     foreign = [digest for digest in carried if digest not in chain.applied]
     if foreign:
         raise InputError(
-            f"{name}: it carries a correction (measurement {foreign[0]}) that {book.path} does not ",
-            "know; begin a new journal with ",
-            option("journal", of="OTHER"),
+            phrase(
+                "{}: it carries a correction (measurement {}) that {} does not know; begin a new journal with {}",
+                name,
+                foreign[0],
+                book.path,
+                option("journal", of="OTHER"),
+            ),
         )
     if not places.same(chain.places):
         raise InputError(
-            f"{name}: the nominal has other contours or lengths than in {book.path}: give the same ",
-            option("nominal"),
-            " and measure the same contours on every part, or begin a new journal with ",
-            option("journal", of="OTHER"),
+            phrase(
+                "{}: the nominal has other contours or lengths than in {}: give the same {} and measure the "
+                "same contours on every part, or begin a new journal with {}",
+                name,
+                book.path,
+                option("nominal"),
+                option("journal", of="OTHER"),
+            ),
         )
 
 
@@ -325,27 +343,31 @@ def _require_whole_series(settings: Settings) -> None:
     """UsageError where the settings make what one part shows no measure of the next one."""
     if settings.method not in ("mirror", "transfer"):
         raise UsageError(
-            option("control"),
-            " goes with ",
-            option("method", "mirror"),
-            " or transfer, not with ",
-            option("method", settings.method),
-            ": it smooths what whole contours have shown over the parts, not what a model expects",
+            phrase(
+                "{} goes with {} or transfer, not with {}: it smooths what whole contours have shown over "
+                "the parts, not what a model expects",
+                option("control"),
+                option("method", "mirror"),
+                option("method", settings.method),
+            ),
         )
     if any(settings.allowances):
         raise UsageError(
-            option("control"), " watches a series of finished parts: it does not go with ", option("allowance")
+            phrase(
+                "{} watches a series of finished parts: it does not go with {}", option("control"), option("allowance")
+            )
         )
     following = () if settings.next_depth is None else (settings.next_depth,)
     if len({*settings.depths, *following}) > 1:
         raise UsageError(
-            option("control"),
-            " smooths over parts that are cut alike: give one ",
-            option("depth"),
-            " and no other ",
-            option("next_depth"),
-            "; for a new depth correct once without ",
-            option("control"),
+            phrase(
+                "{} smooths over parts that are cut alike: give one {} and no other {}; for a new depth "
+                "correct once without {}",
+                option("control"),
+                option("depth"),
+                option("next_depth"),
+                option("control"),
+            ),
         )
 
 
@@ -412,7 +434,7 @@ def _entry(
         source,
         measured,
         "correct" if decision is None else decision.kind,
-        "corrected as the settings say" if decision is None else decision.reason,
+        phrase("corrected as the settings say") if decision is None else decision.reason,
         settings,
         numbers,
         seen,
@@ -428,10 +450,10 @@ def _told(result: Result, entry: Entry, chain: Chain, decision: Decision | None)
     lines = tuple(line for line, last in history.series((*chain.entries, entry)) if last)
     said: tuple[str, ...] = ()
     if result.text == result.request.program.data:
-        why = decision.reason if decision is not None else "nothing is to be corrected"
-        said = (f"{history.KEPT}: {why}; the output is the very bytes of {entry.before[0]}",)
+        why = decision.reason if decision is not None else phrase("nothing is to be corrected")
+        said = (phrase("NOT CORRECTED: {}; the output is the very bytes of {}", why, entry.before[0]),)
     elif decision is not None:
-        said = (f"corrected: {decision.reason}",)
+        said = (phrase("corrected: {}", decision.reason),)
     return replace(result, warnings=result.warnings + lines, advice=said + result.advice), said
 
 
@@ -441,12 +463,13 @@ def _told_what_stays(result: Result, entry: Entry, chain: Chain, filter: Filter)
     if stays is None:
         return result
     size, scatter, parts = stays
-    line = message(
-        f"the last {parts} parts share a form of up to {size * 1000:.1f} um that none of them shows ",
-        f"alone (they scatter by {scatter * 1000:.1f} um): it stays in the next part; ",
+    line = phrase(
+        "the last {} parts share a form of up to {} that none of them shows alone (they scatter by {}): it stays in "
+        "the next part; {} {} takes it out",
+        parts,
+        um(size),
+        um(scatter),
         option("control", f"ewma:{parts}"),
-        " ",
         option("control_limit", of="MM"),
-        " takes it out",
     )
     return replace(result, warnings=(*result.warnings, line))

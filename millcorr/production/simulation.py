@@ -8,14 +8,14 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from millcorr.errors import RefusedError, UsageError
-from millcorr.messages import option
+from millcorr.messages import option, phrase
 from millcorr.pipeline import Request, correct, nominal_from_program
 from millcorr.process.engagement import Engagement, engagement
 from millcorr.process.kinematics import read_trace
 from millcorr.process.prediction import Simulation, simulate
 from millcorr.process.prediction.corner_feed import CornerFeeds
-from millcorr.process.prediction.foreseen import require_setup
 from millcorr.process.prediction.logged_machine import LoggedMachine, logged_machine
+from millcorr.process.prediction.predicted_correction import require_setup
 from millcorr.process.prediction.signals import Signals
 
 from .remedy_programs import ShiftedProgram, TiltedProgram, shifted_program, slowed, tilted_program
@@ -120,17 +120,19 @@ def study(request: Request, asked: Asked = NOTHING) -> Study:
     heights = heights_of(asked.heights)
     if asked.tilted is not None and len(heights) < 2:
         raise UsageError(
-            option("tilted"),
-            " needs ",
-            option("heights", of="MM"),
-            " at two heights at least: the tool leans by the wall's slope",
+            phrase(
+                "{} needs {} at two heights at least: the tool leans by the wall's slope",
+                option("tilted"),
+                option("heights", of="MM"),
+            ),
         )
     if asked.shifted is not None and not len(heights):
         raise UsageError(
-            option("shifted"),
-            " needs ",
-            option("heights", of="MM"),
-            ": the contour is moved by the wall's mean error over them",
+            phrase(
+                "{} needs {}: the contour is moved by the wall's mean error over them",
+                option("shifted"),
+                option("heights", of="MM"),
+            ),
         )
     request, machine = _as_logged(request, asked)
     before, after, refused = simulated(request)
@@ -174,14 +176,14 @@ def simulated(request: Request) -> tuple[Simulation, Simulation | None, str]:
         If program or setup cannot be used.
     """
     try:
-        foreseen = correct(request).foreseen
+        prediction = correct(request).prediction
     except RefusedError as error:
         setup, nominal = require_setup(request.setup, request.settings, request.radius), request.nominal
         if nominal is None:
             nominal = nominal_from_program(request.program, request.radius, request.settings, None)
         return simulate(request.program, setup, nominal), None, error.message
-    assert foreseen is not None
-    return foreseen.before, foreseen.after[-1], ""
+    assert prediction is not None
+    return prediction.before, prediction.after[-1], ""
 
 
 def _as_logged(request: Request, asked: Asked) -> tuple[Request, LoggedMachine | None]:
@@ -189,7 +191,7 @@ def _as_logged(request: Request, asked: Asked) -> tuple[Request, LoggedMachine |
     if asked.trace is None or request.setup is None:
         if asked.identify:
             raise UsageError(
-                option("identify"), " belongs to ", option("trace", of="TRACE.csv"), ", the log that tells"
+                phrase("{} belongs to {}, the log that tells", option("identify"), option("trace", of="TRACE.csv"))
             )
         return request, None
     machine = logged_machine(request.setup, request.program, read_trace(asked.trace), asked.identify)
@@ -200,7 +202,9 @@ def _slowed(request: Request, before: Simulation, asked: Asked) -> CornerFeeds |
     if asked.slowed is None:
         if asked.corner_error is not None:
             raise UsageError(
-                option("corner_error"), " belongs to ", option("slowed", of="OUT.nc"), ", the program that keeps it"
+                phrase(
+                    "{} belongs to {}, the program that keeps it", option("corner_error"), option("slowed", of="OUT.nc")
+                )
             )
         return None
     return slowed(request.program, before.setup, asked.corner_error, request.settings.tolerance)
@@ -208,5 +212,5 @@ def _slowed(request: Request, before: Simulation, asked: Asked) -> CornerFeeds |
 
 def _tilted(request: Request, before: Simulation, wall: Wall) -> TiltedProgram:
     if wall.remedy is None:
-        raise RefusedError(f"tilt: {wall.note}")
+        raise RefusedError(phrase("tilt: {}", wall.note))
     return tilted_program(request, before, wall.before, wall.remedy)

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from millcorr.arrays import Floats
-from millcorr.correction.targets import unknown_share
+from millcorr.correction.wanted_displacement import unknown_share
 from millcorr.geometry.profile import Profile
 from millcorr.separation import Filter
 from millcorr.separation.steps import Systematic

@@ -14,7 +14,7 @@ from millcorr.correction import provenance
 from millcorr.correction.settings import Settings
 from millcorr.errors import InputError, UsageError
 from millcorr.geometry.profile import Profile
-from millcorr.messages import option
+from millcorr.messages import option, phrase
 from millcorr.pipeline import Request, Result, correct
 
 
@@ -78,13 +78,17 @@ def split(
         If the contour moved out has no room for the cutter, or would cross itself.
     """
     if not 0 < depth < float("inf"):
-        raise UsageError(option("depth", depth), ": the allowance must be above 0")
+        raise UsageError(phrase("{}: the allowance must be above 0", option("depth", depth)))
     if not 0 < at < 1:
-        raise UsageError(option("at", at), ": the first cut takes a share between 0 and 1")
+        raise UsageError(phrase("{}: the first cut takes a share between 0 and 1", option("at", at)))
     carried = provenance.marks(program.comments())
     if carried:
         raise InputError(
-            f"{program.name}:{carried[-1].line}: the program was corrected before; split the first, uncorrected one"
+            phrase(
+                "{}:{}: the program was corrected before; split the first, uncorrected one",
+                program.name,
+                carried[-1].line,
+            )
         )
     # Twelve digits: 0.4 of 2 leaves 1.2, not 1.2000000000000002.
     left = float(f"{depth * (1.0 - at):.12g}")

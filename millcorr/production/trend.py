@@ -14,6 +14,7 @@ import numpy as np
 
 from millcorr.arrays import Floats
 from millcorr.correction.transfer_function import IMPLAUSIBLE
+from millcorr.messages import phrase, um
 
 FALSE_ALARMS = 0.01
 """Largest probability of a false alarm a part, all quantities together."""
@@ -31,6 +32,13 @@ MOST_GIVEN_BACK = IMPLAUSIBLE / (1 + IMPLAUSIBLE)
 """Largest share of a correction that an elastic machine may give back."""
 
 COMPONENTS = ("mean", "place X", "place Y")
+_SAID = {
+    "mean": phrase("mean"),
+    "place X": phrase("place X"),
+    "place Y": phrase("place Y"),
+    "form": phrase("form"),
+}
+"""What changes, as it is said."""
 """What a deviation is taken apart into: size of the part, and displacement of the part."""
 
 FORM = "form"
@@ -253,24 +261,33 @@ def _akaike(rest: float, n: int, parameters: int) -> float:
 
 
 _CAUSES = {
-    ("trend", "mean"): "tool wear or warming",
-    ("trend", "place X"): "warming of the machine or of the fixture",
-    ("trend", "place Y"): "warming of the machine or of the fixture",
-    ("trend", "form"): "wear or warming that is not the same all along the contour",
-    ("jump", "form"): "another tool, another stock, or a clamping that bends the part",
-    ("jump", "mean"): "a new tool, another offset or another batch of material",
-    ("jump", "place X"): "a chip at the stop, another clamping or another datum",
-    ("jump", "place Y"): "a chip at the stop, another clamping or another datum",
+    ("trend", "mean"): phrase("tool wear or warming"),
+    ("trend", "place X"): phrase("warming of the machine or of the fixture"),
+    ("trend", "place Y"): phrase("warming of the machine or of the fixture"),
+    ("trend", "form"): phrase("wear or warming that is not the same all along the contour"),
+    ("jump", "form"): phrase("another tool, another stock, or a clamping that bends the part"),
+    ("jump", "mean"): phrase("a new tool, another offset or another batch of material"),
+    ("jump", "place X"): phrase("a chip at the stop, another clamping or another datum"),
+    ("jump", "place Y"): phrase("a chip at the stop, another clamping or another datum"),
 }
 
 
 def in_words(change: Change, component: str, numbers: list[int]) -> str:
     """One line about a change; `numbers` are the parts' own, by index."""
-    size, cause = f"{change.size * 1000:+.2f} um", _CAUSES[change.kind, component]
+    size, cause, of = um(change.size, "+.2f"), _CAUSES[change.kind, component], _SAID[component]
     if change.kind == "trend":
-        return (
-            f"drift of the {component} by {size} a part from part {numbers[change.part]} to {numbers[change.last]} "
-            f"(+- {change.error * 1000:.2f}, p {change.probability:.1g}): {cause}"
+        return phrase(
+            "drift of the {} by {} a part from part {} to {} (+- {}, p {:.1g}): {}",
+            of,
+            size,
+            numbers[change.part],
+            numbers[change.last],
+            um(change.error, ".2f"),
+            change.probability,
+            cause,
         )
-    words = f"jump of the {component} by {size} before part {numbers[change.part]} (p {change.probability:.1g}): "
-    return words + (cause if change.settled else f"{cause}; one part shows it so far, measure another")
+    if not change.settled:
+        cause = phrase("{}; one part shows it so far, measure another", cause)
+    return phrase(
+        "jump of the {} by {} before part {} (p {:.1g}): {}", of, size, numbers[change.part], change.probability, cause
+    )

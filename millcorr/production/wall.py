@@ -14,7 +14,7 @@ import numpy as np
 
 from millcorr.arrays import Floats, Ints, ReadOnlyArrays
 from millcorr.errors import InputError, RefusedError, UsageError
-from millcorr.messages import message, option
+from millcorr.messages import message_of, mm, option, phrase
 from millcorr.nc import Program
 from millcorr.process.deflection.height_error import HeightError, WallModel
 from millcorr.process.deflection.tilt import Remedy, remedies
@@ -92,7 +92,7 @@ def heights_of(values: Sequence[float]) -> Floats:
     for value in values:
         if not (math.isfinite(value) and value >= 0):
             raise UsageError(
-                option("heights", value), ": heights count from the tool's tip upwards, in mm: give 0 or more"
+                phrase("{}: heights count from the tool's tip upwards, in mm: give 0 or more", option("heights", value))
             )
     return np.unique(np.asarray(values, dtype=float))
 
@@ -129,9 +129,14 @@ def wall_of(program: Program, simulation: Simulation, heights: Floats) -> Wall:
     for height in heights:
         if height > top + ARITHMETIC:
             raise UsageError(
-                option("heights", height),
-                f": {program.name} cuts its wall up to {top:g} mm above the tool's tip: give 0 to {top:g}",
-                f", or correct [stock] in {setup.source or 'the setup'}",
+                phrase(
+                    "{}: {} cuts its wall up to {} above the tool's tip: give 0 to {:g}, or correct [stock] in {}",
+                    option("heights", height),
+                    program.name,
+                    mm(top, "g"),
+                    top,
+                    setup.source or phrase("the setup"),
+                ),
             )
     before = model.errors(heights)
     e = model.engagement
@@ -144,12 +149,12 @@ def wall_of(program: Program, simulation: Simulation, heights: Floats) -> Wall:
             None,
             t,
             line,
-            message("No remedy: a slope needs two heights at least, give ", option("heights"), " again."),
+            phrase("No remedy: a slope needs two heights at least, give {} again.", option("heights")),
         )
     try:
         remedy = remedies(before, simulation.nominal)
     except (InputError, RefusedError) as error:
-        return Wall(before, None, None, t, line, f"No remedy: {error}")
+        return Wall(before, None, None, t, line, phrase("No remedy: {}", message_of(error)))
     offset, lean = (np.where(remedy.step >= 0, v[remedy.step], 0.0) for v in (remedy.offset, remedy.lean))
     tilted = model.errors(heights, offset=offset, lean=lean, about=remedy.about)
     # Elsewhere the tool stands as before: that is no place of the contour, or cut away again.

@@ -16,7 +16,7 @@ from typing import Protocol
 
 from millcorr import progress
 from millcorr.errors import FormatError, UsageError
-from millcorr.messages import message, option
+from millcorr.messages import message, option, phrase
 from millcorr.options import options_of
 from millcorr.readers.measurement import Basis, Measurement, Probe
 
@@ -94,13 +94,13 @@ FORMATS: dict[str, Format] = {
 _SEVERAL_PARTS = ("msr", "qif", "pcdmis", "grbl", "linuxcnc", "dprnt", "renishaw", "qdas", "calypso")
 """Formats whose files can hold several measured parts."""
 _FRAMES = {
-    "msr": Basis("stated", "what G330 leads back to"),
-    "qif": Basis("stated", "the document's common frame"),
-    "linuxcnc": Basis("stated", "the work frame in force, as LinuxCNC logs it"),
-    "grbl": Basis("stated", "the machine's, brought to the work frame by the offset in the log"),
+    "msr": Basis("stated", phrase("what G330 leads back to")),
+    "qif": Basis("stated", phrase("the document's common frame")),
+    "linuxcnc": Basis("stated", phrase("the work frame in force, as LinuxCNC logs it")),
+    "grbl": Basis("stated", phrase("the machine's, brought to the work frame by the offset in the log")),
 }
 """How the frame of the points is known, by format; that of all others is as the software exported it."""
-_AS_EXPORTED = Basis("assumed", "the work frame; the file does not say")
+_AS_EXPORTED = Basis("assumed", phrase("the work frame; the file does not say"))
 _MACHINE_FRAME = ("grbl",)
 """Formats in the machine frame, which ask for the work offset where the file does not hold it."""
 
@@ -162,23 +162,26 @@ def read(
     declared["points"].refuse(points)
     declared["units"].refuse(units)
     if format is not None and format not in FORMATS:
-        raise UsageError(option("format"), f" is one of {', '.join(FORMATS)}, not {format!r}")
+        raise UsageError(phrase("{} is one of {}, not {!r}", option("format"), ", ".join(FORMATS), format))
     if probe_radius is not None and not (math.isfinite(probe_radius) and probe_radius > 0):
-        raise UsageError(option("probe_radius", probe_radius), " is no radius in mm")
+        raise UsageError(phrase("{} is no radius in mm", option("probe_radius", probe_radius)))
     if points == "contact" and probe_radius is not None:
         raise UsageError(
-            option("probe_radius"),
-            " belongs to ",
-            option("points", "centre"),
-            " or axis: contact points lie on the part already",
+            phrase(
+                "{} belongs to {} or axis: contact points lie on the part already",
+                option("probe_radius"),
+                option("points", "centre"),
+            ),
         )
     if work_offset is not None and not all(abs(value) <= FARTHEST for value in work_offset):
-        raise UsageError(option("work_offset", " ".join(f"{value:g}" for value in work_offset)), " is no place")
+        raise UsageError(
+            phrase("{} is no place", option("work_offset", " ".join(f"{value:g}" for value in work_offset)))
+        )
     if work_rotation is not None and not math.isfinite(work_rotation):
-        raise UsageError(option("work_rotation", work_rotation), " is no angle")
+        raise UsageError(phrase("{} is no angle", option("work_rotation", work_rotation)))
     if mapping is not None and format is not None:
         raise UsageError(
-            option("mapping"), " is for text that no format covers: leave ", option("format", format), " out"
+            phrase("{} is for text that no format covers: leave {} out", option("mapping"), option("format", format))
         )
     layout = load(mapping) if isinstance(mapping, (str, Path)) else mapping
     calibrated = load_probe(probe) if isinstance(probe, (str, Path)) else probe
@@ -191,18 +194,18 @@ def read(
     source = Source(data, str(path), digest, points, probe_radius, units, work_offset, part, calibrated)
     name = "mapped" if layout is not None else format or recognised(data)
     if part is not None and name not in _SEVERAL_PARTS:
-        raise UsageError(option("part", part), f": {path} holds one measured part")
+        raise UsageError(phrase("{}: {} holds one measured part", option("part", part), path))
     if layout is None:
         measurement = FORMATS[name].read(source)
         check_last_number(data, str(path))
         if part is not None:
-            measurement = replace(measurement, notes=(f"measured part {part}", *measurement.notes))
+            measurement = replace(measurement, notes=(phrase("measured part {}", part), *measurement.notes))
     else:
         measurement = mapped.read(source, layout)
     if points == "axis" and layout is None:
         if measurement.ball_radius:
             raise UsageError(
-                option("points", "axis"), f" contradicts {path}, whose points are centres of the probe ball"
+                phrase("{} contradicts {}, whose points are centres of the probe ball", option("points", "axis"), path)
             )
         measurement = replace(measurement, axis_radii=source.axis_radii())
     if calibrated is not None:
@@ -230,10 +233,11 @@ def _calibrated(measurement: Measurement, probe: Probe) -> Measurement:
         return replace(measurement, probe=probe)
     if not measurement.ball_radius:
         raise UsageError(
-            option("probe"),
-            " belongs to ",
-            option("points", "centre"),
-            " or axis: contact points lie on the part already",
+            phrase(
+                "{} belongs to {} or axis: contact points lie on the part already",
+                option("probe"),
+                option("points", "centre"),
+            ),
         )
     return replace(measurement, probe=probe, ball_radius=probe.radius)
 
@@ -243,10 +247,10 @@ def _content(path: str | Path) -> bytes:
     try:
         path = Path(path)
         if not stat.S_ISREG(path.stat().st_mode):
-            raise FormatError("not a file", path)
+            raise FormatError(phrase("not a file"), path)
         return path.read_bytes()
     except (OSError, ValueError) as error:
         if isinstance(error, FormatError):
             raise
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        raise FormatError(f"cannot be read: {reason}", path) from error
+        raise FormatError(phrase("cannot be read: {}", reason), path) from error

@@ -18,7 +18,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from millcorr.messages import message, option
+from millcorr.messages import option, phrase
 from millcorr.readers.measurement import Measurement
 
 from .decoding import beginning
@@ -95,11 +95,11 @@ def read(source: Source) -> Measurement:
             return table(source, _rows(source, lines, place, needed, (*needed, *others)))
     missing = next(name for name in _NEEDED if names.count(name) != 1)
     raise source.error(
-        message(
-            f"no single column {missing}: not Calypso's table of characteristics or features; give the file that ends ",
-            "in _chr.txt or _fet.txt, or say by ",
+        phrase(
+            "no single column {}: not Calypso's table of characteristics or features; give the file that "
+            "ends in _chr.txt or _fet.txt, or say by {} what the columns are and which rows are points",
+            missing,
             option("mapping", of="FILE.toml"),
-            " what the columns are and which rows are points",
         ),
         number,
     )
@@ -122,7 +122,7 @@ def _rows(
         if cells[0].strip().upper() == "END" and not any(cell.strip() for cell in cells[1:]):
             continue
         if width <= last:
-            raise source.error(f"{width} columns: the row is incomplete; {shown(line)}", number)
+            raise source.error(phrase("{} columns: the row is incomplete; {}", width, shown(line)), number)
         yield number, [cells[k].strip() if k < width else "" for k in at]
 
 
@@ -130,7 +130,7 @@ def _number(source: Source, number: int, text: str, axis: str) -> float:
     plain = text.replace(",", ".") if "," in text and COMMA_NUMBER.fullmatch(text) else text
     value = float(plain) if NUMBER.fullmatch(plain) else math.inf
     if not abs(value) < _LARGEST:
-        raise source.error(f"{shown(text)} of axis {axis} is no coordinate", number)
+        raise source.error(phrase("{} of axis {} is no coordinate", shown(text), axis), number)
     return value
 
 
@@ -143,8 +143,8 @@ def _vector(source: Source, number: int, texts: list[str]) -> Sequence[float]:
 def _of_part(source: Source, parts: dict[str, dict[str, int]]) -> str:
     """Part number that the caller wants; `parts` are the lines of each part's features, by their names."""
     if not parts:
-        raise source.error("no rows below the header")
-    titles = [f"part {shown(n)}, {titled(np.array(list(own.values())))}" for n, own in parts.items()]
+        raise source.error(phrase("no rows below the header"))
+    titles = [phrase("part {}, {}", shown(n), titled(np.array(list(own.values())))) for n, own in parts.items()]
     return list(parts)[chosen_part(source, titles)]
 
 
@@ -161,7 +161,7 @@ def _features(source: Source, rows: _Rows) -> Measurement:
             continue
         lines = parts.setdefault(part, {})
         if name in lines:
-            raise source.error(f"feature {shown(name)} is there twice, first in line {lines[name]}", number)
+            raise source.error(phrase("feature {} is there twice, first in line {}", shown(name), lines[name]), number)
         if not any(texts[:3]):
             unmeasured[part] = unmeasured.get(part, 0) + 1
             continue
@@ -171,17 +171,19 @@ def _features(source: Source, rows: _Rows) -> Measurement:
         found.setdefault(part, []).append([*place, *others_of[0], *others_of[1]])
     if not found:
         kinds = sorted({shown(kind) for left in others.values() for kind in left})
-        raise source.error(f"no row of the kind Point or SpacePoint, only {', '.join(kinds[:5]) or 'a header'}")
+        raise source.error(
+            phrase("no row of the kind Point or SpacePoint, only {}", ", ".join(kinds[:5]) or phrase("a header"))
+        )
     part = _of_part(source, {part: parts[part] for part in found})
     points, nominal, normals = np.array(found[part]).reshape(-1, 3, 3).swapaxes(0, 1)
     # A direction that the table does not know is written as zeros.
     without = int((np.isnan(normals).any(axis=1) | ~normals.any(axis=1)).sum())
-    notes = [f"{unmeasured[part]} points were not measured"] if part in unmeasured else []
+    notes = [phrase("{} points were not measured", unmeasured[part])] if part in unmeasured else []
     if part in others:
         kinds = sorted(others[part])
-        notes.append(f"{sum(others[part].values())} other features left out: {', '.join(kinds[:5])}")
+        notes.append(phrase("{} other features left out: {}", sum(others[part].values()), ", ".join(kinds[:5])))
     if 0 < without < len(points):
-        notes.append(f"{without} of {len(points)} points have no normal: normals are not used")
+        notes.append(phrase("{} of {} points have no normal: normals are not used", without, len(points)))
     return source.measurement(
         "calypso", points, list(parts[part].values()), ball_radius=source.ball_radius(), unit=source.unit(None),
         nominal=None if np.isnan(nominal).all() else nominal, normals=None if without else normals,
@@ -195,20 +197,22 @@ def _characteristics(source: Source, rows: _Rows) -> Measurement:
     features = table.of_part()
     points = [f for f in features if f.is_point and f.is_measured]
     if not points:
-        raise source.error(f"none of {len(features)} features has xValue and yValue and no other characteristic")
+        raise source.error(
+            phrase("none of {} features has xValue and yValue and no other characteristic", len(features))
+        )
     heights = [f.axes[2] is not None for f in points]
     if any(heights) and not all(heights):
         flat = points[heights.index(False)]
-        raise source.error(f"{shown(flat.name)} has no zValue, others have", flat.line)
-    taken = f"{len(points)} features with X and Y and no size are taken for points"
-    notes = [f"{taken}: the table does not name their kind"]
+        raise source.error(phrase("{} has no zValue, others have", shown(flat.name)), flat.line)
+    taken = phrase("{} features with X and Y and no size are taken for points", len(points))
+    notes = [phrase("{}: the table does not name their kind", taken)]
     spoilt = sum(f.is_point for f in features) - len(points)
     if spoilt:
-        notes.append(f"{spoilt} points were not measured")
+        notes.append(phrase("{} points were not measured", spoilt))
     if len(features) > len(points) + spoilt:
         kinds = sorted({kind for f in features for kind in f.others})
         told = f": {', '.join(kinds[:5])}" if kinds else ""
-        notes.append(f"{len(features) - len(points) - spoilt} other features left out{told}")
+        notes.append(phrase("{} other features left out{}", len(features) - len(points) - spoilt, told))
     ball = source.ball_radius()
     values = np.array([[axis or (0.0, 0.0) for axis in f.axes] for f in points], dtype=np.float64)
     return source.measurement(
@@ -245,14 +249,16 @@ class _Table:
         wanted = _number(self.source, number, nominal, letter)
         value = _number(self.source, number, actual, letter) if actual else None
         if feature.axes[axis] not in (None, (wanted, value)):
-            raise self.source.error(f"{letter} of {shown(name)} is there twice, first from line {feature.line}", number)
+            raise self.source.error(
+                phrase("{} of {} is there twice, first from line {}", letter, shown(name), feature.line), number
+            )
         if value is not None and deviation:
             stated = _number(self.source, number, deviation, letter)
             texts = [text.replace(",", ".") for text in (nominal, actual, deviation)]
             rounding = sum(10.0 ** -len(text.partition(".")[2]) for text in texts) / 2
             if abs(value - wanted - stated) > _BESIDES * rounding:
                 raise self.source.error(
-                    f"{letter}: deviation is not actual less nominal, export the table again", number
+                    phrase("{}: deviation is not actual less nominal, export the table again", letter), number
                 )
         feature.axes[axis] = wanted, value
         self.units.setdefault(unit.lower(), number)
@@ -260,10 +266,12 @@ class _Table:
     def unit(self) -> str | None:
         """Unit that the table states for its coordinates; None where it states none."""
         if len(self.units) > 1:
-            raise self.source.error("coordinates in different units: export them in one", list(self.units.values())[1])
+            raise self.source.error(
+                phrase("coordinates in different units: export them in one"), list(self.units.values())[1]
+            )
         ((name, number),) = self.units.items()
         if name and name not in _UNITS:
-            raise self.source.error(f"unit {shown(name)}: only mm and inch are read", number)
+            raise self.source.error(phrase("unit {}: only mm and inch are read", shown(name)), number)
         return _UNITS.get(name)
 
     def of_part(self) -> list[_Feature]:

@@ -10,16 +10,17 @@ from collections.abc import Iterator
 import numpy as np
 
 from millcorr.errors import FormatError
+from millcorr.messages import phrase
 
 _NOT_TEXT = (
-    (b"%PDF", "a PDF document", "export the points as CSV"),
-    (b"PK\x03\x04", "a ZIP container (a workbook, a FreeCAD document?)", "save the points as CSV"),
-    (b"\xd0\xcf\x11\xe0", "an Excel workbook", "save the points as CSV"),
-    (b"\x1f\x8b", "compressed (gzip)", "unpack it first"),
-    (b"\x89PNG", "a PNG picture", "give the measured points"),
-    (b"\xff\xd8\xff", "a JPEG picture", "give the measured points"),
-    (b"{\\rtf", "a rich text document", "save the points as plain text"),
-    (b"ISO-10303-21", "a STEP model", "give the measured points, not the model"),
+    (b"%PDF", phrase("a PDF document"), phrase("export the points as CSV")),
+    (b"PK\x03\x04", phrase("a ZIP container (a workbook, a FreeCAD document?)"), phrase("save the points as CSV")),
+    (b"\xd0\xcf\x11\xe0", phrase("an Excel workbook"), phrase("save the points as CSV")),
+    (b"\x1f\x8b", phrase("compressed (gzip)"), phrase("unpack it first")),
+    (b"\x89PNG", phrase("a PNG picture"), phrase("give the measured points")),
+    (b"\xff\xd8\xff", phrase("a JPEG picture"), phrase("give the measured points")),
+    (b"{\\rtf", phrase("a rich text document"), phrase("save the points as plain text")),
+    (b"ISO-10303-21", phrase("a STEP model"), phrase("give the measured points, not the model")),
 )
 
 _BOMS = (
@@ -66,18 +67,20 @@ def decode(data: bytes, name: str, drop: bytes = b"") -> str:
     """
     # A copy of all of it is needed only where it begins with very many blanks.
     if not data[:512].strip(_NOTHING) and not data.strip(_NOTHING):
-        raise FormatError("the file is empty" if not data else "the file holds nothing but blanks", name)
+        raise FormatError(
+            phrase("the file is empty") if not data else phrase("the file holds nothing but blanks"), name
+        )
     head = data[:512].lstrip(codecs.BOM_UTF8).lstrip()
     for magic, kind, remedy in _NOT_TEXT:
         if head.startswith(magic):
-            raise FormatError(f"the file is {kind}: {remedy}", name)
+            raise FormatError(phrase("the file is {}: {}", kind, remedy), name)
     text = _decoded(data, name)
     # Not from the bytes: they are halves of characters in UTF-16.
     for control in drop.decode("ascii"):
         text = text.replace(control, "")
     start = text[:512].lstrip().lower()
     if start.startswith(("<?xml", "<!doctype", "<html")) or re.match(r"<[a-z][\w:.-]*[\s/>]", start):
-        raise FormatError("the file is XML or HTML: export the points as text with a header x,y,z", name)
+        raise FormatError(phrase("the file is XML or HTML: export the points as text with a header x,y,z"), name)
     if text.endswith(("\x1a", "\x00")):
         text = text.rstrip("\x1a\x00")
     if "\r" in text:
@@ -86,7 +89,7 @@ def decode(data: bytes, name: str, drop: bytes = b"") -> str:
     found = _CONTROL.search(text) if _has_controls(data) else None
     if found:
         line = text.count("\n", 0, found.start()) + 1
-        raise FormatError(f"binary data (control character {ord(found[0])}): not a text file", name, line)
+        raise FormatError(phrase("binary data (control character {}): not a text file", ord(found[0])), name, line)
     if not text.isascii():
         for character, plain in _ALIKE.items():
             text = text.replace(character, plain)
@@ -148,5 +151,5 @@ def _strict(data: bytes, encoding: str, name: str) -> str:
     except UnicodeDecodeError as error:
         newlines = (b"\n", b"\r\n", b"\r")
         line = max(data.count(n, 0, error.start) for n in newlines) + 1
-        kind = "binary or truncated" if encoding.startswith("utf") else "binary"
-        raise FormatError(f"the file is {kind}: no text in {encoding.upper()}", name, line) from error
+        kind = phrase("binary or truncated") if encoding.startswith("utf") else "binary"
+        raise FormatError(phrase("the file is {}: no text in {}", kind, encoding.upper()), name, line) from error

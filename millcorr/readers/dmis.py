@@ -17,7 +17,7 @@ import numpy as np
 
 from millcorr.arrays import Floats
 from millcorr.errors import unsaid
-from millcorr.messages import remedy
+from millcorr.messages import phrase, remedy
 from millcorr.readers.measurement import Measurement
 
 from .source import Source, shown
@@ -88,14 +88,14 @@ def statements(source: Source) -> Iterator[tuple[int, str]]:
         parts.append(line[:-1].rstrip() if more else line)
         length += len(line)
         if length > _LONGEST:
-            raise source.error(f"a statement of more than {_LONGEST} characters", begun)
+            raise source.error(phrase("a statement of more than {} characters", _LONGEST), begun)
         if not more:
             whole = "".join(parts)
             if whole:
                 yield begun, whole.upper()
             begun, parts, length = 0, [], 0
     if any(parts):
-        raise source.error("the file ends in the middle of a statement: it was cut off", begun)
+        raise source.error(phrase("the file ends in the middle of a statement: it was cut off"), begun)
 
 
 class _Rows:
@@ -154,7 +154,9 @@ class _Output:
         if found is None:
             self.ended = self.ended or statement == "ENDFIL"
             if re.match(r"FA?\s*\(|PTDATA", statement):
-                raise self.source.error(f"{shown(statement)} is no whole statement: export the file again", line)
+                raise self.source.error(
+                    phrase("{} is no whole statement: export the file again", shown(statement)), line
+                )
             self.curve = None
             return
         words = _words(found[2])
@@ -166,19 +168,19 @@ class _Output:
             self._units(line, words)
         elif found[1] == "WKPLAN":
             if words[0] not in _PLANES:
-                raise self.source.error(f"work plane {shown(words[0])} is not known", line)
+                raise self.source.error(phrase("work plane {} is not known", shown(words[0])), line)
             self.plane = _PLANES[words[0]]
         elif found[1] == "PRCOMP":
             compensated = words[0] != "OFF"
             if self.compensated not in (None, compensated) and self.actual.lines:
-                raise self.source.error("ball compensation changes between the points: export them apart", line)
+                raise self.source.error(phrase("ball compensation changes between the points: export them apart"), line)
             self.compensated = compensated
 
     def _units(self, line: int, words: list[str]) -> None:
         if words[0] not in _UNITS:
-            raise self.source.error(f"UNITS/{words[0][:20]}: only MM and INCH are read", line)
+            raise self.source.error(phrase("UNITS/{}: only MM and INCH are read", words[0][:20]), line)
         if self.unit not in (None, _UNITS[words[0]]):
-            raise self.source.error("the unit changes: export the points in one", line)
+            raise self.source.error(phrase("the unit changes: export the points in one"), line)
         self.unit = _UNITS[words[0]]
         for word in words[1:]:
             if word in _ANGLES:
@@ -189,7 +191,7 @@ class _Output:
         rows = self.nominal if role == "F" else self.actual
         if kind in _CURVES:
             if role == "FA" and label in rows.begin:
-                raise self.source.error(f"FA({label[:40]}) is there twice: export every curve once", line)
+                raise self.source.error(phrase("FA({}) is there twice: export every curve once", label[:40]), line)
             rows.open(label)
             self.curve = (rows, label)
             return
@@ -203,7 +205,7 @@ class _Output:
         rows = self.nominal if role == "F" else self.actual
         if role == "FA" and label in rows.begin:
             if rows.count[label] != 1:
-                raise self.source.error(f"FA({label[:40]}) is a point and a curve", line)
+                raise self.source.error(phrase("FA({}) is a point and a curve", label[:40]), line)
             self.again.append((label, line, values))
             return
         rows.open(label)
@@ -211,19 +213,19 @@ class _Output:
 
     def _point_of_curve(self, line: int, words: list[str]) -> None:
         if self.curve is None:
-            raise self.source.error("PTDATA without a curve or surface above it", line)
+            raise self.source.error(phrase("PTDATA without a curve or surface above it"), line)
         rows, label = self.curve
-        rows.add(label, line, self._coordinates(line, f"PTDATA of {label[:40]}", words))
+        rows.add(label, line, self._coordinates(line, phrase("PTDATA of {}", label[:40]), words))
 
     def _coordinates(self, line: int, what: str, words: list[str]) -> tuple[float, ...]:
         """Values x, y, z, i, j, k behind CART or POL, polar ones turned into Cartesian ones."""
         kind = next((k for k, w in enumerate(words) if w in ("CART", "POL")), None)
         if kind is None:
-            raise self.source.error(f"{what}: neither CART nor POL", line)
+            raise self.source.error(phrase("{}: neither CART nor POL", what), line)
         polar = words[kind] == "POL"
         fields = words[kind + 1 :]
         if len(fields) < 3 or len(fields) not in (3, 6, 9):
-            raise self.source.error(f"{what}: {len(fields)} numbers where 3 or 6 were expected", line)
+            raise self.source.error(phrase("{}: {} numbers where 3 or 6 were expected", what, len(fields)), line)
         values = [self._angle(line, f) if polar and k == 1 else self._number(line, f) for k, f in enumerate(fields)]
         if polar:
             values[:3] = self._placed(*values[:3])
@@ -255,10 +257,10 @@ class _Output:
 
     def _number(self, line: int, text: str) -> float:
         if not _NUMBER.fullmatch(text):
-            raise self.source.error(f"{shown(text)} is no number", line)
+            raise self.source.error(phrase("{} is no number", shown(text)), line)
         value = float(text.replace("D", "E"))
         if not abs(value) <= _FARTHEST:
-            raise self.source.error(f"{shown(text)} is no length that a machine can travel", line)
+            raise self.source.error(phrase("{} is no length that a machine can travel", shown(text)), line)
         return value
 
     def _angle(self, line: int, text: str) -> float:
@@ -276,25 +278,30 @@ class _Output:
             first = actual.begin[label]
             if not np.array_equal(measured[first], np.array(values), equal_nan=True):
                 raise source.error(
-                    f"FA({label[:40]}) lies elsewhere than in line {actual.lines[first]}: export every point once", line
+                    phrase(
+                        "FA({}) lies elsewhere than in line {}: export every point once",
+                        label[:40],
+                        actual.lines[first],
+                    ),
+                    line,
                 )
         if not len(measured):
-            others = f", only {', '.join(sorted(self.others)[:5])}" if self.others else ""
-            raise source.error(f"no measured points FA(...)=FEAT/POINT in the file{others}")
+            others = phrase(", only {}", ", ".join(sorted(self.others)[:5])) if self.others else ""
+            raise source.error(phrase("no measured points FA(...)=FEAT/POINT in the file{}", others))
         notes = []
         if not self.ended:
-            notes.append("no ENDFIL: points may be missing at the end of the file")
+            notes.append(phrase("no ENDFIL: points may be missing at the end of the file"))
         if self.again:
-            notes.append(f"{len(self.again)} repetitions of points left out: they are equal")
+            notes.append(phrase("{} repetitions of points left out: they are equal", len(self.again)))
         if self.others:
             left = ", ".join(f"{n} {kind}" for kind, n in sorted(self.others.items())[:5])
-            notes.append(f"measured features left out: {left}")
+            notes.append(phrase("measured features left out: {}", left))
         unmeasured = sum(n for label, n in nominal.count.items() if label not in actual.begin)
         if unmeasured:
-            notes.append(f"{unmeasured} nominal points were not measured")
+            notes.append(phrase("{} nominal points were not measured", unmeasured))
         if self.unit is None and source.units is None:
             raise unsaid(
-                f"{source.name} has no UNITS statement",
+                phrase("{} has no UNITS statement", source.name),
                 remedy("units", "mm"),
                 remedy("units", "inch"),
             )
@@ -314,7 +321,7 @@ class _Output:
         normals[directed] = ideal[partner[directed], 3:]
         without = int(np.isnan(normals).any(axis=1).sum())
         if 0 < without < len(measured):
-            notes.append(f"{without} of {len(measured)} points have no normal: normals are not used")
+            notes.append(phrase("{} of {} points have no normal: normals are not used", without, len(measured)))
         ball = source.ball_radius(centres=None if self.compensated is None else not self.compensated)
         return source.measurement(
             "dmis", measured[:, :3], actual.lines, ball_radius=ball, unit=source.unit(self.unit),

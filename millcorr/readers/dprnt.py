@@ -13,6 +13,7 @@ from array import array
 import numpy as np
 
 from millcorr.arrays import Floats, Ints
+from millcorr.messages import phrase
 from millcorr.readers.measurement import Measurement
 
 from .decimal_columns import decimal_words
@@ -68,11 +69,13 @@ def read(source: Source) -> Measurement:
         if not printed.alike(number, piece):
             for further, raw in enumerate(rows):
                 if len(raw) > LONGEST_LINE:
-                    raise source.error(f"a line of {len(raw)} characters: no print-out, or damaged", number + further)
+                    raise source.error(
+                        phrase("a line of {} characters: no print-out, or damaged", len(raw)), number + further
+                    )
                 printed.line(number + further, raw)
         number += len(rows)
     if not printed.places:
-        raise source.error("no points in the file")
+        raise source.error(phrase("no points in the file"))
     table, lines = np.frombuffer(printed.values).reshape(-1, 6), np.frombuffer(printed.places, dtype=np.int64)
     named, blocks = np.frombuffer(printed.numbers), np.frombuffer(printed.blocks, dtype=np.int64)
     chosen = rows_of_part(source, lines, _parts(source, table, named, blocks, lines))
@@ -81,12 +84,12 @@ def read(source: Source) -> Measurement:
     height, normals = table[:, 2], table[:, 3:]
     partly = np.flatnonzero(np.isnan(height) != np.isnan(height[:1]).any())
     if len(partly):
-        raise source.error("Z stands in some lines and not in others", int(lines[partly[0]]))
+        raise source.error(phrase("Z stands in some lines and not in others"), int(lines[partly[0]]))
     has_z = not np.isnan(height).any()
     flat = np.isnan(normals[:, 2]) & ~np.isnan(normals[:, :2]).any(axis=1)
     normals[flat, 2] = 0.0
     missing = np.isnan(normals).any(axis=1)
-    notes = [f"{int(missing.sum())} of {len(table)} points have no normal: normals are not used"]
+    notes = [phrase("{} of {} points have no normal: normals are not used", int(missing.sum()), len(table))]
     return source.measurement(
         "dprnt", np.nan_to_num(table[:, :3]), lines, ball_radius=ball, unit=source.unit(None),
         normals=None if missing.any() else normals, elements=names if any(names) else None, has_z=has_z,
@@ -139,7 +142,7 @@ class _Printed:
         words = _words(self.source, number, text)
         for letter in "XY":
             if letter not in words:
-                raise self.source.error(f"{letter} is missing: the line is incomplete", number)
+                raise self.source.error(phrase("{} is missing: the line is incomplete", letter), number)
         self.values.extend([words.get(c, np.nan) for c in "XYZIJK"])
         self.places.append(number)
         self.blocks.append(self.block)
@@ -152,12 +155,12 @@ def _words(source: Source, number: int, text: str) -> dict[str, float]:
     while position < len(text):
         found = _WORD.match(text, position)
         if found is None:
-            raise source.error(f"{shown(text[position:])} is no word of a printed point", number)
+            raise source.error(phrase("{} is no word of a printed point", shown(text[position:])), number)
         if found[1] in words:
-            raise source.error(f"the letter {found[1]} is there twice: two lines ran together", number)
+            raise source.error(phrase("the letter {} is there twice: two lines ran together", found[1]), number)
         words[found[1]] = float(found[2] + found[3])
         if abs(words[found[1]]) > _LARGEST:
-            raise source.error(f"{found[1]}{shown(found[3])} is no coordinate", number)
+            raise source.error(phrase("{}{} is no coordinate", found[1], shown(found[3])), number)
         position = found.end()
     return words
 
@@ -173,8 +176,12 @@ def _parts(source: Source, table: Floats, numbers: Floats, blocks: Ints, lines: 
     if twice is not None:
         first, again = twice
         raise source.error(
-            f"point N{numbers[again]:g} is there twice, first in line {lines[first]}: keep one of them, or give every "
-            "point a number of its own",
+            phrase(
+                "point N{:g} is there twice, first in line {}: keep one of them, or give every point a "
+                "number of its own",
+                numbers[again],
+                lines[first],
+            ),
             int(lines[again]),
         )
     return part_of

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import re
 
+from millcorr.messages import phrase
+
 from .source import shown
 
 NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
@@ -30,20 +32,21 @@ def is_number(field: str, separator: str | None) -> bool:
 
 def mixed_marks(field: str) -> str:
     """What to say of a number whose decimal mark is not that of the numbers before."""
-    return (
-        f"{shown(field)}: decimal points and decimal commas in one file; a spreadsheet may have spoilt it, "
-        "export again with decimal points"
+    return phrase(
+        "{}: decimal points and decimal commas in one file; a spreadsheet may have spoilt it, export "
+        "again with decimal points",
+        shown(field),
     )
 
 
 def why_no_number(field: str, separator: str | None) -> str:
     """What to say of a field that should be a number and is none."""
     if field == "":
-        return "a coordinate is missing: delete the row or measure the point again"
+        return phrase("a coordinate is missing: delete the row or measure the point again")
     if re.fullmatch(r"[+-]?(nan|inf(inity)?|1?\.?#.*|\*+|-+|n/?a|null|none|#.*!?)", field, re.IGNORECASE):
-        return f"{shown(field)} is no measured value: delete the row or measure the point again"
+        return phrase("{} is no measured value: delete the row or measure the point again", shown(field))
     if _DATE.fullmatch(field):
-        return f"{shown(field)} is a date: a spreadsheet has spoilt the number, export again without it"
+        return phrase("{} is a date: a spreadsheet has spoilt the number, export again without it", shown(field))
     if separator != "," and _GROUPED.fullmatch(field):
-        return f"{shown(field)}: thousands separator or decimal comma? Export with plain decimal points"
-    return f"{shown(field)} is no number"
+        return phrase("{}: thousands separator or decimal comma? Export with plain decimal points", shown(field))
+    return phrase("{} is no number", shown(field))

@@ -15,7 +15,7 @@ import numpy as np
 
 from millcorr.arrays import Floats
 from millcorr.errors import UsageError, unsaid
-from millcorr.messages import option, remedy
+from millcorr.messages import option, phrase, remedy
 from millcorr.readers.measurement import Measurement
 
 from .parts import parts_by_place, rows_of_part
@@ -86,7 +86,7 @@ class _Log:
         while begun >= 0:
             touch = _PROBE.match(line, begun)
             if touch is None:
-                raise self.source.error(f"{shown(line[begun:])} is damaged: log the touches again", number)
+                raise self.source.error(phrase("{} is damaged: log the touches again", shown(line[begun:])), number)
             self._touch(number, touch)
             begun = line.find("[PRB:", begun + 1)
         if "WCO:" in line:
@@ -112,7 +112,7 @@ class _Log:
             return
         if found[2] == "0":
             raise self.source.error(
-                "the touch failed, the ball met nothing: delete the line or measure the point again", number
+                phrase("the touch failed, the ball met nothing: delete the line or measure the point again"), number
             )
         self.decimals |= {len(cell.partition(".")[2]) for cell in found[1].split(",")[:3]}
         self.values.extend(place)
@@ -122,7 +122,7 @@ class _Log:
         source = self.source
         points = np.array(self.values, dtype=np.float64).reshape(-1, 3)
         if not len(points):
-            raise source.error("no probe report [PRB:x,y,z:1] in the log")
+            raise source.error(phrase("no probe report [PRB:x,y,z:1] in the log"))
         ball = source.ball_radius(centres=True)
         unit = self._unit()
         factor = MM_PER_INCH if unit == "inch" else 1.0
@@ -140,15 +140,17 @@ class _Log:
         far = bool(self.values) and max(map(abs, self.values)) > _NO_INCHES
         if self.inches is None and self.decimals == {4} and self.source.units is None and not far:
             raise unsaid(
-                f"{self.source.name} does not hold $13 and gives four decimals, as GRBL prints inches, and "
-                "some builds of it mm",
+                phrase(
+                    "{} does not hold $13 and gives four decimals, as GRBL prints inches, and some builds of it mm",
+                    self.source.name,
+                ),
                 remedy("units", "inch"),
                 remedy("units", "mm"),
             )
         told = None if self.inches is None else "inch" if self.inches else "mm"
-        shows = "three decimals, as GRBL prints mm" if self.decimals == {3} else ""
+        shows = phrase("three decimals, as GRBL prints mm") if self.decimals == {3} else ""
         if far:
-            shows = "places farther out than such machines go in inches"
+            shows = phrase("places farther out than such machines go in inches")
         return self.source.unit(told, "mm", shows)
 
     def _origin(self, factor: float) -> tuple[Floats, str]:
@@ -157,7 +159,7 @@ class _Log:
         if self.offsets:
             table = np.array(self.offsets)
             latest = np.searchsorted(np.array(self.offset_lines), np.array(self.lines), side="right") - 1
-            known, text = table[np.maximum(latest, 0)], "WCO of the log"
+            known, text = table[np.maximum(latest, 0)], phrase("WCO of the log")
         elif self.stored:
             g92 = (*self.stored.get("G92", ()), 0.0, 0.0, 0.0)[:3]
             length = self.stored.get("TLO", (0.0,))
@@ -165,18 +167,20 @@ class _Log:
             lengths = (0.0, 0.0, length[0]) if len(length) < 3 else length[:3]
             work = self.stored.get(self.active)
             if work is None or len(work) < 3:
-                raise source.error(f"the $# report in the log does not hold the active {self.active}")
-            known, text = np.array(work[:3]) + np.array(g92) + np.array(lengths), f"{self.active} of the log"
+                raise source.error(phrase("the $# report in the log does not hold the active {}", self.active))
+            known, text = np.array(work[:3]) + np.array(g92) + np.array(lengths), phrase("{} of the log", self.active)
         elif given is None:
             raise unsaid(
-                f"{source.name} is in the machine frame and does not hold the work offset",
+                phrase("{} is in the machine frame and does not hold the work offset", source.name),
                 option("work_offset", of="X Y Z"),
             )
         else:
-            return np.array(given) / factor, "machine frame, work offset as given"
+            return np.array(given) / factor, phrase("machine frame, work offset as given")
         if given is not None and (np.abs(known * factor - np.array(given)) > _SAME).any():
-            raise UsageError(option("work_offset"), f" contradicts {source.name}, which holds {text}: leave it out")
-        return known, f"machine frame, work offset by {text}"
+            raise UsageError(
+                phrase("{} contradicts {}, which holds {}: leave it out", option("work_offset"), source.name, text)
+            )
+        return known, phrase("machine frame, work offset by {}", text)
 
 
 def _three(text: str) -> tuple[float, float, float]:

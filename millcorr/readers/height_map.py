@@ -14,7 +14,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from millcorr.arrays import Floats
+from millcorr.arrays import Floats, Ints
+from millcorr.messages import phrase
 from millcorr.readers.measurement import Measurement
 
 from .decimal_columns import decimal_columns
@@ -23,7 +24,7 @@ from .fields import NUMBER
 from .source import Source, shown
 from .xml_events import Element, parse
 
-NOTE = "a height map, touched along Z: it shows the height of a surface and nothing of a contour"
+NOTE = phrase("a height map, touched along Z: it shows the height of a surface and nothing of a contour")
 
 _LARGEST = 1e9
 _MOST = 1_000_000
@@ -66,19 +67,19 @@ def read(source: Source) -> Measurement:
     UsageError
         If the caller contradicts the file.
     """
-    lines: Sequence[int]
     if _ROOT.search(beginning(source.data, 4096)):
         document = _Map(source)
         parse(source, "heightmap", document.root)
+        document.refuse_repeated()
         points = np.array(document.points).reshape(-1, 3)
-        lines, announced = document.lines, document.size[0] * document.size[1]
+        lines, announced = np.array(document.lines, dtype=np.int64), document.size[0] * document.size[1]
     else:
         points, lines, announced = _rows(source)
     if not len(points):
-        raise source.error("no height in the map: it was not probed yet")
+        raise source.error(phrase("no height in the map: it was not probed yet"))
     notes = [NOTE]
     if len(points) < announced:
-        notes.append(f"{announced - len(points)} of {announced} places were not touched")
+        notes.append(phrase("{} of {} places were not touched", announced - len(points), announced))
     return source.measurement(
         "height-map", points, lines, ball_radius=source.ball_radius(centres=False), unit=source.unit(None),
         notes=notes,
@@ -88,49 +89,59 @@ def read(source: Source) -> Measurement:
 def _number(source: Source, text: str, line: int) -> float:
     text = text.strip()
     if not NUMBER.fullmatch(text) or not abs(float(text)) < _LARGEST:
-        raise source.error(f"{shown(text)} is no coordinate", line)
+        raise source.error(phrase("{} is no coordinate", shown(text)), line)
     return float(text)
 
 
 def _counts(source: Source, numbers: Sequence[float], line: int) -> tuple[int, int]:
     if not all(n == int(n) and 2 <= n <= _MOST for n in numbers):
-        raise source.error(f"{numbers[0]:g} by {numbers[1]:g} places are no grid", line)
+        raise source.error(phrase("{:g} by {:g} places are no grid", numbers[0], numbers[1]), line)
     return int(numbers[0]), int(numbers[1])
 
 
-def _rows(source: Source) -> tuple[Floats, Sequence[int], int]:
+def _rows(source: Source) -> tuple[Floats, Ints, int]:
     """Points (n, 3), their lines, and how many places bCNC's head announces."""
     whole = decimal_columns(source.text(), None, 3, (0, 1, 2))
     if whole is not None and not (np.abs(whole[0]) >= _LARGEST).any():
-        return _on_grid(source, whole[0], whole[1].tolist())
+        return _on_grid(source, *whole)
     values, lines = array("d"), array("q")
     for number, line in source.lines():
         fields = line.split()
         if not fields:
             continue
         if len(fields) != 3:
-            raise source.error(f"{len(fields)} numbers where a height map has three in a line", number)
+            raise source.error(phrase("{} numbers where a height map has three in a line", len(fields)), number)
         values.extend([_number(source, field, number) for field in fields])
         lines.append(number)
-    return _on_grid(source, np.array(values).reshape(-1, 3), lines)
+    return _on_grid(source, np.array(values).reshape(-1, 3), np.array(lines, dtype=np.int64))
 
 
-def _on_grid(source: Source, table: Floats, lines: Sequence[int]) -> tuple[Floats, Sequence[int], int]:
+def _on_grid(source: Source, table: Floats, lines: Ints) -> tuple[Floats, Ints, int]:
     """Points, lines and places of a map whose numbers, (n, 3), have been read."""
     if len(table) < 3:
-        raise source.error("a height map begins with three lines: x and y from, to and how many, and z")
+        raise source.error(phrase("a height map begins with three lines: x and y from, to and how many, and z"))
     (left, right, _), (low, high, _) = table[:2].tolist()
-    across, along = _counts(source, table[:2, 2].tolist(), lines[1])
+    across, along = _counts(source, table[:2, 2].tolist(), int(lines[1]))
     points, own = table[3:], lines[3:]
     if len(points) > across * along:
-        raise source.error(f"more than the {across * along} places of the grid", own[across * along])
-    j, i = np.divmod(np.arange(len(points)), across)
-    grid = np.column_stack([left + (right - left) * i / (across - 1), low + (high - low) * j / (along - 1)])
-    off = np.flatnonzero((np.abs(points[:, :2] - grid) > _DIGITS * np.abs(table[:2, :2]).max()).any(axis=1))
+        raise source.error(phrase("more than the {} places of the grid", across * along), int(own[across * along]))
+    # One coordinate at a time: a map is as large as its points.
+    place = np.arange(len(points))
+    wrong = np.zeros(len(points), dtype=bool)
+    close = _DIGITS * np.abs(table[:2, :2]).max()
+    for k, (begin, end, count, number) in enumerate(
+        ((left, right, across, place % across), (low, high, along, place // across))
+    ):
+        wanted = begin + (end - begin) / (count - 1) * number
+        wrong |= np.abs(points[:, k] - wanted) > close
+    off = np.flatnonzero(wrong)
     if len(off):
-        (x, y), (wanted_x, wanted_y) = points[off[0], :2], grid[off[0]]
+        x, y = points[off[0], :2]
+        along_y, along_x = divmod(int(off[0]), across)
+        wanted_x, wanted_y = left + (right - left) * along_x / (across - 1), low + (high - low) * along_y / (along - 1)
         raise source.error(
-            f"X{x:g} Y{y:g} where the grid has X{wanted_x:g} Y{wanted_y:g}: lines are missing", own[off[0]]
+            phrase("X{:g} Y{:g} where the grid has X{:g} Y{:g}: lines are missing", x, y, wanted_x, wanted_y),
+            int(own[off[0]]),
         )
     return points, own, across * along
 
@@ -145,7 +156,7 @@ class _Map:
         self.size = (0, 0)
         self.corners = (0.0, 0.0, 0.0, 0.0)
         self.place = (0, 0)
-        self.seen: set[tuple[int, int]] = set()
+        self.places = array("q")
         point = Element(begin=self._open_point, text=self._take_height)
         others = Element(lambda name: point if name == "point" else others)
         self.root = Element(others.inside, begin=self._open_map)
@@ -158,9 +169,21 @@ class _Map:
     def _open_point(self, attributes: dict[str, str], line: int) -> None:
         i, j = (_number(self.source, attributes.get(name, ""), line) for name in "XY")
         self.place = int(i), int(j)
-        if (i, j) != self.place or not (0 <= i < self.size[0] and 0 <= j < self.size[1]) or self.place in self.seen:
-            raise self.source.error(f"point {i:g}, {j:g} is not on the grid, or there twice", line)
-        self.seen.add(self.place)
+        if (i, j) != self.place or not (0 <= i < self.size[0] and 0 <= j < self.size[1]):
+            raise self.source.error(phrase("point {:g}, {:g} is not on the grid", i, j), line)
+        self.places.append(self.place[0] + self.size[0] * self.place[1])
+
+    def refuse_repeated(self) -> None:
+        """FormatError where a place of the grid is there twice; names the second line."""
+        order = np.argsort(self.places, kind="stable")
+        placed = np.array(self.places)[order]
+        again = order[1:][placed[1:] == placed[:-1]]
+        if len(again):
+            row = int(again.min())
+            j, i = divmod(self.places[row], self.size[0])
+            raise self.source.error(
+                phrase("point {}, {} is there twice", i, j), self.lines[row] if row < len(self.lines) else None
+            )
 
     def _take_height(self, content: str, line: int) -> None:
         left, low, right, high = self.corners

@@ -12,6 +12,7 @@ import re
 
 import numpy as np
 
+from millcorr.messages import phrase
 from millcorr.readers.measurement import Measurement
 
 from .decimal_columns import decimal_columns
@@ -58,7 +59,7 @@ def read(source: Source) -> Measurement:
     whole = decimal_columns(source.text(), None, 9, range(9))
     if whole is None or not np.isfinite(whole[0]).all():
         _name_the_wrong(source)
-        raise source.error("a number is too large, or not nine in a row")
+        raise source.error(phrase("a number is too large, or not nine in a row"))
     values, lines_of = whole
     # What the format says of its points holds only if the file is one.
     ball = source.ball_radius(centres=True)
@@ -66,16 +67,19 @@ def read(source: Source) -> Measurement:
     if (others > _STILL).any():
         axis = _COLUMNS[3 + int(others.argmax())]
         row = int(np.abs(values[:, 3 + int(others.argmax())] - values[0, 3 + int(others.argmax())]).argmax())
-        raise source.error(f"axis {axis} moved between the touches: probe with X, Y and Z only", int(lines_of[row]))
+        raise source.error(
+            phrase("axis {} moved between the touches: probe with X, Y and Z only", axis), int(lines_of[row])
+        )
     away = [f"{c}{v:g}" for c, v in zip(_COLUMNS[3:], values[0, 3:], strict=True) if abs(v) > _STILL]
-    notes = [f"other axes stood at {' '.join(away)}"] if away else []
+    notes = [phrase("other axes stood at {}", " ".join(away))] if away else []
     unit = source.unit(None)
     factor = MM_PER_INCH if unit == "inch" else 1.0
     slow = slow_touches(values[:, :3] * factor)
     points, lines_of = values[slow, :3], lines_of[slow]
-    notes += remark(slow)
     chosen = rows_of_part(source, lines_of, parts_by_place(points * factor))
-    return source.measurement("linuxcnc", points[chosen], lines_of[chosen], ball_radius=ball, unit=unit, notes=notes)
+    return source.measurement(
+        "linuxcnc", points[chosen], lines_of[chosen], ball_radius=ball, unit=unit, notes=[*notes, *remark(slow)]
+    )
 
 
 def _name_the_wrong(source: Source) -> None:
@@ -84,8 +88,9 @@ def _name_the_wrong(source: Source) -> None:
         fields = line.split()
         if fields and len(fields) != 9:
             raise source.error(
-                f"{len(fields)} numbers where X Y Z A B C U V W make nine: the row is damaged or cut off", number
+                phrase("{} numbers where X Y Z A B C U V W make nine: the row is damaged or cut off", len(fields)),
+                number,
             )
         for field in fields:
             if not _NUMBER.fullmatch(field) or not abs(float(field)) < 1e9:
-                raise source.error(f"{shown(field)} is no coordinate", number)
+                raise source.error(phrase("{} is no coordinate", shown(field)), number)

@@ -13,6 +13,7 @@ import numpy as np
 
 from millcorr.arrays import Floats, Ints
 from millcorr.errors import FormatError
+from millcorr.messages import message, mm, phrase
 from millcorr.readers.measurement import Basis, Measurement
 
 from .decimal_columns import decimal_tables
@@ -70,7 +71,7 @@ def read(source: Source, mapping: TextMapping) -> Measurement:
     UsageError
         If the caller contradicts the mapping, or neither says what the points are.
     """
-    told = replace(source, name=f"the mapping {mapping.source}".rstrip())
+    told = replace(source, name=phrase("the mapping {}", mapping.source) if mapping.source else phrase("the mapping"))
     kind = told.kind(mapping.points)
     told = replace(told, points=kind)
     # A radius in the mapping is of use only if the points are no contact points.
@@ -101,7 +102,7 @@ def read(source: Source, mapping: TextMapping) -> Measurement:
     travel = vectors("travel_x", "travel_y", "travel_z")
     assert points is not None
     if travel is not None:
-        travel = unit_vectors(travel, lines, source.name, "direction of travel")
+        travel = unit_vectors(travel, lines, source.name, phrase("direction of travel"))
     elif rows.travel:
         travel = np.array(rows.travel)[:, ["xyz".index(axis) for axis in axes_of(mapping.plane)]]
         travel[:, 2] *= PLANES[mapping.plane]
@@ -114,8 +115,12 @@ def read(source: Source, mapping: TextMapping) -> Measurement:
         has_z=axes_of(mapping.plane)[2] in column,
         factor=mapping.factor,
         notes=[
-            f"columns by {mapping.source or 'a mapping'}" + (f" ({mapping.name})" if mapping.name else ""),
-            *([f"converted from a unit of {mapping.factor:g} mm"] if mapping.factor is not None else []),
+            phrase(
+                "columns by {}{}",
+                mapping.source or phrase("a mapping"),
+                f" ({mapping.name})" if mapping.name else "",
+            ),
+            *([phrase("converted from a unit of {}", mm(mapping.factor, "g"))] if mapping.factor is not None else []),
         ],
     )  # fmt: skip
     return measurement if axis_radii is None else replace(measurement, axis_radii=axis_radii, travel=travel)
@@ -127,7 +132,7 @@ def _text(source: Source, mapping: TextMapping) -> str:
     try:
         recoded = source.data.decode(mapping.encoding).encode()
     except (UnicodeError, ValueError) as error:
-        raise source.error(f"no text in {mapping.encoding}, which the mapping says") from error
+        raise source.error(phrase("no text in {}, which the mapping says", mapping.encoding)) from error
     return decode(recoded, source.name)
 
 
@@ -179,7 +184,7 @@ def _header(text: str, names: list[str], source: Source, mapping: TextMapping) -
             for name in names:
                 if fields.count(name) > 1:
                     raise source.error(
-                        f"two columns are named {shown(name)}: give their numbers in the mapping", number
+                        phrase("two columns are named {}: give their numbers in the mapping", shown(name)), number
                     )
             return number - 1, fields
         if best is None or there > best[0]:
@@ -187,17 +192,19 @@ def _header(text: str, names: list[str], source: Source, mapping: TextMapping) -
         if mapping.header is not None:
             break
     if best is None:
-        raise source.error(f"the file ends before line {mapping.header}, where the mapping has the header")
+        raise source.error(phrase("the file ends before line {}, where the mapping has the header", mapping.header))
     there_are = {f.casefold(): f for f in best[2] if f}
     missing = next(name for name in names if name not in there_are)
     near = get_close_matches(missing, there_are.keys() - set(names), n=1, cutoff=0.5)
-    meant = f" (is it {shown(there_are[near[0]])}?)" if near else ""
-    where = f"line {mapping.header}" if mapping.header is not None else "no line"
-    verb = "does not name" if mapping.header is not None else "names"
-    by = f"the mapping {mapping.source}".rstrip()
-    columns = f"the column of {by}:" if len(names) == 1 else f"all columns of {by}; lacking:"
+    meant = phrase(" (is it {}?)", shown(there_are[near[0]])) if near else ""
+    lacking = message(shown(told.get(missing, missing)), meant)
+    by = mapping.source or phrase("the mapping")
+    if mapping.header is not None:
+        told_of = phrase("line {} does not name all columns of {}; lacking: {}", mapping.header, by, lacking)
+    else:
+        told_of = phrase("no line names all columns of {}; lacking: {}", by, lacking)
     raise source.error(
-        f"{where} {verb} {columns} {shown(told.get(missing, missing))}{meant}",
+        told_of,
         best[1] if best[0] or mapping.header else None,
     )
 
@@ -271,7 +278,7 @@ class _Rows:
             if self.mapping.end and raw.lstrip().startswith(self.mapping.end.strip()):
                 break
             if len(raw) > _LINE_LIMIT:
-                raise self.source.error(f"a line of {len(raw)} characters is no row of numbers", number)
+                raise self.source.error(phrase("a line of {} characters is no row of numbers", len(raw)), number)
             content = self.comment.sub("", raw) if self.comment else raw
             if content.strip():
                 self._line(number, content)
@@ -286,14 +293,23 @@ class _Rows:
             return
         width = self.width = self.width or len(fields)
         if len(fields) < width or any(fields[width:]):
-            less = "the row is incomplete, or the file was cut off" if len(fields) < width else "one too many"
+            less = (
+                phrase("the row is incomplete, or the file was cut off")
+                if len(fields) < width
+                else phrase("one too many")
+            )
             raise self.source.error(
-                f"{len(fields)} columns where {width} were expected: {less}; {shown(content)}", number
+                phrase("{} columns where {} were expected: {}; {}", len(fields), width, less, shown(content)), number
             )
         if width < self.needed:
             raise self.source.error(
-                f"{width} columns, but the mapping takes column {self.needed}: is the separator "
-                f"{self.mapping.separator}?", number
+                phrase(
+                    "{} columns, but the mapping takes column {}: is the separator {}?",
+                    width,
+                    self.needed,
+                    self.mapping.separator,
+                ),
+                number,
             )  # fmt: skip
         for column, place in self.table.columns.items():
             if column == "id":
@@ -321,7 +337,9 @@ class _Rows:
         # Some controls print a minus that is no hyphen.
         found = _TRAVEL.get("".join(field.split()).replace("\u2212", "-").lower())
         if found is None:
-            raise self.source.error(f"{shown(field)} is no direction of travel: X+, X-, Y+, Y-, Z+ or Z-", number)
+            raise self.source.error(
+                phrase("{} is no direction of travel: X+, X-, Y+, Y-, Z+ or Z-", shown(field)), number
+            )
         return found
 
     def _number(self, field: str, number: int) -> float:
@@ -333,20 +351,23 @@ class _Rows:
                 raise self.source.error(self._why_no_number(field, other), number)
         value = float(field.replace(",", "."))
         if not np.isfinite(value):
-            raise self.source.error(f"{shown(field)} is too large", number)
+            raise self.source.error(phrase("{} is too large", shown(field)), number)
         return value
 
     def _why_no_number(self, field: str, other: re.Pattern[str]) -> str:
         if other.fullmatch(field):
             if self.lines:
                 return mixed_marks(field)
-            found = "comma" if self.mark == "." else "point"
-            return f"{shown(field)} has a decimal {found}: the mapping says decimal = {self.mapping.decimal!r}"
+            if self.mark == ".":
+                return phrase(
+                    "{} has a decimal comma: the mapping says decimal = {!r}", shown(field), self.mapping.decimal
+                )
+            return phrase("{} has a decimal point: the mapping says decimal = {!r}", shown(field), self.mapping.decimal)
         return why_no_number(field, self.separator)
 
     def _nothing(self, last: int) -> FormatError:
         if self.table.only:
             wanted = ", ".join(sorted(t for texts in self.table.only.values() for t in texts))
-            there = f"; there are {', '.join(map(shown, self.others))}" if self.others else ""
-            return self.source.error(f"no row holds {shown(wanted)}, which the mapping asks for{there}")
-        return self.source.error("no points below the header", min(self.table.first, last) or None)
+            there = phrase("; there are {}", ", ".join(map(shown, self.others))) if self.others else ""
+            return self.source.error(phrase("no row holds {}, which the mapping asks for{}", shown(wanted), there))
+        return self.source.error(phrase("no points below the header"), min(self.table.first, last) or None)

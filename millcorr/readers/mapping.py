@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from millcorr.errors import FormatError
+from millcorr.messages import phrase
 from millcorr.whole_file import write_whole
 
 from .reading import KINDS
@@ -111,7 +112,7 @@ def load(path: str | Path) -> TextMapping:
         If the file cannot be read, or a key is unknown or has no such value; names the file and the key.
     """
     known = [item.name for item in fields(TextMapping) if item.name != "source"]
-    return _from_table(toml_table(path, "mapping", known), str(path))
+    return _from_table(toml_table(path, phrase("mapping"), known), str(path))
 
 
 def save(path: str | Path, mapping: TextMapping) -> Path:
@@ -148,7 +149,7 @@ def _quoted(text: str) -> str:
 
 def _from_table(table: dict[str, Any], name: str) -> TextMapping:
     if "columns" not in table:
-        raise FormatError("[columns] is missing: it says at least which columns are x and y", name)
+        raise FormatError(phrase("[columns] is missing: it says at least which columns are x and y"), name)
     values = dict(table)
     if isinstance(values.get("comments"), list):
         values["comments"] = tuple(values["comments"])
@@ -197,37 +198,37 @@ def _are_texts(value: object) -> bool:
 
 
 _CHECKS: dict[str, tuple[Callable[[object], bool], str]] = {
-    "separator": (_is_separator, "comma, semicolon, tab, blank, or one character that is no part of a number"),
-    "decimal": (lambda v: isinstance(v, str) and v in DECIMALS, "point or comma"),
-    "header": (lambda v: v is None or _is_number(v, 1, _LAST_LINE), "the number of a line, from 1"),
-    "skip": (lambda v: _is_number(v, 0, _LAST_LINE), "a number of lines, from 0"),
-    "end": (_is_text, "a text"),
+    "separator": (_is_separator, phrase("comma, semicolon, tab, blank, or one character that is no part of a number")),
+    "decimal": (lambda v: isinstance(v, str) and v in DECIMALS, phrase("point or comma")),
+    "header": (lambda v: v is None or _is_number(v, 1, _LAST_LINE), phrase("the number of a line, from 1")),
+    "skip": (lambda v: _is_number(v, 0, _LAST_LINE), phrase("a number of lines, from 0")),
+    "end": (_is_text, phrase("a text")),
     "comments": (
         lambda v: v == () or (_are_texts(v) and isinstance(v, tuple) and all(t.strip() for t in v)),
-        "a list of texts",
+        phrase("a list of texts"),
     ),
-    "encoding": (lambda v: v is None or _is_encoding(v), "the name of an encoding of text"),
-    "units": (lambda v: v is None or v in ("mm", "inch"), "mm or inch"),
+    "encoding": (lambda v: v is None or _is_encoding(v), phrase("the name of an encoding of text")),
+    "units": (lambda v: v is None or v in ("mm", "inch"), phrase("mm or inch")),
     "factor": (
         lambda v: v is None or (isinstance(v, float) and 1e-9 <= v <= 1e3),
-        "the millimetres in the unit of the file, such as 0.001",
+        phrase("the millimetres in the unit of the file, such as 0.001"),
     ),
-    "plane": (lambda v: v in PLANES, f"one of {', '.join(PLANES)}"),
-    "points": (lambda v: v is None or v in KINDS, "contact or centre, or axis"),
+    "plane": (lambda v: v in PLANES, phrase("one of {}", ", ".join(PLANES))),
+    "points": (lambda v: v is None or v in KINDS, phrase("contact or centre, or axis")),
     "probe_radius": (
         lambda v: v is None or (isinstance(v, float) and math.isfinite(v) and 0 < v <= LARGEST_BALL),
-        f"the radius of the probe ball in mm, up to {LARGEST_BALL:g}",
+        phrase("the radius of the probe ball in mm, up to {:g}", LARGEST_BALL),
     ),
-    "name": (_is_text, "a text"),
-    "columns": (lambda v: isinstance(v, dict), "a table"),
-    "only": (lambda v: isinstance(v, dict), "a table"),
+    "name": (_is_text, phrase("a text")),
+    "columns": (lambda v: isinstance(v, dict), phrase("a table")),
+    "only": (lambda v: isinstance(v, dict), phrase("a table")),
 }
 
 
 def _check(key: str, value: object, source: str) -> None:
     test, wanted = _CHECKS[key]
     if not test(value):
-        raise FormatError(f"{key} is {wanted}, not {shown(repr(value))}", source or None)
+        raise FormatError(phrase("{} is {}, not {}", key, wanted, shown(repr(value))), source or None)
 
 
 def _check_together(mapping: TextMapping) -> None:
@@ -239,16 +240,16 @@ def _check_together(mapping: TextMapping) -> None:
     columns = mapping.columns
     for key, place in columns.items():
         if key not in COLUMNS + TRAVEL_COLUMNS:
-            refuse(f"columns: {shown(key)} is none of {', '.join(COLUMNS + TRAVEL_COLUMNS)}")
+            refuse(phrase("columns: {} is none of {}", shown(key), ", ".join(COLUMNS + TRAVEL_COLUMNS)))
         if not _is_place(place):
-            refuse(f"columns.{key} is a name in the header or a number from 1, not {shown(repr(place))}")
+            refuse(phrase("columns.{} is a name in the header or a number from 1, not {}", key, shown(repr(place))))
     if len({str(p).strip().casefold() if isinstance(p, str) else p for p in columns.values()}) < len(columns):
-        refuse("columns: two are the same column of the file")
+        refuse(phrase("columns: two are the same column of the file"))
     for key, texts in mapping.only.items():
         if not _are_texts(texts):
-            refuse(f"only: {shown(key)} is a text or a list of texts, not {shown(repr(texts))}")
+            refuse(phrase("only: {} is a text or a list of texts, not {}", shown(key), shown(repr(texts))))
         if not key.strip() or (key.isdecimal() and not (key.isascii() and 1 <= int(key[:9]) <= _LAST_COLUMN)):
-            refuse(f"only: {shown(key)} is no column")
+            refuse(phrase("only: {} is no column", shown(key)))
     groups = (
         ("x", "y", "z"),
         ("i", "j", "k"),
@@ -259,17 +260,17 @@ def _check_together(mapping: TextMapping) -> None:
         first, second, third = (group["xyz".index(axis)] for axis in axes_of(mapping.plane))
         there = {first, second, third} & columns.keys()
         if (there or group[0] == "x") and not {first, second} <= there:
-            refuse(f"columns: {first if first not in there else second} is missing")
+            refuse(phrase("columns: {} is missing", first if first not in there else second))
     height = axes_of(mapping.plane)[2]
     if any(c.startswith("nominal_") for c in columns) and (f"nominal_{height}" in columns) != (height in columns):
-        refuse(f"columns: {height} and nominal_{height} go together")
+        refuse(phrase("columns: {} and nominal_{} go together", height, height))
     if mapping.factor is not None and mapping.units is not None:
-        refuse("units and factor say the same twice")
+        refuse(phrase("units and factor say the same twice"))
     if columns.keys() & TRAVEL_COLUMNS and mapping.points in ("contact", "centre"):
-        refuse("columns: directions of travel are for points = 'axis'")
+        refuse(phrase("columns: directions of travel are for points = 'axis'"))
     if {"travel", "travel_x"} <= columns.keys():
-        refuse("columns: travel and travel_x say the same twice")
+        refuse(phrase("columns: travel and travel_x say the same twice"))
     if mapping.probe_radius is not None and mapping.points == "contact":
-        refuse("probe_radius is for points = 'centre'; contact points need none")
+        refuse(phrase("probe_radius is for points = 'centre'; contact points need none"))
     if mapping.decimal == "comma" and mapping.separator in ("comma", ","):
-        refuse("decimal and separator cannot both be the comma")
+        refuse(phrase("decimal and separator cannot both be the comma"))

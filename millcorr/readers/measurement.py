@@ -13,6 +13,7 @@ import numpy as np
 from millcorr import progress
 from millcorr.arrays import Floats, Ints
 from millcorr.errors import FormatError, InputError
+from millcorr.messages import joined, mm, phrase
 
 INTERPOLATIONS = ("linear", "trigonometric")
 
@@ -80,34 +81,38 @@ class Probe:
     def __post_init__(self) -> None:
         for key, lengths in (("radius", (self.radius,)), ("control_radius", self.control_radii or ())):
             if not all(math.isfinite(r) and r > 0 for r in lengths):
-                raise self._error(key, "a length in mm above 0")
+                raise self._error(key, phrase("a length in mm above 0"))
         if not all(map(math.isfinite, self.offset)):
-            raise self._error("offset", "two lengths in mm")
+            raise self._error("offset", phrase("two lengths in mm"))
         if self.interpolation not in INTERPOLATIONS:
-            raise self._error("interpolation", " or ".join(INTERPOLATIONS))
+            raise self._error("interpolation", joined(INTERPOLATIONS, phrase(" or ")))
         if any(abs(r - self.radius) > LARGEST_LOBING for r in self.control_radii or ()):
-            raise self._error("control_radius", f"within {LARGEST_LOBING:g} mm of the effective radius")
+            raise self._error("control_radius", phrase("within {} of the effective radius", mm(LARGEST_LOBING, "g")))
         if self.directions is None or self.radii is None:
             if self.directions is not self.radii:
-                raise self._error("directions", "given together with radii")
+                raise self._error("directions", phrase("given together with radii"))
             return
         self._check_table(self.directions, self.radii)
         self.directions.flags.writeable = self.radii.flags.writeable = False
 
     def _error(self, key: str, wanted: str) -> FormatError:
-        return FormatError(f"{key} must be {wanted}", self.source or "probe")
+        return FormatError(phrase("{} must be {}", key, wanted), self.source or "probe")
 
     def _check_table(self, directions: Floats, radii: Floats) -> None:
         k = len(directions)
         if directions.shape != (k,) or radii.shape != (k,) or k < 3:
-            raise self._error("radii", "as many as directions, at least three")
+            raise self._error("radii", phrase("as many as directions, at least three"))
         if not np.isfinite(directions).all() or (np.diff(directions) <= 0).any() or np.ptp(directions) >= 2 * np.pi:
-            raise self._error("directions", "angles that increase and stay within one turn")
+            raise self._error("directions", phrase("angles that increase and stay within one turn"))
         if not (np.abs(radii - self.radius) <= LARGEST_LOBING).all():
-            raise self._error("radii", f"lengths in mm within {LARGEST_LOBING:g} mm of the effective radius")
+            raise self._error(
+                "radii", phrase("lengths in mm within {} of the effective radius", mm(LARGEST_LOBING, "g"))
+            )
         even = directions[0] + 2 * np.pi * np.arange(k) / k
         if self.interpolation == "trigonometric" and np.abs(directions - even).max() > 1e-9:
-            raise self._error("interpolation", "linear where the directions are not evenly spaced round the turn")
+            raise self._error(
+                "interpolation", phrase("linear where the directions are not evenly spaced round the turn")
+            )
 
     def effective(self, direction: Floats) -> Floats:
         """Effective radius in mm by direction of touch in rad; (n,).
@@ -202,9 +207,9 @@ class Measurement:
             raise InputError(f"{self.source}: points must have shape (n, 3), not {self.points.shape}")
         if not np.isfinite(self.points).all():
             row = int(np.flatnonzero(~np.isfinite(self.points).all(axis=1))[0])
-            raise InputError(f"{self.source}:{self.lines[row]}: a coordinate is not a finite number")
+            raise InputError(phrase("{}:{}: a coordinate is not a finite number", self.source, self.lines[row]))
         if self.ball_radius < 0:
-            raise InputError(f"{self.source}: ball radius {self.ball_radius} mm is negative")
+            raise InputError(phrase("{}: ball radius {} is negative", self.source, mm(self.ball_radius, "g")))
         n = len(self.points)
         for what, array, shape in (
             ("points", self.points, (n, 3)),
@@ -220,21 +225,21 @@ class Measurement:
                 raise InputError(f"{self.source}: {what} must have shape {shape}, not {array.shape}")
             array.flags.writeable = False
         if self.elements is not None and len(self.elements) != n:
-            raise InputError(f"{self.source}: {len(self.elements)} names for {n} points")
+            raise InputError(phrase("{}: {} names for {} points", self.source, len(self.elements), n))
         self._check_axis()
 
     def _check_axis(self) -> None:
         """InputError where what is said of a shift along the axis of travel contradicts itself."""
         if self.axis_radii is None:
             if self.travel is not None:
-                raise InputError(f"{self.source}: directions of travel are for points shifted along an axis")
+                raise InputError(phrase("{}: directions of travel are for points shifted along an axis", self.source))
             return
         if not all(math.isfinite(r) and r > 0 for r in self.axis_radii):
-            raise InputError(f"{self.source}: the radii of a shift along an axis must be above 0 mm")
+            raise InputError(phrase("{}: the radii of a shift along an axis must be above 0 mm", self.source))
         if self.travel is not None:
             wrong = np.flatnonzero(~(np.abs(np.sqrt((self.travel**2).sum(axis=1)) - 1.0) <= UNIT_LENGTH))
             if len(wrong):
-                raise InputError(f"{self.origin(int(wrong[0]))}: the direction of travel has not length 1")
+                raise InputError(phrase("{}: the direction of travel has not length 1", self.origin(int(wrong[0]))))
 
     def __len__(self) -> int:
         return len(self.points)

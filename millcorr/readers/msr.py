@@ -18,6 +18,7 @@ import numpy as np
 
 from millcorr.arrays import Bools, Floats
 from millcorr.errors import FormatError
+from millcorr.messages import phrase
 from millcorr.readers.measurement import Measurement
 
 from .decimal_columns import decimal_words
@@ -43,14 +44,14 @@ _BLOCK = 1 << 16
 _SAME_NOMINAL = 1e-5
 """Nominals no farther apart than this, in the file's unit, are one: they were printed alike."""
 _MEANINGS = {
-    "N": "number of the point",
+    "N": phrase("number of the point"),
     "X": "coordinate",
     "Y": "coordinate",
     "Z": "coordinate",
     "I": "normal",
     "J": "normal",
     "K": "normal",
-    "R": "radius of the ball",
+    "R": phrase("radius of the ball"),
 }
 
 
@@ -109,7 +110,9 @@ def _refuse_foreign_bytes(source: Source) -> None:
     for number, line in enumerate(re.split(rb"\r\n|\r|\n", data), 1):
         if not line.isascii() and re.match(rb"\s*\W{0,3}G\W*[38]\W*[03]", line, re.IGNORECASE):
             spoilt = next(b for b in line if b > 127)
-            raise source.error(f"byte 0x{spoilt:02X} among the numbers: transmission has spoilt the line", number)
+            raise source.error(
+                phrase("byte 0x{:02X} among the numbers: transmission has spoilt the line", spoilt), number
+            )
 
 
 class _Reading:
@@ -133,7 +136,9 @@ class _Reading:
         """Take lines one by one, the first of them being line `number`."""
         for further, raw in enumerate(lines):
             if len(raw) > LONGEST_LINE:
-                raise self._error(f"a line of {len(raw)} characters: no MSR file, or damaged", number + further)
+                raise self._error(
+                    phrase("a line of {} characters: no MSR file, or damaged", len(raw)), number + further
+                )
             self.line(number + further, raw)
 
     def pairs(self, number: int, lines: list[str]) -> bool:
@@ -197,7 +202,9 @@ class _Reading:
         elif _FEATURE.match(text):
             self.features += 1
         elif not _REMARK.match(text):
-            raise self._error(f"{shown(text)} is no line of an MSR file: transmission may have spoilt it", number)
+            raise self._error(
+                phrase("{} is no line of an MSR file: transmission may have spoilt it", shown(text)), number
+            )
 
     def _nominal(self, number: int, text: str) -> None:
         self._refuse_waiting(number)
@@ -207,17 +214,22 @@ class _Reading:
 
     def _measured(self, number: int, text: str) -> None:
         if self.waiting is None:
-            raise self._error("G801 without its G800 line: a line was lost, send the results again", number)
+            raise self._error(phrase("G801 without its G800 line: a line was lost, send the results again"), number)
         words = self._words(number, text, "G801", "NXYZR")
         index = self._index(number, words)
         nominal_line, nominal_index, nominal = self.waiting
         if index != nominal_index:
             raise self._error(
-                f"G801 of point {index} follows G800 of point {nominal_index} in line {nominal_line}: lines were lost",
+                phrase(
+                    "G801 of point {} follows G800 of point {} in line {}: lines were lost",
+                    index,
+                    nominal_index,
+                    nominal_line,
+                ),
                 number,
             )
         if words["R"] < 0:
-            raise self._error(f"ball radius R{words['R']:g} is negative", number)
+            raise self._error(phrase("ball radius R{:g} is negative", words["R"]), number)
         self.values.extend(nominal)
         self.values.extend([words[c] for c in "XYZR"])
         self.numbers.append(index)
@@ -238,30 +250,33 @@ class _Reading:
         while position < len(text):
             found = _WORD.match(text, position)
             if found is None:
-                raise self._error(f"{code}: {shown(text[position:])} is no letter with a number", number)
+                raise self._error(phrase("{}: {} is no letter with a number", code, shown(text[position:])), number)
             if found[1] in words:
-                raise self._error(f"{code} has the letter {found[1]} twice: two lines ran together", number)
+                raise self._error(phrase("{} has the letter {} twice: two lines ran together", code, found[1]), number)
             words[found[1]] = float(found[2])
             if abs(words[found[1]]) > _LARGEST:
-                raise self._error(f"{code}: {found[1]}{shown(found[2])} is no length, number or angle", number)
+                raise self._error(
+                    phrase("{}: {}{} is no length, number or angle", code, found[1], shown(found[2])), number
+                )
             position = found.end()
         for letter in needed:
             if letter not in words:
                 what = _MEANINGS.get(letter, "angle")
-                raise self._error(f"{code} lacks {letter}, {what}: the line is incomplete", number)
+                raise self._error(phrase("{} lacks {}, {}: the line is incomplete", code, letter, what), number)
         return words
 
     def _index(self, number: int, words: dict[str, float]) -> int:
         index = words["N"]
         if not (index >= 0 and index == math.floor(index)):
-            raise self._error(f"N{index:g} is no number of a point", number)
+            raise self._error(phrase("N{:g} is no number of a point", index), number)
         return int(index)
 
     def _refuse_waiting(self, number: int) -> None:
         if self.waiting is not None:
             line, index, _ = self.waiting
             raise self._error(
-                f"G801 of point {index} is missing after its G800 in line {line}: send the results again", number
+                phrase("G801 of point {} is missing after its G800 in line {}: send the results again", index, line),
+                number,
             )
 
     def _error(self, message: str, number: int) -> FormatError:
@@ -271,7 +286,7 @@ class _Reading:
         source = self.source
         if self.waiting is not None:
             line, index, _ = self.waiting
-            raise self._error(f"G801 of point {index} is missing: the file was cut off after this line", line)
+            raise self._error(phrase("G801 of point {} is missing: the file was cut off after this line", index), line)
         values = np.frombuffer(self.values, dtype=np.float64).reshape(-1, 10)
         unit = source.unit(None)
         nominal, normals, points, radii = values[:, :3], values[:, 3:6], values[:, 6:9], values[:, 9]
@@ -282,15 +297,19 @@ class _Reading:
             asked = source.ball_radius(centres=True if stated else None, radius=stated or None)
             radii = radii if stated or not asked else np.full(len(radii), asked)
         else:
-            only = f", only {self.features} features of probing cycles" if self.features else ""
-            raise source.error(f"no measured points G800 and G801 in the file{only}: the inspection printed none")
+            only = phrase(", only {} features of probing cycles", self.features) if self.features else ""
+            raise source.error(
+                phrase("no measured points G800 and G801 in the file{}: the inspection printed none", only)
+            )
         notes = self._apply(nominal, normals, points)
         if self.features:
-            notes.append(f"{self.features} features of probing cycles left out: COMPONENT, SIZE and POSN blocks")
+            notes.append(
+                phrase("{} features of probing cycles left out: COMPONENT, SIZE and POSN blocks", self.features)
+            )
         if self.offsets:
-            notes.append(f"{self.offsets} points have a nominal offset O, which is not applied")
+            notes.append(phrase("{} points have a nominal offset O, which is not applied", self.offsets))
         if not self.ended:
-            notes.append("no END: points may be missing at the end of the file")
+            notes.append(phrase("no END: points may be missing at the end of the file"))
         chosen = self._chosen(nominal)
         return source.measurement(
             "msr", points[chosen], np.array(self.lines)[chosen], ball_radius=radii[chosen], unit=unit,
@@ -306,8 +325,11 @@ class _Reading:
         if twice is not None:
             first, again = twice
             raise self._error(
-                f"point N{numbers[again]} with the same nominal is there twice, first in line {lines[first]}: keep one "
-                "of them",
+                phrase(
+                    "point N{} with the same nominal is there twice, first in line {}: keep one of them",
+                    numbers[again],
+                    lines[first],
+                ),
                 int(lines[again]),
             )
         return rows_of_part(self.source, lines, part_of)
@@ -324,11 +346,11 @@ class _Reading:
                     vectors[begin:end] = vectors[begin:end] @ rotation.T + by
                 turned += 0 if np.array_equal(rotation, np.eye(3)) else end - begin
                 shifted += end - begin if shift.any() else 0
-        notes = []
+        notes: list[str] = []
         if turned:
-            notes.append(f"{turned} points turned back by G330")
+            notes.append(phrase("{} points turned back by G330", turned))
         if shifted:
-            notes.append(f"{shifted} points shifted by G330, after turning: compare with another export once")
+            notes.append(phrase("{} points shifted by G330, after turning: compare with another export once", shifted))
         return notes
 
 

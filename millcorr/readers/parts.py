@@ -10,7 +10,7 @@ import numpy as np
 
 from millcorr.arrays import Bools, Floats, Ints
 from millcorr.errors import UsageError
-from millcorr.messages import option
+from millcorr.messages import joined, option, phrase
 
 from .source import Source
 
@@ -40,15 +40,17 @@ def chosen_part(source: Source, titles: Sequence[str]) -> int:
         told, begin = [], 1
         for title, alike in groupby(titles):
             end = begin + len(list(alike)) - 1
-            told.append(f"{begin}: {title}" if begin == end else f"{begin} to {end}: {title}")
+            told.append(phrase("{}: {}", begin, title) if begin == end else phrase("{} to {}: {}", begin, end, title))
             begin = end + 1
-        some = "; ".join([*told[:_SHOWN], *(["..."] if len(told) > _SHOWN else [])])
+        some = joined([*told[:_SHOWN], *(["..."] if len(told) > _SHOWN else [])], "; ")
         raise UsageError(
-            f"{source.name} holds {total} measured parts ({some}): say which with ", option("part", of="N")
+            phrase(
+                "{} holds {} measured parts ({}): say which with {}", source.name, total, some, option("part", of="N")
+            )
         )
     if number is not None and not 1 <= number <= total:
-        holds = "one measured part" if total == 1 else f"{total} measured parts, counted from 1"
-        raise UsageError(option("part", number), f": {source.name} holds {holds}")
+        holds = phrase("one measured part") if total == 1 else phrase("{} measured parts, counted from 1", total)
+        raise UsageError(phrase("{}: {} holds {}", option("part", number), source.name, holds))
     return (number or 1) - 1
 
 
@@ -75,8 +77,8 @@ def rows_of_part(source: Source, lines: Ints, part_of: Ints) -> Bools:
 def titled(lines: Ints) -> str:
     """What to say of a part with points in these lines, (n,)."""
     if not len(lines):
-        return "no points"
-    return f"{len(lines)} points in lines {int(lines.min())} to {int(lines.max())}"
+        return phrase("no points")
+    return phrase("{} points in lines {} to {}", len(lines), int(lines.min()), int(lines.max()))
 
 
 def point_keys(numbers: Ints | Floats, places: Floats, reach: float) -> Ints:

@@ -16,6 +16,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from millcorr.messages import message, phrase
 from millcorr.readers.measurement import Measurement
 
 from .parts import chosen_part, titled
@@ -135,7 +136,7 @@ class _Report:
         self.closed: tuple[int, str, _Location] | None = None
         """Line that closed the last location, other than the head of the next block."""
         self.frame = 0
-        self.frames: list[str] = ["first alignment"]
+        self.frames: list[str] = [phrase("first alignment")]
         self.recalled: dict[str, int] = {}
         self.locations: list[_Location] = []
         self.others: dict[str, int] = {}
@@ -174,14 +175,20 @@ class _Report:
             if axis:
                 self._row(number, axis[1].upper(), text, axis.end())
             elif re.match(r"\s*[XYZ](?:\s|$)", text):
-                raise self.source.error(f"{shown(text)} is no row of an axis: export the report again", number)
+                raise self.source.error(phrase("{} is no row of an axis: export the report again", shown(text)), number)
             elif not _OTHER_ROW.match(text) and self.stranger is None:
                 self.stranger = number, text
         elif self.closed is not None and axis:
             line, by, location = self.closed
             raise self.source.error(
-                f"whose row of axis {axis[1].upper()} is this? {shown(by)} in line {line} closed "
-                f"{shown(location.feature)} of line {location.line}",
+                phrase(
+                    "whose row of axis {} is this? {} in line {} closed {} of line {}",
+                    axis[1].upper(),
+                    shown(by),
+                    line,
+                    shown(location.feature),
+                    location.line,
+                ),
                 number,
             )
 
@@ -204,7 +211,7 @@ class _Report:
             self.frame = self.recalled[name]
             return
         self.frame = len(self.frames)
-        self.frames.append(f"after {shown(text)} in line {number}")
+        self.frames.append(phrase("after {} in line {}", shown(text), number))
         if _RECALLED.match(text):
             self.recalled[name] = self.frame
 
@@ -267,14 +274,14 @@ class _Report:
             kind = (parts["kind"] if parts else what).lower()
             feature = parts["features"].split()[0].lower() if parts and parts["features"] else ""
             # A feature control frame names the feature without its kind.
-            kind = f"{kind} of {feature}" if feature.isalpha() else kind
+            kind = phrase("{} of {}", kind, feature) if feature.isalpha() else kind
             self.others[kind[:40]] = self.others.get(kind[:40], 0) + 1
             self._open(None)
             return
         unit_name = _UNIT_NAMES.get(unit[1].upper()) if unit else ""
         if unit_name is None:
             assert unit is not None
-            raise self.source.error(f"unit {shown(unit[1])}: only MM and IN are read", number)
+            raise self.source.error(phrase("unit {}: only MM and IN are read", shown(unit[1])), number)
         self._open(_Location(name, number, unit_name, self.frame))
 
     def _columns(self, number: int, text: str) -> None:
@@ -294,45 +301,55 @@ class _Report:
             for needed in ("NOMINAL", "MEAS"):
                 if names.count(needed) != 1:
                     raise self.source.error(
-                        f"no single column {needed}: print nominal, measured value and deviation", number
+                        phrase("no single column {}: print nominal, measured value and deviation", needed), number
                     )
 
     def _row(self, number: int, axis: str, text: str, start: int) -> None:
         location, source = self.open, self.source
         assert location is not None
         if not self.heading:
-            raise source.error("a row of an axis without column heads (AX NOMINAL ...) above it", number)
+            raise source.error(phrase("a row of an axis without column heads (AX NOMINAL ...) above it"), number)
         if self.stranger is not None:
             line, between = self.stranger
             raise source.error(
-                f"whose row of axis {axis} is this? {shown(between)} in line {line} stands between it and "
-                f"{shown(location.feature)} of line {location.line}: delete what is no line of the report",
+                phrase(
+                    "whose row of axis {} is this? {} in line {} stands between it and {} of line {}: delete "
+                    "what is no line of the report",
+                    axis,
+                    shown(between),
+                    line,
+                    shown(location.feature),
+                    location.line,
+                ),
                 number,
             )
         graph = _GRAPH.search(text, start)
         end = graph.start() if graph else len(text)
         spoilt = _VALUE.sub(" ", text[start:end]).strip(" \t-\xb0")
         if spoilt:
-            raise source.error(f"{shown(spoilt)} among the values of axis {axis}: export the report again", number)
+            raise source.error(
+                phrase("{} among the values of axis {}: export the report again", shown(spoilt), axis), number
+            )
         cells = list(_VALUE.finditer(text, start, end))
         values = [_number(m[0]) for m in cells]
         if any(not abs(v) < _LARGEST for v in values):
-            raise source.error("a value is no length", number)
+            raise source.error(phrase("a value is no length"), number)
         if axis == "V":
             if len(values) < 3:
-                raise source.error("the vector V has no three components", number)
+                raise source.error(phrase("the vector V has no three components"), number)
             location.normal = (values[0], values[1], values[2])
             return
         columns = self._assigned(cells, values)
         if columns is None:
             raise source.error(
-                f"axis {axis}: DEV is not MEAS - NOMINAL in any way the columns can be read: export it again", number
+                phrase("axis {}: DEV is not MEAS - NOMINAL in any way the columns can be read: export it again", axis),
+                number,
             )
         if axis == "T":
             location.along = columns.get("DEV", columns["MEAS"] - columns["NOMINAL"])
             return
         if axis in location.axes:
-            raise source.error(f"axis {axis} of {shown(location.feature)} is there twice", number)
+            raise source.error(phrase("axis {} of {} is there twice", axis, shown(location.feature)), number)
         location.axes[axis] = (columns["NOMINAL"], columns["MEAS"])
 
     def _assigned(self, cells: list[re.Match[str]], values: list[float]) -> dict[str, float] | None:
@@ -355,7 +372,7 @@ class _Report:
         titles = []
         for frame in frames:
             own = np.array([location.line for location in self.locations if location.frame == frame])
-            titles.append(titled(own) + (f", {self.frames[frame]}" if len(frames) > 1 else ""))
+            titles.append(message(titled(own), *((", ", self.frames[frame]) if len(frames) > 1 else ())))
         wanted = frames[chosen_part(self.source, titles)]
         return [location for location in self.locations if location.frame == wanted]
 
@@ -372,30 +389,36 @@ class _Report:
                 whole.append(location)
             elif first.axes != location.axes:
                 raise source.error(
-                    f"{shown(location.feature)} lies elsewhere than in line {first.line}: report every point once",
+                    phrase(
+                        "{} lies elsewhere than in line {}: report every point once",
+                        shown(location.feature),
+                        first.line,
+                    ),
                     location.line,
                 )
         remarks = []
         if notes:
             first, missing = notes[0]
-            text = f"{shown(first.feature)} lacks {missing} and is no point"
+            text = phrase("{} lacks {} and is no point", shown(first.feature), missing)
             if not whole:
-                raise source.error(f"no point has all its axes: {text}; report X, Y and Z", first.line)
-            remarks.append(f"{len(notes)} locations left out: {text} (line {first.line})")
+                raise source.error(phrase("no point has all its axes: {}; report X, Y and Z", text), first.line)
+            remarks.append(phrase("{} locations left out: {} (line {})", len(notes), text, first.line))
         if self.others:
             kinds = ", ".join(f"{n} {kind}" for kind, n in sorted(self.others.items())[:5])
-            remarks.append(f"dimensions left out: {kinds}")
+            remarks.append(phrase("dimensions left out: {}", kinds))
         if not whole:
-            raise source.error("no LOCATION OF POINT in the report: report the points' X, Y and Z")
+            raise source.error(phrase("no LOCATION OF POINT in the report: report the points' X, Y and Z"))
         units = {location.unit for location in whole}
         if len(units) > 1:
             other = next(o for o in whole if o.unit != whole[0].unit)
-            raise source.error("points in different units: export them in one", other.line)
+            raise source.error(phrase("points in different units: export them in one"), other.line)
         unit = source.unit(units.pop() or None)
         table = np.array([[location.axes[a] for a in "XYZ"] for location in whole])
         normals = [location.normal for location in whole if location.normal is not None]
         if normals and len(normals) < len(whole):
-            remarks.append(f"{len(whole) - len(normals)} of {len(whole)} points have no V: normals are not used")
+            remarks.append(
+                phrase("{} of {} points have no V: normals are not used", len(whole) - len(normals), len(whole))
+            )
         stated = np.array([location.along for location in whole])
         return source.measurement(
             "pcdmis", table[:, :, 1], [location.line for location in whole], ball_radius=source.ball_radius(),

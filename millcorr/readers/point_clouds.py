@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 
 from millcorr.arrays import Floats
 from millcorr.errors import FormatError, UsageError
+from millcorr.messages import Length, mm, phrase, um
 from millcorr.readers.measurement import Measurement
 
 from .source import FARTHEST, Source, shown
@@ -103,13 +104,17 @@ class PointCloud:
         ball_radius = source.ball_radius()
         unit = source.unit("mm" if self.metres else None)
         if not self.recognises(source.data):
-            raise source.error(f"no {self.name.upper()} file")
+            raise source.error(phrase("no {} file", self.name.upper()))
         try:
             library = importlib.import_module(self.package)
         except ImportError as error:
             raise UsageError(
-                f"{self.name.upper()} files are read by the Python package {self.package}, which is not installed: "
-                f"pip install {self.package}"
+                phrase(
+                    "{} files are read by the Python package {}, which is not installed: pip install {}",
+                    self.name.upper(),
+                    self.package,
+                    self.package,
+                )
             ) from error
         try:
             with np.errstate(all="ignore"):
@@ -118,7 +123,9 @@ class PointCloud:
             raise
         except Exception as error:  # noqa: BLE001 - whatever a foreign library raises, the file is the cause
             reason = shown(" ".join(str(error).split()) or type(error).__name__)
-            raise source.error(f"{self.package} cannot read it, {reason}: the file is damaged or cut off") from error
+            raise source.error(
+                phrase("{} cannot read it, {}: the file is damaged or cut off", self.package, reason)
+            ) from error
         return self._measurement(source, found, ball_radius, unit)
 
     def _measurement(self, source: Source, found: _Points, ball_radius: float, unit: str) -> Measurement:
@@ -127,20 +134,24 @@ class PointCloud:
         valid = np.isfinite(found.points).all(axis=1)
         points, normals, notes = found.points, found.normals, list(found.notes)
         if not valid.all():
-            notes.append(f"{np.count_nonzero(~valid)} points without a place left out")
+            notes.append(phrase("{} points without a place left out", np.count_nonzero(~valid)))
             points, numbers = points[valid], numbers[valid]
             normals = None if normals is None else normals[valid]
         largest = np.abs(points).max(initial=0.0) * factor
         if found.step and largest <= FARTHEST:
-            notes.append(f"coordinates are stored in steps of {_in_words(found.step * factor)}, at {largest:.6g} mm")
+            notes.append(
+                phrase(
+                    "coordinates are stored in steps of {}, at {}", _in_words(found.step * factor), mm(largest, ".6g")
+                )
+            )
         return source.measurement(
             self.name, points, numbers, ball_radius=ball_radius, unit=unit, factor=factor, normals=normals, notes=notes
         )
 
 
-def _in_words(step: float) -> str:
+def _in_words(step: float) -> Length:
     """A length in mm in the unit that suits it."""
-    return f"{step * 1000:.2g} µm" if step < 0.1 else f"{step:.2g} mm"
+    return um(step, ".2g") if step < 0.1 else mm(step, ".2g")
 
 
 def _step(*columns: NDArray[Any]) -> float:
@@ -157,16 +168,18 @@ def _table(source: Source, names: tuple[str, ...], take: Callable[[str], NDArray
     """Points and normals from columns by name."""
     lower = {name.lower(): name for name in names}
     if not {"x", "y", "z"} <= lower.keys():
-        raise source.error(f"no points: it has {', '.join(map(shown, names[:8])) or 'nothing'} instead of x, y, z")
+        raise source.error(
+            phrase("no points: it has {} instead of x, y, z", ", ".join(map(shown, names[:8])) or phrase("nothing"))
+        )
     columns = [np.asarray(take(lower[c])) for c in "xyz"]
     if any(c.ndim != 1 or c.dtype.kind not in "fiu" for c in columns):
-        raise source.error("x, y and z are no numbers")
+        raise source.error(phrase("x, y and z are no numbers"))
     normals = None
     for triple in (("nx", "ny", "nz"), ("normal_x", "normal_y", "normal_z")):
         if set(triple) <= lower.keys():
             vectors = [np.asarray(take(lower[c])) for c in triple]
             if any(v.ndim != 1 or v.dtype.kind != "f" for v in vectors):
-                raise source.error("the normals are no numbers")
+                raise source.error(phrase("the normals are no numbers"))
             normals = np.column_stack(vectors).astype(np.float64)
     return _Points(np.column_stack(columns).astype(np.float64), normals, _step(*columns))
 
@@ -175,34 +188,34 @@ def _load_ply(plyfile: Any, source: Source) -> _Points:
     # A count beyond the file's size would only cost memory.
     header = source.data[: source.data.find(b"end_header") + 1]
     if sum(int(n[:18]) for n in _PLY_ELEMENT.findall(header)) > len(source.data):
-        raise source.error("the header tells of more elements than the file can hold: it was cut off")
+        raise source.error(phrase("the header tells of more elements than the file can hold: it was cut off"))
     content = plyfile.PlyData.read(io.BytesIO(source.data))
     names = [element.name for element in content.elements]
     if "vertex" not in names:
-        raise source.error("no points: it has no element named vertex")
+        raise source.error(phrase("no points: it has no element named vertex"))
     vertices = content["vertex"].data
     found = _table(source, vertices.dtype.names or (), lambda name: vertices[name])
     mesh = "face" in names and len(content["face"].data) > 0
-    notes = ("the corners of a mesh are taken as points",) if mesh else ()
+    notes = (phrase("the corners of a mesh are taken as points"),) if mesh else ()
     return _Points(found.points, found.normals, found.step, notes)
 
 
 def _load_pcd(pypcd4: Any, source: Source) -> _Points:
     keys = {key: (value.split(), m) for key, value, m in _pcd_header(source.data)}
     if b"DATA" not in keys or b"POINTS" not in keys:
-        raise source.error("the header lacks POINTS or DATA")
+        raise source.error(phrase("the header lacks POINTS or DATA"))
     count = int(keys[b"POINTS"][0][0][:18])
     kind, end = keys[b"DATA"][0][0], keys[b"DATA"][1]
     if count > _SMALLEST_PACKED * len(source.data) or count > _MOST:
-        raise source.error("the header tells of more points than the file can hold: it was cut off")
+        raise source.error(phrase("the header tells of more points than the file can hold: it was cut off"))
     # The library names every number of a point before it looks for one.
     numbers = sum(int(n[:18]) for n in keys.get(b"COUNT", ([], 0))[0])
     if numbers > _NUMBERS_OF_A_POINT:
-        raise source.error(f"the header tells of {numbers} numbers a point: it is damaged")
+        raise source.error(phrase("the header tells of {} numbers a point: it is damaged", numbers))
     if kind == b"binary_compressed":
         packed, size = struct.unpack("<II", source.data[end : end + 8])
         if packed > len(source.data) - end - 8 or size > _SMALLEST_PACKED * max(packed, 1):
-            raise source.error("the compressed data are damaged or cut off")
+            raise source.error(phrase("the compressed data are damaged or cut off"))
     # Versions differ in what their headers may leave out; the library knows the last one's name only.
     data = source.data
     if b"COUNT" not in keys and b"SIZE" in keys:
@@ -213,7 +226,7 @@ def _load_pcd(pypcd4: Any, source: Source) -> _Points:
     # Of one point in ASCII the library makes a scalar.
     table = np.atleast_1d(cloud.pc_data)
     if table.shape != (count,):
-        raise source.error(f"{len(table)} points where the header says {count}: the file was cut off")
+        raise source.error(phrase("{} points where the header says {}: the file was cut off", len(table), count))
     return _table(source, tuple(cloud.fields), lambda name: table[name])
 
 
@@ -241,14 +254,14 @@ def _load_e57(pye57: Any, source: Source) -> _Points:
             for index in range(image.scan_count):
                 header = image.get_header(index)
                 if header.point_count > _SMALLEST_PACKED * len(source.data) or header.point_count > _MOST:
-                    raise source.error("a scan tells of more points than the file can hold")
+                    raise source.error(phrase("a scan tells of more points than the file can hold"))
                 data = image.read_scan(index, ignore_missing_fields=True)
                 parts.append(np.column_stack([data[f"cartesian{c}"] for c in "XYZ"]).astype(np.float64))
                 steps.append(_e57_step(pye57, header, parts[-1]))
         finally:
             image.close()
     points = np.concatenate(parts) if parts else np.zeros((0, 3))
-    notes = (f"{len(parts)} scans put together",) if len(parts) > 1 else ()
+    notes = (phrase("{} scans put together", len(parts)),) if len(parts) > 1 else ()
     return _Points(points, None, max(steps), notes)
 
 
@@ -267,15 +280,15 @@ def _e57_step(pye57: Any, header: Any, points: Floats) -> float:
 
 
 def _load_x3p(x3pio: Any, source: Source) -> _Points:
-    refuse_dangerous(source.data, source.name, "X3P file")
+    refuse_dangerous(source.data, source.name, phrase("X3P file"))
     file = x3pio.read(io.BytesIO(source.data))
     parts = [np.asarray(layer.points(), dtype=np.float64).reshape(-1, 3) for layer in file.layers]
     points = np.concatenate(parts) if parts else np.zeros((0, 3))
-    notes = [f"{len(parts)} layers put together"] if len(parts) > 1 else []
+    notes = [phrase("{} layers put together", len(parts))] if len(parts) > 1 else []
     if isinstance(file, x3pio.Profile):
         # The contour lies in the plane of the profile; x, z, -y keeps the frame right-handed.
         points = points[:, [0, 2, 1]] * [1.0, 1.0, -1.0]
-        notes.append("a profile: its X and Z are the contour's X and Y")
+        notes.append(phrase("a profile: its X and Z are the contour's X and Y"))
     return _Points(points, None, 0.0, tuple(notes))
 
 

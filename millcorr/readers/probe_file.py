@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from millcorr.errors import FormatError
+from millcorr.messages import joined, phrase
 from millcorr.readers.measurement import INTERPOLATIONS, Probe
 
 from .source import LARGEST_BALL, shown
@@ -30,24 +31,26 @@ def load(path: str | Path) -> Probe:
     FormatError
         If the file cannot be read, or a key is unknown, missing or has no such value; names the file and the key.
     """
-    table = toml_table(path, "probe", KEYS)
+    table = toml_table(path, phrase("probe"), KEYS)
     if not isinstance(table.get("name", ""), str):
-        raise FormatError(f"name is a text, not {shown(repr(table['name']))}", path)
+        raise FormatError(phrase("name is a text, not {}", shown(repr(table["name"]))), path)
     radii = _numbers(table, "radii", path, 0.0, LARGEST_BALL)
     directions = _numbers(table, "directions", path, -360.0, 360.0)
     if (radii is None) != (directions is None):
-        raise FormatError(f"{'radii' if radii is None else 'directions'} is missing: the two go together", path)
+        raise FormatError(
+            phrase("{} is missing: the two go together", "radii" if radii is None else "directions"), path
+        )
     radius = _numbers(table, "radius", path, 0.0, LARGEST_BALL, (0,))
     if radius is None:
         if radii is None:
-            raise FormatError("radius is missing: the effective radius of the ball in mm", path)
+            raise FormatError(phrase("radius is missing: the effective radius of the ball in mm"), path)
         radius = np.array(float(radii.mean()))
     control = _numbers(table, "control_radius", path, 0.0, LARGEST_BALL, (0, 2))
     offset = _numbers(table, "offset", path, -_LARGEST_OFFSET, _LARGEST_OFFSET, (2,))
     interpolation = table.get("interpolation", INTERPOLATIONS[0])
     if interpolation not in INTERPOLATIONS:
-        wanted = " or ".join(INTERPOLATIONS)
-        raise FormatError(f"interpolation is {wanted}, not {shown(repr(interpolation))}", path)
+        wanted = phrase(" or ").join(INTERPOLATIONS)
+        raise FormatError(phrase("interpolation is {}, not {}", wanted, shown(repr(interpolation))), path)
     return Probe(
         float(radius),
         None if directions is None else np.radians(directions),
@@ -71,7 +74,9 @@ def _numbers(
     size = len(value) if isinstance(value, list) else 0
     fits = size in sizes if sizes else 3 <= size <= _LONGEST_TABLE
     if not (plain and fits and all(math.isfinite(v) and low <= v <= high for v in many)):
-        lists = [f"a list of {n} numbers" if n else "a number" for n in sizes] or ["a list of at least 3 numbers"]
-        wanted = f"{' or '.join(lists)} from {low:g} to {high:g}"
-        raise FormatError(f"{key} is {wanted}, not {shown(repr(value))}", path)
+        lists = [phrase("a list of {} numbers", n) if n else phrase("a number") for n in sizes] or [
+            phrase("a list of at least 3 numbers")
+        ]
+        wanted = phrase("{} from {:g} to {:g}", joined(lists, phrase(" or ")), low, high)
+        raise FormatError(phrase("{} is {}, not {}", key, wanted, shown(repr(value))), path)
     return np.array(value, dtype=np.float64)

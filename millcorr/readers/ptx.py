@@ -13,11 +13,13 @@ import re
 import numpy as np
 
 from millcorr.arrays import Floats, Ints
+from millcorr.messages import phrase
 from millcorr.readers.measurement import Measurement
 
+from .decimal_columns import decimal_tables
 from .decoding import beginning
 from .fields import NUMBER
-from .source import Source, shown
+from .source import LONGEST_LINE, Source, shown
 
 _WIDTHS = (3, 4, 6, 7)
 _POSE = 8
@@ -58,76 +60,104 @@ def read(source: Source) -> Measurement:
         If the caller does not say what the points are.
     """
     ball_radius, unit = source.ball_radius(), source.unit(None)
-    lines = [line for _, line in source.lines()]
-    while lines and not lines[-1].strip():
-        lines.pop()
+    lines = _Lines(source)
     points: list[Floats] = []
     numbers: list[Ints] = []
     position = missed = 0
     while position < len(lines):
         count, turn, shift, position = _head(source, lines, position)
         table = _rows(source, lines, position, count)
-        met = (table != 0).any(axis=1)
-        missed += int((~met).sum())
-        points.append(table[met] @ turn + shift)
-        numbers.append(np.flatnonzero(met) + position + 1)
+        met = np.flatnonzero(table.any(axis=1))
+        missed += count - len(met)
+        table = table if len(met) == count else table[met]
+        points.append(table if (turn == np.eye(3)).all() and not shift.any() else table @ turn + shift)
+        numbers.append(met + (position + 1))
         position += count
-    notes = [f"{len(points)} scans put together"] if len(points) > 1 else []
+    notes = [phrase("{} scans put together", len(points))] if len(points) > 1 else []
     if missed:
-        notes.append(f"{missed} rays that met nothing left out")
+        notes.append(phrase("{} rays that met nothing left out", missed))
     if not points:
-        raise source.error("no measured points in the file")
+        raise source.error(phrase("no measured points in the file"))
+    together = points[0] if len(points) == 1 else np.concatenate(points)
     return source.measurement(
-        "ptx", np.concatenate(points), np.concatenate(numbers), ball_radius=ball_radius, unit=unit, notes=notes
-    )
+        "ptx", together, np.concatenate(numbers), ball_radius=ball_radius, unit=unit, notes=notes
+    )  # fmt: skip
 
 
-def _head(source: Source, lines: list[str], position: int) -> tuple[int, Floats, Floats, int]:
+class _Lines:
+    """Lines of a file by their number from 0, without cutting the text up; blank ones at its end do not count."""
+
+    def __init__(self, source: Source) -> None:
+        self.text = source.text().rstrip()
+        # A byte a character, whatever that is.
+        breaks = np.flatnonzero(np.frombuffer(self.text.encode("latin-1", "replace"), np.uint8) == ord("\n"))
+        self._begin = np.concatenate([[0], breaks + 1, [len(self.text) + 1]])
+        longest = int(np.diff(self._begin).argmax())
+        if len(self[longest]) > LONGEST_LINE:
+            raise source.too_long(len(self[longest]), longest + 1)
+
+    def __len__(self) -> int:
+        return len(self._begin) - 1 if self.text else 0
+
+    def __getitem__(self, number: int) -> str:
+        return self.text[self._begin[number] : self._begin[number + 1] - 1]
+
+    def block(self, first: int, last: int) -> str:
+        """Lines from one to before another."""
+        return self.text[self._begin[first] : self._begin[last] - 1]
+
+
+def _head(source: Source, lines: _Lines, position: int) -> tuple[int, Floats, Floats, int]:
     """Number of points of the scan that begins here, its turn (3, 3) and shift (3,), and where its points begin."""
 
     def count(at: int) -> int:
         text = lines[at].strip() if at < len(lines) else ""
         if not _COUNT.fullmatch(text):
-            raise source.error(f"{shown(text)} is no number of points: lines are missing or too many", at + 1)
+            raise source.error(phrase("{} is no number of points: lines are missing or too many", shown(text)), at + 1)
         return int(text)
 
     size = count(position)
     if position + 1 >= len(lines) or len(lines[position + 1].split()) != 1:
         return size, np.eye(3), np.zeros(3), position + 1
     size *= count(position + 1)
-    pose = lines[position + 2 : position + 2 + _POSE]
-    cells = [line.split() for line in pose]
+    cells = [lines[at].split() for at in range(position + 2, min(position + 2 + _POSE, len(lines)))]
     if [len(row) for row in cells] != [3] * 4 + [4] * 4 or not all(NUMBER.fullmatch(c) for row in cells for c in row):
-        raise source.error("the head of a scan is not whole: four lines of three numbers, four of four", position + 3)
+        raise source.error(
+            phrase("the head of a scan is not whole: four lines of three numbers, four of four"), position + 3
+        )
     matrix = np.array(cells[4:], dtype=np.float64)
     turn = matrix[:3, :3]
     with np.errstate(over="ignore", invalid="ignore"):
         proper = np.abs(turn @ turn.T - np.eye(3)).max() <= _ROTATION and np.linalg.det(turn) > 0
     if not proper or (matrix[:, 3] != (0, 0, 0, 1)).any():
-        raise source.error("the matrix of a scan is no turn and shift", position + 7)
+        raise source.error(phrase("the matrix of a scan is no turn and shift"), position + 7)
     return size, turn, matrix[3, :3], position + 2 + _POSE
 
 
-def _rows(source: Source, lines: list[str], begin: int, count: int) -> Floats:
+def _rows(source: Source, lines: _Lines, begin: int, count: int) -> Floats:
     """Coordinates (count, 3) of the points from a line on."""
     if begin + count > len(lines):
         raise source.error(
-            f"{len(lines) - begin} points where {count} are announced: the file was cut off", max(begin, 1)
+            phrase("{} points where {} are announced: the file was cut off", len(lines) - begin, count), max(begin, 1)
         )
     if not count:
         return np.zeros((0, 3))
-    rows = lines[begin : begin + count]
-    try:
-        table = np.loadtxt(rows, comments=None, ndmin=2)
-        if len(table) == count and table.shape[1] in _WIDTHS and np.isfinite(table).all():
-            return table[:, :3].copy()
-    except (ValueError, OverflowError):
-        pass
-    width = len(rows[0].split())
+    block = lines.block(begin, begin + count)
+    width = len(lines[begin].split())
+    if width in _WIDTHS:
+        # All fields are numbers, though three are wanted; blank lines would be missing rays.
+        found = decimal_tables(block, None, width, [range(3), range(3, width)])
+        if found is not None and len(found[1]) == count and all(np.isfinite(table).all() for table in found[0]):
+            return found[0][0]
+    rows = block.split("\n")
     for number, row in enumerate(rows, begin + 1):
         cells = row.split()
         spoilt = next((cell for cell in cells if not NUMBER.fullmatch(cell)), None)
         if spoilt is not None or len(cells) != width or width not in _WIDTHS:
-            why = f"{shown(spoilt)} is no number" if spoilt else f"{len(cells)} numbers are no point: {shown(row)}"
+            why = (
+                phrase("{} is no number", shown(spoilt))
+                if spoilt
+                else phrase("{} numbers are no point: {}", len(cells), shown(row))
+            )
             raise source.error(why, number)
-    raise source.error("a number is too large", begin + 1)
+    raise source.error(phrase("a number is too large"), begin + 1)

@@ -14,6 +14,7 @@ from array import array
 import numpy as np
 
 from millcorr.arrays import Floats, Ints
+from millcorr.messages import phrase
 from millcorr.readers.measurement import Measurement
 
 from .decoding import lines_of
@@ -113,11 +114,11 @@ class _Reading:
             return
         found = _FIELD.fullmatch(bare)
         if found is None:
-            raise self.source.error(f"{shown(bare)} is neither a K field nor a line of values", number)
+            raise self.source.error(phrase("{} is neither a K field nor a line of values", shown(bare)), number)
         key, index, content = int(found[1]), int(found[2] or 0), (found[3] or "").strip(" \t")
         if key == 100:
             if not (content.isdecimal() and content.isascii() and 0 < int(content[:9]) <= _MOST):
-                raise self.source.error(f"K0100 {shown(content)} is no number of characteristics", number)
+                raise self.source.error(phrase("K0100 {} is no number of characteristics", shown(content)), number)
             self.stated = int(content), number
         elif 1000 <= key < 2000:
             self.part = index or self.part
@@ -143,16 +144,16 @@ class _Reading:
         if key == _NOMINAL and index and content:
             nominal = self._number(content, number)
             if self.nominal.setdefault(place, nominal) != nominal:
-                raise self.source.error(f"K{key}/{index} is there twice with different contents", number)
+                raise self.source.error(phrase("K{}/{} is there twice with different contents", key, index), number)
         elif key in self.texts:
             content = sys.intern(content) if key == _UNIT else content
             if self.texts[key].setdefault(place, content) != content:
-                raise self.source.error(f"K{key}/{index} is there twice with different contents", number)
+                raise self.source.error(phrase("K{}/{} is there twice with different contents", key, index), number)
 
     def _place(self, index: int, number: int) -> int:
         place = self.places.get(index)
         if place is None:
-            raise self.source.error(f"a value of characteristic {index}, which no K2 field describes", number)
+            raise self.source.error(phrase("a value of characteristic {}, which no K2 field describes", index), number)
         return place
 
     def _values(self, number: int, line: str) -> None:
@@ -164,8 +165,11 @@ class _Reading:
             fields.pop()
         if len(fields) != len(self.order):
             raise self.source.error(
-                f"{len(fields)} values for {len(self.order)} characteristics: "
-                "the line is incomplete, or this is no line of values",
+                phrase(
+                    "{} values for {} characteristics: the line is incomplete, or this is no line of values",
+                    len(fields),
+                    len(self.order),
+                ),
                 number,
             )
         for place, content in zip(self.order, fields, strict=True):
@@ -189,7 +193,7 @@ class _Reading:
             raise self.source.error(why_no_number(content, None), number)
         value = float(plain)
         if not np.isfinite(value):
-            raise self.source.error(f"{shown(content)} is too large", number)
+            raise self.source.error(phrase("{} is too large", shown(content)), number)
         return value
 
     # --- from characteristics to points -------------------------------------------------------------------
@@ -198,8 +202,11 @@ class _Reading:
         source = self.source
         if self.stated is not None and self.stated[0] != len(self.begins):
             raise source.error(
-                f"K0100 says {self.stated[0]} characteristics, there are {len(self.begins)}: "
-                "the file was cut off or put together",
+                phrase(
+                    "K0100 says {} characteristics, there are {}: the file was cut off or put together",
+                    self.stated[0],
+                    len(self.begins),
+                ),
                 self.stated[1],
             )
         points, left_out = self._points()
@@ -219,13 +226,13 @@ class _Reading:
         coordinates = np.where(there, np.array(self.values)[at], np.nan)
         measured = ~np.isnan(coordinates).any(axis=1)
         if not measured.any():
-            raise source.error("none of the points was measured on this part")
+            raise source.error(phrase("none of the points was measured on this part"))
         ideal = np.array([[self.nominal.get(place, np.nan) for place in row] for row in places[measured].tolist()])
         ideal[np.isnan(ideal).any(axis=1)] = np.nan
         names = list(groups)
-        notes = [f"{left_out} characteristics are no coordinate of a point"] if left_out else []
+        notes = [phrase("{} characteristics are no coordinate of a point", left_out)] if left_out else []
         if not measured.all():
-            notes.append(f"{np.count_nonzero(~measured)} points were not measured on this part")
+            notes.append(phrase("{} points were not measured on this part", np.count_nonzero(~measured)))
         return source.measurement(
             "qdas", _with_z(coordinates[measured]), np.array(self.lines)[at[measured, 0]],
             ball_radius=ball_radius, unit=unit, has_z=has_z, notes=notes,
@@ -248,7 +255,12 @@ class _Reading:
             point = grouped.setdefault(self.part_of[place], {}).setdefault(stem, [-1, -1, -1])
             if point[axis] >= 0:
                 raise self.source.error(
-                    f"{'XYZ'[axis]} of point {shown(stem)} is there twice, first in line {self.begins[point[axis]]}",
+                    phrase(
+                        "{} of point {} is there twice, first in line {}",
+                        "XYZ"[axis],
+                        shown(stem),
+                        self.begins[point[axis]],
+                    ),
                     self.begins[place],
                 )
             point[axis] = place
@@ -261,7 +273,7 @@ class _Reading:
                 points[part] = whole
         if not points:
             raise self.source.error(
-                "no points: name the characteristics of a point alike with X, Y and Z, such as P1.X, P1.Y, P1.Z"
+                phrase("no points: name the characteristics of a point alike with X, Y and Z, such as P1.X, P1.Y, P1.Z")
             )
         return points, len(self.begins) - used
 
@@ -273,9 +285,9 @@ class _Reading:
             times = self._times(groups, counts)
             name = self.parts.get(part)
             pieces += [(part, piece) for piece in range(times)]
-            titles += [(f"part {shown(name)}" if name else f"part {part}")] * times
+            titles += [(phrase("part {}", shown(name)) if name else phrase("part {}", part))] * times
         if not pieces:
-            raise self.source.error("no values: the file describes characteristics and holds no results")
+            raise self.source.error(phrase("no values: the file describes characteristics and holds no results"))
         return pieces[chosen_part(self.source, titles)]
 
     def _times(self, groups: dict[str, _Point], counts: Ints) -> int:
@@ -291,8 +303,14 @@ class _Reading:
         if (own < times).any():
             stem, axis, place = named[int(np.flatnonzero(own < times)[0])]
             raise self.source.error(
-                f"{axis} of point {shown(stem)} has {counts[place]} of {times} values: the file was cut off, or "
-                "K0002 256 is missing for a point that was not measured",
+                phrase(
+                    "{} of point {} has {} of {} values: the file was cut off, or K0002 256 is missing for a "
+                    "point that was not measured",
+                    axis,
+                    shown(stem),
+                    counts[place],
+                    times,
+                ),
                 self.begins[place],
             )
         return times
@@ -307,16 +325,22 @@ class _Reading:
                     continue
                 unit = _UNITS.get(content.lower())
                 if unit is None:
-                    raise self.source.error(f"unit {shown(content)}: only mm and inch are read", self.begins[place])
+                    raise self.source.error(
+                        phrase("unit {}: only mm and inch are read", shown(content)), self.begins[place]
+                    )
                 found.setdefault(unit, place)
         if len(found) > 1:
-            raise self.source.error("coordinates in mm and in inch in one file", self.begins[max(found.values())])
+            raise self.source.error(
+                phrase("coordinates in mm and in inch in one file"), self.begins[max(found.values())]
+            )
         return next(iter(found), None)
 
     def _has_z(self, groups: dict[str, _Point]) -> bool:
         without = next((stem for stem, group in groups.items() if group[2] < 0), None)
         if without is not None and any(group[2] >= 0 for group in groups.values()):
-            raise self.source.error(f"point {shown(without)} has no Z, others have", self.begins[groups[without][0]])
+            raise self.source.error(
+                phrase("point {} has no Z, others have", shown(without)), self.begins[groups[without][0]]
+            )
         return without is None
 
 

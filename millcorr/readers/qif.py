@@ -9,13 +9,14 @@ and only where the file has no point, curve or surface features of its own.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from millcorr.arrays import Bools, Floats, Ints
 from millcorr.errors import UsageError, unsaid
-from millcorr.messages import message, option, remedy
+from millcorr.messages import message, mm, option, phrase, remedy
 from millcorr.readers.measurement import Basis, Measurement
 
 from .parts import chosen_part
@@ -106,7 +107,9 @@ def _keep_part(source: Source, document: Document) -> None:
     if not parts:
         parts = [[]]
     titles = [
-        ", ".join(f"result {shown(document.results[r][0])} in line {document.results[r][1]}" for r in part[:3])
+        ", ".join(
+            phrase("result {} in line {}", shown(document.results[r][0]), document.results[r][1]) for r in part[:3]
+        )
         for part in parts
     ]
     wanted = {-1, *parts[chosen_part(source, titles)]}
@@ -141,19 +144,24 @@ class _Joined:
             wanted = _NAMED.get(u.name.casefold())
             if wanted is not None and abs(u.factor * 1000 - wanted) > _FACTOR_TOLERANCE * wanted:
                 raise self.source.error(
-                    f"the unit named {shown(u.name)} has the factor {u.factor:g} to metres, not {wanted / 1000:g}: one "
-                    "of them is wrong, export the file again",
+                    phrase(
+                        "the unit named {} has the factor {:g} to metres, not {:g}: one of them is wrong, export the "
+                        "file again",
+                        shown(u.name),
+                        u.factor,
+                        wanted / 1000,
+                    ),
                     u.line or None,
                 )
         factors = {u.name: float(f"{u.factor * 1000:.12g}") for u in self.document.units}
         primary = [u for u in self.document.units if u.primary]
         if len(primary) > 1:
-            raise self.source.error("more than one primary unit of length")
+            raise self.source.error(phrase("more than one primary unit of length"))
         if primary:
             return factors, float(f"{primary[0].factor * 1000:.12g}")
         if self.source.units is None:
             raise unsaid(
-                f"{self.source.name} names no unit of length",
+                phrase("{} names no unit of length", self.source.name),
                 remedy("units", "mm"),
                 remedy("units", "inch"),
             )
@@ -161,7 +169,7 @@ class _Joined:
 
     def _factor(self, unit: str, line: int) -> float:
         if unit and unit not in self.factors:
-            raise self.source.error(f"unit {shown(unit)} is not among the file's units", line)
+            raise self.source.error(phrase("unit {} is not among the file's units", shown(unit)), line)
         return self.factors[unit] if unit else self.factor
 
     def measurement(self) -> Measurement:
@@ -169,7 +177,7 @@ class _Joined:
         features = [m for m in document.measured.values() if m.kind in POINTS]
         sets = self._own_sets(features)
         if not features and not sets:
-            raise source.error(f"no measured points; {len(document.measured)} measured features without any")
+            raise source.error(phrase("no measured points; {} measured features without any", len(document.measured)))
         self.factors, self.factor = self._units()
         self.rows = self._touches()
         parts = []
@@ -177,18 +185,18 @@ class _Joined:
             parts.append(self._of_features(features))
         parts += [self._of_set(s, rows) for s, rows in sets]
         points, nominal, normals, radii, stated = (
-            np.concatenate(column) for column in zip(*(p[0] for p in parts), strict=True)
+            _stacked(column) for column in zip(*(p[0] for p in parts), strict=True)
         )
-        lines = np.concatenate([p[1] for p in parts])
+        lines = _stacked([p[1] for p in parts])
         names = [name for p in parts for name in p[2]]
         without = int(np.isnan(normals).any(axis=1).sum())
         if 0 < without < len(points):
-            self.notes.append(f"{without} of {len(points)} points have no normal: normals are not used")
+            self.notes.append(phrase("{} of {} points have no normal: normals are not used", without, len(points)))
         known = {"mm": 1.0, "inch": MM_PER_INCH}
         said = next((unit for unit, factor in known.items() if factor == self.factor), None)
         unit = source.unit(said or "mm")
         if said is None:
-            self.notes.append(f"converted from a unit of {self.factor:g} mm")
+            self.notes.append(phrase("converted from a unit of {}", mm(self.factor, "g")))
         if not any(u.primary for u in document.units):
             source.bases["unit"] = Basis("said", message(option("units")))
         ball = self._ball(radii)
@@ -210,11 +218,15 @@ class _Joined:
         for s in sets if any(s.unit for s in sets) else ():
             factors[s.first : s.first + s.count] = self._factor(s.unit, s.line) / self.factor
         factors *= self.factor
-        compensated, radii = np.array(table.compensated), np.array(table.radius) * factors
+        # The tables' own memory: of a scan another copy would be as large as the file.
+        compensated, radii = np.frombuffer(table.compensated), np.frombuffer(table.radius) * factors
         radii = np.where(compensated > 0, _CONTACT, np.where(np.isnan(compensated), _UNKNOWN, radii))
-        with np.errstate(over="ignore"):
-            points = np.array(table.points).reshape(-1, 3) * factors[:, None]
-        return _Rows(points, np.array(table.normals).reshape(-1, 3), radii, np.array(table.lines, dtype=np.int64))
+        points = np.frombuffer(table.points).reshape(-1, 3)
+        if (factors != 1.0).any():
+            with np.errstate(over="ignore"):
+                points = points * factors[:, None]
+        normals, lines = np.frombuffer(table.normals).reshape(-1, 3), np.frombuffer(table.lines, dtype=np.int64)
+        return _Rows(points, normals, radii, lines)
 
     def _own_sets(self, features: list[Feature]) -> list[tuple[PointSet, Ints]]:
         """Sets of curve and surface features with the rows wanted of them; all where these and points are absent."""
@@ -235,8 +247,8 @@ class _Joined:
                 for label in document.sets.keys() & ({of.id for of in m.sets} - used):
                     kinds[m.kind.lower()] = kinds.get(m.kind.lower(), 0) + document.sets[label].count
         if kinds:
-            left = ", ".join(f"{count} of {kind} features" for kind, count in sorted(kinds.items()))
-            self.notes.append(f"points left out: {left}")
+            left = ", ".join(phrase("{} of {} features", count, kind) for kind, count in sorted(kinds.items()))
+            self.notes.append(phrase("points left out: {}", left))
         return chosen
 
     def _of_features(self, features: list[Feature]) -> tuple[tuple[Floats, ...], Ints, list[str]]:
@@ -244,7 +256,7 @@ class _Joined:
         names, wanted, normals = [], [], []
         for m in features:
             if m.location is None:
-                raise self.source.error(f"measured point {m.id} has no Location", m.line)
+                raise self.source.error(phrase("measured point {} has no Location", m.id), m.line)
             item, ideal = self._ideal(m)
             names.append((item.name if item is not None else "") or m.id)
             normals.append((ideal.normal if ideal is not None else None) or m.normal or NO_VECTOR)
@@ -275,7 +287,8 @@ class _Joined:
         last = of.last or count
         if not 1 <= of.first <= last <= count and count:
             raise self.source.error(
-                f"points {of.first} to {last} are wanted of point set {of.id}, which has {count}", of.line
+                phrase("points {} to {} are wanted of point set {}, which has {}", of.first, last, of.id, count),
+                of.line,
             )
         return slice(of.first - 1, last)
 
@@ -288,13 +301,19 @@ class _Joined:
             if m.reference in document.nominals:
                 return None, document.nominals[m.reference]
             raise self.source.error(
-                f"measured point {m.id} refers to feature item {shown(m.reference)}, which is not in the file", m.line
+                phrase(
+                    "measured point {} refers to feature item {}, which is not in the file", m.id, shown(m.reference)
+                ),
+                m.line,
             )
         if not item.reference:
             return item, None
         if item.reference not in document.nominals:
             raise self.source.error(
-                f"feature item {item.id} refers to nominal {shown(item.reference)}, which is not in the file", item.line
+                phrase(
+                    "feature item {} refers to nominal {}, which is not in the file", item.id, shown(item.reference)
+                ),
+                item.line,
             )
         return item, document.nominals[item.reference]
 
@@ -328,23 +347,26 @@ class _Joined:
             shows = (radii == _UNKNOWN) & (np.abs(along - radius - stated) <= STATED_TOLERANCE)
             radii[shows] = radius
         if (radii[open_before] != _UNKNOWN).any():
-            self.inferred = "the profile values stored in the file"
+            self.inferred = phrase("the profile values stored in the file")
         unknown = radii == _UNKNOWN
         kinds = set(radii[~unknown].tolist())
         if unknown.any() and len(kinds) == 1:
             radii[unknown] = kinds.pop()
-            self.inferred = "the file's other points"
-            self.notes.append(f"{int(unknown.sum())} locations are taken for what the file's others are")
+            self.inferred = phrase("the file's other points")
+            self.notes.append(phrase("{} locations are taken for what the file's others are", int(unknown.sum())))
         with np.errstate(invalid="ignore"):
             differ = np.abs(along - np.maximum(radii, 0.0) - stated)
         worst = float(np.nanmax(differ, initial=0.0))
         if worst > 1e-4:
-            self.notes.append(f"stored profile values differ from (P - N) . n - r by up to {worst:.4f} mm")
+            self.notes.append(phrase("stored profile values differ from (P - N) . n - r by up to {}", mm(worst, ".4f")))
 
     def _of_set(self, s: PointSet, of: Ints) -> tuple[tuple[Floats, ...], Ints, list[str]]:
         rows, n = self.rows, len(of)
-        columns = (rows.points[of], np.full((n, 3), np.nan), rows.normals[of], rows.radii[of], np.full(n, np.nan))
-        return columns, rows.lines[of], [f"{s.id}.{k}" for k in range(1, n + 1)]
+        nothing = np.broadcast_to(np.nan, (n, 3))
+        # All points of the only set are not copied.
+        which = slice(None) if n == len(rows.lines) else of
+        columns = (rows.points[which], nothing, rows.normals[which], rows.radii[which], nothing[:, 0])
+        return columns, rows.lines[which], [f"{s.id}.{k}" for k in range(1, n + 1)]
 
     def _ball(self, radii: Floats) -> float | Floats:
         """Radius in mm, one for all or one a point, with what the caller says about rows the file leaves open."""
@@ -355,13 +377,23 @@ class _Joined:
             source.ball_radius(centres=not contact.all())
         if len(stated) and (contact.any() or unknown.any()) and source.points == "contact":
             raise UsageError(
-                option("points", "contact"), f" contradicts {source.name}: {len(stated)} points are ball centres"
+                phrase(
+                    "{} contradicts {}: {} points are ball centres",
+                    option("points", "contact"),
+                    source.name,
+                    len(stated),
+                )
             )
         if contact.all():
             return source.ball_radius(centres=False)
         if contact.any() and source.points == "centre" and not unknown.any():
             raise UsageError(
-                option("points", "centre"), f" contradicts {source.name}: {int(contact.sum())} are contact points"
+                phrase(
+                    "{} contradicts {}: {} are contact points",
+                    option("points", "centre"),
+                    source.name,
+                    int(contact.sum()),
+                )
             )
         out = radii.copy()
         if unknown.any():
@@ -371,3 +403,8 @@ class _Joined:
         if len(stated) == len(radii) and np.ptp(stated) <= 1e-9:
             return source.ball_radius(centres=True, radius=float(stated[0]))
         return out
+
+
+def _stacked(arrays: Sequence[Any]) -> Any:
+    """One array below another; a single one as it is."""
+    return arrays[0] if len(arrays) == 1 else np.concatenate(arrays)

@@ -14,6 +14,7 @@ from typing import NoReturn
 import numpy as np
 
 from millcorr.arrays import Floats
+from millcorr.messages import phrase
 
 from .fields import NUMBER
 from .source import Source, shown
@@ -37,7 +38,7 @@ _FOREIGN_FRAMES = ("CoordinateSystemId", "TransformId", "TranformId", "Units")
 """Children of a point set that give it a frame or unit of its own; the schema of 3.0 has the third, misspelt."""
 
 _NUMBER_CHARACTERS = str.maketrans("", "", "0123456789+-.eE \t\n\r")
-_BLOCK = 1 << 20
+_BLOCK = 1 << 18
 _LARGEST = 1e9
 
 Vector = tuple[float, float, float]
@@ -287,24 +288,24 @@ class Document:
     def _take_factor(self, content: str, line: int) -> None:
         factor = self.units[-1].factor = self._number(content, "", line)
         if not 1e-9 <= factor <= 1e3:
-            self._refuse(f"{factor:g} m is no unit of length", line)
+            self._refuse(phrase("{:g} m is no unit of length", factor), line)
 
     def _id(self, attributes: dict[str, str], line: int) -> str:
         label = attributes.get("id", "").strip()
         if not label:
-            self._refuse("a feature or point set has no id", line)
+            self._refuse(phrase("a feature or point set has no id"), line)
         return label[:40]
 
     def _once(self, label: str, group: dict[str, Feature] | dict[str, PointSet], line: int) -> None:
         if label in group:
-            self._refuse(f"id {shown(label)} is there twice, first in line {group[label].line}", line)
+            self._refuse(phrase("id {} is there twice, first in line {}", shown(label), group[label].line), line)
 
     def _referred(self, label: str, line: int) -> Reference:
         if not self.span.strip():
             return Reference(label, line)
         ends = self.span.split()
         if not all(re.fullmatch(r"\d{1,9}", end, re.ASCII) for end in ends) or len(ends) > 2:
-            self._refuse(f"{shown(self.span)} is no range of points of set {label}", line)
+            self._refuse(phrase("{} is no range of points of set {}", shown(self.span), label), line)
         return Reference(label, line, int(ends[0]), int(ends[-1]))
 
     # Children of a MeasurePoint, in which documents of 2.x give every touch of a feature.
@@ -321,19 +322,23 @@ class Document:
     def _take_touch_flag(self, content: str, line: int) -> None:
         flag = _FLAGS.get(content.strip())
         if flag is None:
-            self._refuse(f"feature {self.feature.id}: Compensated {shown(content)} is not true or false", line)
+            self._refuse(
+                phrase("feature {}: Compensated {} is not true or false", self.feature.id, shown(content)), line
+            )
         self.own[-1].compensated = flag > 0
 
     def _add_touches(self, feature: Feature) -> None:
         """Put the touches that stand in a feature among the point sets, and refer to them."""
-        own, label = self.own, f"of feature {feature.id}"
+        own, label = self.own, phrase("of feature {}", feature.id)
         self.set = PointSet(label, feature.line, len(own), feature.unit, feature.result, len(self.touches))
         points, normals, compensated, radius = (self.said.setdefault(key, array("d")) for key in _SAID)
         for t in own:
             if t.point is None:
-                self._refuse(f"a MeasurePoint of feature {feature.id} has no Point", t.line)
+                self._refuse(phrase("a MeasurePoint of feature {} has no Point", feature.id), t.line)
             if t.compensated is not own[0].compensated and None in (t.compensated, own[0].compensated):
-                self._refuse(f"a MeasurePoint of feature {feature.id} lacks Compensated, or all others do", t.line)
+                self._refuse(
+                    phrase("a MeasurePoint of feature {} lacks Compensated, or all others do", feature.id), t.line
+                )
             points.extend(t.point)
             normals.extend(NO_VECTOR if t.normal is None else t.normal)
             compensated.append(math.nan if t.compensated is None else t.compensated)
@@ -345,7 +350,7 @@ class Document:
     def _open_set(self, attributes: dict[str, str], line: int) -> None:
         label, count = self._id(attributes, line), attributes.get("count", "")
         if not count.isdecimal() or not count.isascii() or len(count) > 9:
-            self._refuse(f"point set {label} has no count", line)
+            self._refuse(phrase("point set {} has no count", label), line)
         self.set = PointSet(
             label, line, int(count), attributes.get("linearUnit", ""), self.result, len(self.touches)
         )  # fmt: skip
@@ -355,8 +360,8 @@ class Document:
         found = self.set
         self._once(found.id, self.sets, found.line)
         if "Points" not in self.said:
-            self._refuse(f"point set {found.id} has no Points", found.line)
-        self.touches.lines.extend([found.line] * found.count)
+            self._refuse(phrase("point set {} has no Points", found.id), found.line)
+        self.touches.lines.extend(array("q", [found.line]) * found.count)
         self._add_set()
 
     def _add_set(self) -> None:
@@ -366,10 +371,13 @@ class Document:
         if not all(compensated) or compensated is _UNSAID:
             for r in radius:
                 if r <= 0:
-                    self._refuse(f"point set {found.id}: its ProbeRadius is not positive", found.line)
+                    self._refuse(phrase("point set {}: its ProbeRadius is not positive", found.id), found.line)
         table, n = self.touches, found.count
-        table.points.extend(said["Points"])
-        table.normals.extend(said["Normals"] if "Normals" in said else NO_VECTOR * n)
+        if len(table.points):
+            table.points.extend(said.pop("Points"))
+        else:
+            table.points = said.pop("Points")
+        table.normals.extend(said.pop("Normals") if "Normals" in said else array("d", NO_VECTOR) * n)
         table.compensated.extend(compensated if len(compensated) == n else compensated * n)
         table.radius.extend(radius if len(radius) == n else radius * n)
         self.sets[found.id] = found
@@ -378,7 +386,10 @@ class Document:
     def _foreign(self, name: str) -> Element:
         def refuse(_: dict[str, str], line: int) -> None:
             self._refuse(
-                f"point set {self.set.id} has its own {name}: export the points in the common frame and unit", line
+                phrase(
+                    "point set {} has its own {}: export the points in the common frame and unit", self.set.id, name
+                ),
+                line,
             )
 
         return Element(begin=refuse)
@@ -393,7 +404,9 @@ class Document:
         def take_flags(content: str, line: int) -> None:
             words = content.split()
             if not words or not _FLAGS.keys() >= set(words) or len(words) not in (1, self.set.count):
-                self._refuse(f"point set {self.set.id}: {name} {shown(content)} is not true or false", line)
+                self._refuse(
+                    phrase("point set {}: {} {} is not true or false", self.set.id, name, shown(content)), line
+                )
             said[key] = array("d", [_FLAGS[word] for word in words])
 
         def take_radius(content: str, line: int) -> None:
@@ -416,20 +429,20 @@ class Document:
         try:
             data = base64.b64decode("".join(content.split()), validate=True)
         except (binascii.Error, ValueError):
-            self._refuse(f"point set {label}: {name} is no base64", line)
+            self._refuse(phrase("point set {}: {} is no base64", label, name), line)
         if name == "BinaryCompensated":
             if len(data) != n:
-                self._refuse(f"point set {label}: {name} has {len(data)} bytes for {n} points", line)
+                self._refuse(phrase("point set {}: {} has {} bytes for {} points", label, name, len(data), n), line)
             return array("d", (np.frombuffer(data, np.uint8) != 0).astype(np.float64).tobytes())
         if not width or len(data) not in (4 * width, 8 * width):
-            self._refuse(f"point set {label}: {name} has {len(data)} bytes for {n} points", line)
+            self._refuse(phrase("point set {}: {} has {} bytes for {} points", label, name, len(data), n), line)
         numbers = np.frombuffer(data, "<f8" if len(data) == 8 * width else "<f4").astype(np.float64)
-        self._refuse_absurd(numbers, f"point set {label}: ", line)
+        self._refuse_absurd(numbers, phrase("point set {}: ", label), line)
         return array("d", numbers.tobytes())
 
     def _numbers(self, text: str, label: str, line: int, count: int) -> array[float]:
         """Exactly `count` numbers; long lists by the block, for the memory's sake."""
-        owner = f"element {label}: " if label else ""
+        owner = phrase("element {}: ", label) if label else ""
         out = array("d")
         position = 0
         while position < len(text):
@@ -445,11 +458,11 @@ class Document:
                 spoilt = block
             if spoilt:
                 word = next((w for w in block.split() if not _is_number(w)), spoilt)
-                self._refuse(f"{owner}{shown(word)} is no number", line)
+                self._refuse(phrase("{}{} is no number", owner, shown(word)), line)
             self._refuse_absurd(numbers, owner, line)
             out.frombytes(numbers.tobytes())
         if len(out) != count:
-            self._refuse(f"{owner}{len(out)} numbers where {count} were expected", line)
+            self._refuse(phrase("{}{} numbers where {} were expected", owner, len(out), count), line)
         return out
 
     def _number(self, text: str, label: str, line: int) -> float:
@@ -478,7 +491,7 @@ class Document:
     def _refuse_absurd(self, numbers: Floats, owner: str, line: int) -> None:
         wrong = numbers[~(np.abs(numbers) <= _LARGEST)]
         if len(wrong):
-            self._refuse(f"{owner}{wrong[0]:g} is no length that a machine can travel", line)
+            self._refuse(phrase("{}{:g} is no length that a machine can travel", owner, wrong[0]), line)
 
     def _refuse(self, message: str, line: int) -> NoReturn:
         raise self.source.error(message, line)

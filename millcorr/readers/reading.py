@@ -9,13 +9,14 @@ from pathlib import Path
 from typing import Any
 
 from millcorr.errors import UsageError
+from millcorr.messages import phrase
 from millcorr.options import declared, options_of
 from millcorr.readers.measurement import Measurement
 
 KINDS = ("contact", "centre", "axis")
 """What coordinates are: points on the part, centres of the probe's ball, or centres shifted along an axis."""
 
-MEASURED = "the measurement"
+MEASURED = phrase("the measurement")
 """Heading under which the options stand."""
 
 
@@ -89,7 +90,9 @@ class Reading:
         """A reading from what `as_dict` gave; UsageError for a name that does not exist."""
         unknown = sorted(set(given) - set(FIELDS))
         if unknown:
-            raise UsageError(f"{unknown[0]} says nothing of how to read a file; known are {', '.join(FIELDS)}")
+            raise UsageError(
+                phrase("{} says nothing of how to read a file; known are {}", unknown[0], ", ".join(FIELDS))
+            )
         values = {name: value for name, value in given.items() if value is not None}
         for name in ("mapping", "probe"):
             if name in values:

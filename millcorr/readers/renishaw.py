@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from millcorr.messages import phrase
 from millcorr.readers.measurement import Measurement
 
 from .parts import chosen_part, titled
@@ -89,7 +90,7 @@ def _of_part(source: Source, features: list[_Feature]) -> list[_Feature]:
         components.setdefault(feature.component, []).append(feature)
     if not components:
         return features
-    titles = [f"component {n}, {titled(np.array([f.line for f in own]))}" for n, own in components.items()]
+    titles = [phrase("component {}, {}", n, titled(np.array([f.line for f in own]))) for n, own in components.items()]
     return list(components.values())[chosen_part(source, titles)]
 
 
@@ -99,20 +100,20 @@ def _position(source: Source, features: list[_Feature], number: int, text: str) 
         return
     found = _POSITION.match(text)
     if found is None:
-        raise source.error(f"{shown(text)} is no whole POSN line: print the results again", number)
+        raise source.error(phrase("{} is no whole POSN line: print the results again", shown(text)), number)
     if not features:
-        raise source.error("a POSN line without COMPONENT NO and FEATURE NO above it", number)
+        raise source.error(phrase("a POSN line without COMPONENT NO and FEATURE NO above it"), number)
     axis, fields = found[1], [found[k] for k in (2, 3, 5)]
     nominal, actual, deviation = (float(re.sub(r"\s", "", f)) for f in fields)
     if not max(abs(nominal), abs(actual), abs(deviation)) <= _LARGEST:
-        raise source.error("a value is no length that a machine can travel", number)
+        raise source.error(phrase("a value is no length that a machine can travel"), number)
     # Nominal and actual are printed alike, perhaps without last zeros, the deviation sometimes finer.
     places = [len(f.partition(".")[2]) for f in fields]
     rounding = 10.0 ** -max(places[:2]) + 10.0 ** -max(places) / 2
     if abs(deviation - (actual - nominal)) > _BESIDES * rounding:
-        raise source.error(f"axis {axis}: DEV is not ACTUAL less nominal, the line is damaged", number)
+        raise source.error(phrase("axis {}: DEV is not ACTUAL less nominal, the line is damaged", axis), number)
     if axis in features[-1].axes:
-        raise source.error(f"axis {axis} of feature {features[-1].name} is there twice", number)
+        raise source.error(phrase("axis {} of feature {} is there twice", axis, features[-1].name), number)
     features[-1].axes[axis] = (nominal, actual)
 
 
@@ -121,32 +122,41 @@ def _measurement(source: Source, features: list[_Feature], ball: float) -> Measu
     lone = [f for f in features if not f.sized and len(f.axes.keys() & {"X", "Y", "Z"}) == 1]
     if not points:
         raise source.error(
-            f"none of {len(features)} features has POSN X and POSN Y without SIZE: measure the contour by points",
+            phrase(
+                "none of {} features has POSN X and POSN Y without SIZE: measure the contour by points", len(features)
+            ),
             features[0].line if features else None,
         )
     heights = [f for f in points if "Z" in f.axes]
     if heights and len(heights) < len(points):
         other = next(f for f in points if "Z" not in f.axes)
-        raise source.error(f"feature {other.name} has no POSN Z, others have", other.line)
+        raise source.error(phrase("feature {} has no POSN Z, others have", other.name), other.line)
     names = [f.name for f in points]
     if len(set(names)) < len(names):
         again = next(f for k, f in enumerate(points) if f.name in names[:k])
-        raise source.error(f"component and feature {again.name} are there twice: keep one print-out", again.line)
+        raise source.error(
+            phrase("component and feature {} are there twice: keep one print-out", again.name), again.line
+        )
     notes = []
     if lone:
         notes.append(
-            f"{len(lone)} features left out: measured along one axis only, as feature {lone[0].name} "
-            f"(line {lone[0].line}); print where the ball stood"
+            phrase(
+                "{} features left out: measured along one axis only, as feature {} (line {}); print where "
+                "the ball stood",
+                len(lone),
+                lone[0].name,
+                lone[0].line,
+            )
         )
     sized = sum(f.sized for f in features)
     if sized:
-        notes.append(f"{sized} features with a size left out")
+        notes.append(phrase("{} features with a size left out", sized))
     unmeasured = sum(f.unmeasured for f in features)
     if unmeasured:
-        notes.append(f"{unmeasured} features have an axis that was not measured (ACTUAL NaN)")
+        notes.append(phrase("{} features have an axis that was not measured (ACTUAL NaN)", unmeasured))
     rest = len(features) - len(points) - len(lone) - sized
     if rest:
-        notes.append(f"{rest} features without POSN of X and Y left out")
+        notes.append(phrase("{} features without POSN of X and Y left out", rest))
     table = np.array([[f.axes.get(a, (0.0, 0.0)) for a in "XYZ"] for f in points])
     return source.measurement(
         "renishaw", table[:, :, 1], [f.line for f in points], ball_radius=ball, unit=source.unit(None),

@@ -13,7 +13,7 @@ import numpy as np
 
 from millcorr.arrays import Floats, Ints
 from millcorr.errors import FormatError, UsageError, unsaid
-from millcorr.messages import message, option, remedy
+from millcorr.messages import message, mm, option, phrase, remedy
 from millcorr.readers.measurement import LARGEST_LOBING, Basis, Measurement, Probe
 
 from .decoding import decode, lines_of
@@ -38,7 +38,11 @@ LARGEST_BALL = 100.0
 FARTHEST = 1e6
 """No coordinate lies farther out than this, in mm."""
 
-_TOLD = {"contact": "contact points", "centre": "centres of the probe ball", "axis": "shifted along an axis"}
+_TOLD = {
+    "contact": phrase("contact points"),
+    "centre": phrase("centres of the probe ball"),
+    "axis": phrase("shifted along an axis"),
+}
 _FACTORS = {"mm": 1.0, "inch": MM_PER_INCH}
 
 
@@ -99,8 +103,12 @@ class Source:
         """Lines of the file with their numbers from 1; FormatError for one of absurd length, or if it is no text."""
         for number, line in enumerate(lines_of(self.text(drop=drop)), 1):
             if len(line) > LONGEST_LINE:
-                raise self.error(f"a line of {len(line)} characters: not a measurement file, or damaged", number)
+                raise self.too_long(len(line), number)
             yield number, line
+
+    def too_long(self, length: int, line: int) -> FormatError:
+        """Error for a line, from 1, of absurd length."""
+        return self.error(phrase("a line of {} characters: not a measurement file, or damaged", length), line)
 
     def error(self, message: str, line: int | None = None) -> FormatError:
         """Error that names the file, and the line where known (from 1)."""
@@ -124,13 +132,15 @@ class Source:
             If the caller contradicts the file.
         """
         if self.units is not None and stated is not None and self.units != stated:
-            raise UsageError(option("units", self.units), f" contradicts {self.name}, which says {stated}")
+            raise UsageError(phrase("{} contradicts {}, which says {}", option("units", self.units), self.name, stated))
         if stated is not None:
             self.bases["unit"] = Basis("stated")
         elif self.units is not None:
             self.bases["unit"] = Basis("said", message(option("units")))
         else:
-            self.bases["unit"] = Basis("inferred", shows) if shows else Basis("assumed", "the file does not say")
+            self.bases["unit"] = (
+                Basis("inferred", shows) if shows else Basis("assumed", phrase("the file does not say"))
+            )
         return self.units or stated or default
 
     def kind(self, stated: str | None) -> str:
@@ -148,17 +158,20 @@ class Source:
         """
         if stated is not None and self.points not in (None, stated):
             raise UsageError(
-                option("points", self.points),
-                f" contradicts {self.name}, whose points are {_TOLD[stated]}: leave ",
-                option("points"),
-                " out",
+                phrase(
+                    "{} contradicts {}, whose points are {}: leave {} out",
+                    option("points", self.points),
+                    self.name,
+                    _TOLD[stated],
+                    option("points"),
+                ),
             )
         kind = stated or self.points
         if kind is None:
             raise unsaid(
-                "the file does not say whether its coordinates are contact points or centres of the probe ball",
+                phrase("the file does not say whether its coordinates are contact points or centres of the probe ball"),
                 remedy("points", "contact"),
-                message(remedy("points", "centre"), " (or axis)"),
+                message(remedy("points", "centre"), phrase(" (or axis)")),
             )
         self.bases["points"] = Basis("said", message(option("points"))) if stated is None else Basis("stated")
         return kind
@@ -186,9 +199,11 @@ class Source:
         told = self._radius(radius)
         if told is None:
             raise UsageError(
-                "ball centres need ",
-                option("probe_radius", of="MM"),
-                f", the radius of the probe ball: {self.name} does not say it",
+                phrase(
+                    "ball centres need {}, the radius of the probe ball: {} does not say it",
+                    option("probe_radius", of="MM"),
+                    self.name,
+                ),
             )
         return told
 
@@ -210,15 +225,16 @@ class Source:
             told = self._radius(radius)
             if told is None:
                 raise UsageError(
-                    "points shifted along an axis need ",
-                    option("probe_radius", of="MM"),
-                    ", the radius by which the control shifted them",
+                    phrase(
+                        "points shifted along an axis need {}, the radius by which the control shifted them",
+                        option("probe_radius", of="MM"),
+                    ),
                 )
             return told, told
         said = self.probe_radius if radius is None else radius
         if said is not None and max(abs(said - r) for r in control) > RADIUS_TOLERANCE:
             who = option("probe_radius", said) if radius is None else f"{self.name} {said:g}"
-            raise UsageError(who, " contradicts control_radius in the probe's file: leave one of them out")
+            raise UsageError(phrase("{} contradicts control_radius in the probe's file: leave one of them out", who))
         return control
 
     def _radius(self, stated: float | None) -> float | None:
@@ -226,10 +242,13 @@ class Source:
         said = self.probe_radius
         if stated is not None and said is not None and abs(said - stated) > RADIUS_TOLERANCE:
             raise UsageError(
-                option("probe_radius", said),
-                f" contradicts {self.name}, which says {stated:g} mm: leave ",
-                option("probe_radius"),
-                " out",
+                phrase(
+                    "{} contradicts {}, which says {}: leave {} out",
+                    option("probe_radius", said),
+                    self.name,
+                    mm(stated, "g"),
+                    option("probe_radius"),
+                ),
             )
         radius = said if stated is None else stated
         if stated is not None:
@@ -241,12 +260,19 @@ class Source:
         calibrated = self.probe.radius
         if radius is not None and abs(radius - calibrated) > LARGEST_LOBING:
             raise UsageError(
-                f"a probe radius of {radius:g} mm contradicts {self.probe.source or 'the probe'}, which says "
-                f"{calibrated:g} mm: they differ by more than a calibration can"
+                phrase(
+                    "a probe radius of {} contradicts {}, which says {}: they differ by more than a calibration can",
+                    mm(radius, "g"),
+                    self.probe.source or phrase("the probe"),
+                    mm(calibrated, "g"),
+                )
             )
         if radius is None and self.points == "axis" and self.probe.directions is not None:
             raise UsageError(
-                "radii by direction do not say by which one the control shifted: add ", option("probe_radius", of="MM")
+                phrase(
+                    "radii by direction do not say by which one the control shifted: add {}",
+                    option("probe_radius", of="MM"),
+                )
             )
         return calibrated if radius is None else float(radius)
 
@@ -294,20 +320,24 @@ class Source:
         """
         numbers = np.asarray(lines, dtype=np.int64)
         if not len(points):
-            raise self.error("no measured points in the file")
+            raise self.error(phrase("no measured points in the file"))
         factor = _FACTORS[unit] if factor is None else factor
-        with np.errstate(over="ignore"):
-            points = points * factor
-            nominal = None if nominal is None else nominal * factor
-            stated = None if stated is None else stated * factor
-        self._refuse_absurd(points, numbers, "coordinate")
+        if factor != 1.0:
+            with np.errstate(over="ignore"):
+                points = points * factor
+                nominal = None if nominal is None else nominal * factor
+                stated = None if stated is None else stated * factor
+        self._refuse_absurd(points, numbers, phrase("coordinate"))
         if nominal is not None:
-            self._refuse_absurd(np.nan_to_num(nominal), numbers, "nominal coordinate")
+            self._refuse_absurd(np.nan_to_num(nominal), numbers, phrase("nominal coordinate"))
         if normals is not None:
             unit_length = unit_normals(normals, numbers, self.name)
             # Rounded as printed they give the figures that other programs take from the same file.
-            kept = np.abs(normals - unit_length).max(axis=1) <= NORMAL_ROUNDING
-            normals = np.where(kept[:, None], normals, unit_length)
+            off = unit_length - normals
+            kept = np.abs(off, out=off).max(axis=1) <= NORMAL_ROUNDING
+            if not kept.all():
+                normals = np.where(kept[:, None], normals, unit_length)
+            del off, unit_length
         radius, remarks = 0.0, list(notes)
         if isinstance(ball_radius, np.ndarray):
             points, radius, remark = self._one_radius(points, normals, ball_radius, numbers)
@@ -327,7 +357,7 @@ class Source:
     def _refuse_absurd(self, values: Floats, lines: Ints, what: str) -> None:
         wrong = np.flatnonzero(~(np.abs(values) <= FARTHEST).all(axis=1))
         if len(wrong):
-            raise self.error(f"a {what} is no length that a machine can travel", int(lines[wrong[0]]))
+            raise self.error(phrase("a {} is no length that a machine can travel", what), int(lines[wrong[0]]))
 
     def _one_radius(
         self, points: Floats, normals: Floats | None, radii: Floats, lines: Ints
@@ -335,35 +365,43 @@ class Source:
         absurd = np.flatnonzero(~((radii >= 0) & (radii <= LARGEST_BALL)))
         if len(absurd):
             row = int(absurd[0])
-            raise self.error(f"{radii[row]:g} mm is no radius of a probe ball", int(lines[row]))
+            raise self.error(phrase("{} is no radius of a probe ball", mm(radii[row], "g")), int(lines[row]))
         radius = float(radii[0])
         other = np.flatnonzero(np.abs(radii - radius) > 1e-9)
         if not len(other):
             return points, radius, ""
         if normals is None:
             raise self.error(
-                f"probe balls of {radius:g} mm and {radii[other[0]]:g} mm radius and no normals: give one file a ball",
+                phrase(
+                    "probe balls of {} and {} radius and no normals: give one file a ball",
+                    mm(radius, "g"),
+                    mm(radii[other[0]], "g"),
+                ),
                 int(lines[other[0]]),
             )
         moved: Floats = points - (radii - radius)[:, None] * normals
-        return moved, radius, f"{len(other)} points of another probe ball moved along their normals to {radius:g} mm"
+        return (
+            moved,
+            radius,
+            phrase("{} points of another probe ball moved along their normals to {}", len(other), mm(radius, "g")),
+        )
 
 
 def unit_normals(normals: Floats, lines: Ints, name: str) -> Floats:
     """Normals (n, 3) brought to length 1; FormatError names the line of one that is no direction."""
-    return unit_vectors(normals, lines, name, "normal i,j,k")
+    return unit_vectors(normals, lines, name, phrase("normal i,j,k"))
 
 
 def unit_vectors(vectors: Floats, lines: Ints, name: str, what: str) -> Floats:
     """Vectors (n, 3) brought to length 1; FormatError says `what` and the line of one that is no direction."""
     with np.errstate(over="ignore", invalid="ignore"):
-        length = np.sqrt((vectors**2).sum(axis=1))
+        length = np.sqrt(np.einsum("ij,ij->i", vectors, vectors))
     wrong = np.flatnonzero(~(np.abs(length - 1.0) <= NORMAL_TOLERANCE))
     if len(wrong):
         row = int(wrong[0])
         size = "zero" if length[row] == 0 else f"{length[row]:.4g}"
         raise FormatError(
-            f"the {what} has length {size}, not 1: export unit vectors or leave the columns out",
+            phrase("the {} has length {}, not 1: export unit vectors or leave the columns out", what, size),
             name,
             int(lines[row]),
         )

@@ -13,6 +13,7 @@ import re
 import numpy as np
 
 from millcorr.arrays import Floats, Ints
+from millcorr.messages import phrase
 from millcorr.readers.measurement import Measurement
 
 from .decoding import beginning, decode
@@ -68,11 +69,13 @@ def read(source: Source) -> Measurement:
     binary = not _ASCII.match(beginning(source.data, 4096))
     step = float(np.spacing(np.float32(np.abs(corners).max(initial=0.0)))) if binary else 0.0
     points, normals, lines, lost = _joined(corners)
-    notes = [f"the {len(points)} corners of a mesh of {len(corners)} facets are taken as points, with its normals"]
+    notes = [
+        phrase("the {} corners of a mesh of {} facets are taken as points, with its normals", len(points), len(corners))
+    ]
     if lost:
-        notes.append(f"{lost} corners without a normal left out")
+        notes.append(phrase("{} corners without a normal left out", lost))
     if step:
-        notes.append(f"coordinates are stored in steps of {step:.2g} {unit}, at the farthest")
+        notes.append(phrase("coordinates are stored in steps of {:.2g} {}, at the farthest", step, unit))
     return source.measurement(
         "stl", points, lines, ball_radius=ball_radius, unit=unit, normals=normals if len(points) else None, notes=notes
     )
@@ -91,10 +94,10 @@ def facets(source: Source) -> Floats:
     elif recognises(source.data):
         corners = np.frombuffer(source.data, _FACET, offset=_HEAD)["corners"].astype(np.float64)
     else:
-        raise source.error("no STL file, or one that was cut off: its size does not fit its count of facets")
+        raise source.error(phrase("no STL file, or one that was cut off: its size does not fit its count of facets"))
     whole = np.isfinite(corners).all(axis=(1, 2))
     if not whole.all():
-        raise source.error("a corner is no place", int(np.flatnonzero(~whole)[0]) + 1)
+        raise source.error(phrase("a corner is no place"), int(np.flatnonzero(~whole)[0]) + 1)
     return corners
 
 
@@ -115,7 +118,9 @@ def _of_words(source: Source) -> Floats:
     rest = text[position:].strip()
     if rest or not re.search(r"endsolid\b[^\n]*\s*$", text[-4096:], re.IGNORECASE):
         line = text.count("\n", 0, position) + 1
-        raise source.error(f"{shown(rest[:60]) if rest else 'the end'} is no whole facet: damaged or cut off", line)
+        raise source.error(
+            phrase("{} is no whole facet: damaged or cut off", shown(rest[:60]) if rest else phrase("the end")), line
+        )
     return np.array(values, dtype=np.float64).reshape(-1, 3, 3)
 
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from millcorr.arrays import Floats, Ints
 from millcorr.errors import FormatError, UsageError
-from millcorr.messages import option
+from millcorr.messages import joined, option, phrase
 from millcorr.readers.measurement import Measurement, Probe
 from millcorr.whole_file import write_whole
 
@@ -58,14 +58,16 @@ def read(source: Source) -> Measurement:
     ball_radius, name = source.ball_radius(), source.name
     layout, tables, lines = _rows_of_bytes(source) or _rows_of_text(source)
     if source.units is not None and layout.unit is not None and source.units != layout.unit:
-        raise UsageError(option("units", source.units), f" contradicts {name}, whose header says {layout.unit}")
+        raise UsageError(
+            phrase("{} contradicts {}, whose header says {}", option("units", source.units), name, layout.unit)
+        )
     unit = source.unit(layout.unit)
     points, normals = tables[0], tables[1] if len(tables) > 1 else None
     if unit == "inch":
         points *= MM_PER_INCH
     if not np.isfinite(points).all():
         row = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
-        raise FormatError("a coordinate is too large", name, int(lines[row]))
+        raise FormatError(phrase("a coordinate is too large"), name, int(lines[row]))
     if normals is not None:
         # In place, piece by piece: a million rows are large.
         for k in range(0, len(normals), _PIECE):
@@ -108,18 +110,23 @@ def write(path: str | Path, measurement: Measurement, *, comments: Sequence[str]
     """
     if measurement.axis_radii is not None:
         raise UsageError(
-            "points shifted along an axis are kept in the file they came from: leave ", option("points", "axis"), " out"
+            phrase(
+                "points shifted along an axis are kept in the file they came from: leave {} out",
+                option("points", "axis"),
+            )
         )
     probe = measurement.probe
     lost = _lost(probe)
     if probe is not None and lost:
         raise UsageError(
-            f"a text file cannot keep the {lost} of {probe.source or 'the probe'}, and the points are ",
-            "wrong without: say ",
-            option("probe_radius"),
-            " in its place here, and ",
-            option("probe"),
-            " with the written file",
+            phrase(
+                "a text file cannot keep the {} of {}, and the points are wrong without: say {} in its place "
+                "here, and {} with the written file",
+                lost,
+                probe.source or phrase("the probe"),
+                option("probe_radius"),
+                option("probe"),
+            ),
         )
     columns, formats = ["x", "y"], ["%.9f", "%.9f"]
     table = measurement.points[:, :2]
@@ -142,8 +149,8 @@ def _lost(probe: Probe | None) -> str:
     """What a text file does not keep of a probe's calibration; "" for nothing."""
     if probe is None:
         return ""
-    kept = {"offset": any(probe.offset), "radii by direction": probe.directions is not None}
-    return " and ".join(what for what, there in kept.items() if there)
+    kept = {phrase("offset"): any(probe.offset), phrase("radii by direction"): probe.directions is not None}
+    return joined((what for what, there in kept.items() if there), phrase(" and "))
 
 
 _QUOTED_COMMA = r'"\s*[+-]?\d+,\d+[^"\n]*"'
@@ -156,8 +163,11 @@ def _unquoted(text: str, name: str) -> str:
     if found:
         line = text.count("\n", 0, found.start()) + 1
         raise FormatError(
-            f"{shown(found[0].strip(', '))} can be a decimal comma or a thousands separator: export with decimal "
-            "points, or with semicolons between the columns",
+            phrase(
+                "{} can be a decimal comma or a thousands separator: export with decimal points, or with "
+                "semicolons between the columns",
+                shown(found[0].strip(", ")),
+            ),
             name,
             line,
         )
@@ -274,19 +284,19 @@ def _read_lines(text: str, layout: Layout, name: str) -> tuple[Floats, Ints]:
                 mark = "."
             value = float(field)
             if not np.isfinite(value):
-                raise FormatError(f"{shown(field)} is too large", name, number)
+                raise FormatError(phrase("{} is too large", shown(field)), name, number)
             row.append(value)
         rows.append(row)
         lines.append(number)
     if not rows:
-        raise FormatError("no points below the header", name, layout.header)
+        raise FormatError(phrase("no points below the header"), name, layout.header)
     return np.array(rows, dtype=np.float64), np.array(lines, dtype=np.int64)
 
 
 def _why_ragged(fields: list[str], layout: Layout, content: str) -> str:
-    found = f"{len(fields)} columns where {layout.width} were expected"
+    found = phrase("{} columns where {} were expected", len(fields), layout.width)
     if layout.separator == "," and len(fields) > layout.width:
-        return f"{found}: decimal commas between commas? Export with decimal points, or semicolons between"
+        return phrase("{}: decimal commas between commas? Export with decimal points, or semicolons between", found)
     if len(fields) < layout.width:
-        return f"{found}: the row is incomplete or the file was cut off; {shown(content)}"
-    return f"{found}: {shown(content)}"
+        return phrase("{}: the row is incomplete or the file was cut off; {}", found, shown(content))
+    return phrase("{}: {}", found, shown(content))

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from itertools import islice, pairwise
 
 from millcorr.errors import FormatError
-from millcorr.messages import message, option
+from millcorr.messages import option, phrase
 
 from .decoding import lines_of
 from .fields import COMMENT, is_number, split, why_no_number
@@ -37,8 +37,8 @@ _COUNT = re.compile(r"\d{1,9}", re.ASCII)
 _SAMPLE = 1000
 """So many rows show what a column is."""
 
-_EXPECTED = message(
-    "expected a header x,y,z or x,y,z,i,j,k above the numbers (or say ", option("mapping", of="FILE.toml"), ")"
+_EXPECTED = phrase(
+    "expected a header x,y,z or x,y,z,i,j,k above the numbers (or say {})", option("mapping", of="FILE.toml")
 )
 _SEPARATOR_NAMES = {"\t": "tab", ";": "semicolon", ",": "comma", None: "blank"}
 _LOOKED_AT = 20
@@ -101,7 +101,7 @@ def find_layout(text: str, name: str) -> Layout:
     header: tuple[int, list[tuple[str, str | None]], bool] | None = None
     for index, raw in _head_lines(text):
         if len(raw) > LINE_LIMIT:
-            raise FormatError(f"a line of {len(raw)} characters: {_EXPECTED}", name, index + 1)
+            raise FormatError(phrase("a line of {} characters: {}", len(raw), _EXPECTED), name, index + 1)
         bare = raw.strip()
         if not bare:
             continue
@@ -135,9 +135,9 @@ def find_layout(text: str, name: str) -> Layout:
                 return layout
         first_text = first_text or (index, content)
     if header is not None:
-        raise FormatError("no points below the header", name, header[0] + 1)
+        raise FormatError(phrase("no points below the header"), name, header[0] + 1)
     if first_text is None:
-        raise FormatError("no points: the file holds only comments", name)
+        raise FormatError(phrase("no points: the file holds only comments"), name)
     index, content = first_text
     if _split_like_numbers(content):
         _refuse_field(content, name, index + 1)
@@ -146,14 +146,14 @@ def find_layout(text: str, name: str) -> Layout:
 
 def _found(text: str, index: int, content: str) -> str:
     """What to say of a line that is no header here, with a mapping to copy if numbers stand in columns below it."""
-    told = f"{_EXPECTED}, found {shown(content)}"
+    told = phrase("{}, found {}", _EXPECTED, shown(content))
     lines = [line for line in islice(lines_of(text), index + 1, index + 1 + _LOOKED_AT) if line.strip()]
     for separator in _SEPARATORS:
         names = split(content, separator)
         rows = [split(line, separator) for line in lines]
         row = next((r for r in rows if len(r) == len(names) and sum(is_number(f, separator) for f in r) >= 2), None)
         if row is not None and (separator is None or separator in content):
-            return f"{told}; a mapping for it: {_mapping_lines(separator, row, names)}"
+            return phrase("{}; a mapping for it: {}", told, _mapping_lines(separator, row, names))
     return told
 
 
@@ -222,7 +222,7 @@ def _layout_of_named_rows(text: str, content: str, first: int, unit: str | None)
             len(row) == width and _WORD.fullmatch(row[0]) and all(is_number(f, separator) for f in row[1:])
             for row in rows
         ):
-            return _layout_behind_first(separator, width, first, unit, 0, "holds words: the points' names")
+            return _layout_behind_first(separator, width, first, unit, 0, phrase("holds words: the points' names"))
     return None
 
 
@@ -230,7 +230,7 @@ def _layout_behind_first(
     separator: str | None, width: int, first: int, unit: str | None, name: int | None, what: str
 ) -> Layout:
     columns = {c: n for n, c in enumerate("xyzijk"[: width - 1], 1)}
-    note = f"no header: the first column {what}, then {' '.join(columns)}; a header says otherwise"
+    note = phrase("no header: the first column {}, then {}; a header says otherwise", what, " ".join(columns))
     return Layout(separator, width, columns, first, None, unit, name, note)
 
 
@@ -282,7 +282,7 @@ def _header_columns(content: str) -> list[tuple[str, str | None]] | None:
 def _known_unit(text: str, name: str, line: int) -> str | None:
     word = text.strip().lower()
     if word in _FOREIGN_UNITS:
-        raise FormatError(f"unit {text}: only mm and inch are read, convert the file", name, line)
+        raise FormatError(phrase("unit {}: only mm and inch are read, convert the file", text), name, line)
     return _UNITS.get(word)
 
 
@@ -290,13 +290,13 @@ def _columns(named: list[tuple[str, str | None]], name: str, line: int) -> dict[
     names = [n for n, _ in named]
     for c in "xyzijk":
         if names.count(c) > 1:
-            raise FormatError(f"column {c} appears twice: rename the one that was not measured", name, line)
+            raise FormatError(phrase("column {} appears twice: rename the one that was not measured", c), name, line)
     columns = {c: names.index(c) for c in "xyzijk" if c in names}
     if len({"i", "j", "k"} & columns.keys()) not in (0, 3) and not {"i", "j"} <= columns.keys():
         missing = next(c for c in "ij" if c not in columns)
-        raise FormatError(f"column {missing} is missing: a normal needs i,j,k", name, line)
+        raise FormatError(phrase("column {} is missing: a normal needs i,j,k", missing), name, line)
     if "k" in columns and "i" not in columns:
-        raise FormatError("columns i and j are missing: a normal needs i,j,k", name, line)
+        raise FormatError(phrase("columns i and j are missing: a normal needs i,j,k"), name, line)
     return columns
 
 
@@ -308,7 +308,7 @@ def _layout_under_header(
     units = {_known_unit(u, name, line) for c, u in named if c in "xyz" and c and u}
     units.discard(None)
     if len(units) > 1:
-        raise FormatError("the header gives the columns different units", name, line)
+        raise FormatError(phrase("the header gives the columns different units"), name, line)
     if units:
         unit = units.pop()
     separator = _separator_for(content, len(named), [columns[c] for c in columns])
@@ -335,15 +335,19 @@ def _layout_without_header(
 ) -> Layout:
     width = len(fields)
     if width - 1 in (2, 3, 6) and _counts_up(_rows_below(text, first, separator), separator):
-        what = f"counts up from {fields[0]}: the points' numbers"
+        what = phrase("counts up from {}: the points' numbers", fields[0])
         return _layout_behind_first(separator, width, first, unit, None, what)
     if width not in (2, 3, 6):
-        told = f"{width} columns without a header: {_EXPECTED}; a mapping for it: {_mapping_lines(separator, fields)}"
+        told = phrase(
+            "{} columns without a header: {}; a mapping for it: {}", width, _EXPECTED, _mapping_lines(separator, fields)
+        )
         raise FormatError(told, name, first + 1)
     if separator == "," and width != 3 and "." not in COMMENT.sub("", text):
         raise FormatError(
-            "commas without a header can be decimal commas or separators: export with decimal points, or put "
-            "a header x,y,z above the numbers",
+            phrase(
+                "commas without a header can be decimal commas or separators: export with decimal points, or "
+                "put a header x,y,z above the numbers"
+            ),
             name,
             first + 1,
         )

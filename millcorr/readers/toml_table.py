@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from millcorr.errors import FormatError
+from millcorr.messages import phrase
 
 from .source import shown
 
@@ -36,21 +37,21 @@ def toml_table(path: str | Path, what: str, keys: Sequence[str]) -> dict[str, An
     path = Path(path)
     try:
         if path.stat().st_size > _LARGEST_FILE:
-            raise FormatError(f"too large for a {what}", path)
+            raise FormatError(phrase("too large for a {}", what), path)
         table = tomllib.loads(path.read_bytes().decode("utf-8-sig"))
     except OSError as error:
-        raise FormatError(f"the {what} cannot be read: {error.strerror or error}", path) from error
+        raise FormatError(phrase("the {} cannot be read: {}", what, error.strerror or error), path) from error
     except UnicodeDecodeError as error:
-        raise FormatError(f"the {what} is no text in UTF-8", path) from error
+        raise FormatError(phrase("the {} is no text in UTF-8", what), path) from error
     except tomllib.TOMLDecodeError as error:
         found = re.search(r"at line (\d+)", str(error))
         reason = re.sub(r"\s*\(at .*", "", str(error))
-        raise FormatError(f"no TOML: {shown(reason)}", path, int(found[1]) if found else None) from error
+        raise FormatError(phrase("no TOML: {}", shown(reason)), path, int(found[1]) if found else None) from error
     except (ValueError, RecursionError) as error:
-        raise FormatError(f"no TOML that describes a {what}", path) from error
+        raise FormatError(phrase("no TOML that describes a {}", what), path) from error
     for key in table:
         if key not in keys:
             near = difflib.get_close_matches(key, keys, 1)
-            hint = f"did you mean {near[0]}?" if near else f"a {what} has {', '.join(keys)}"
-            raise FormatError(f"{shown(key)} is no key of a {what}: {hint}", path)
+            hint = phrase("did you mean {}?", near[0]) if near else phrase("a {} has {}", what, ", ".join(keys))
+            raise FormatError(phrase("{} is no key of a {}: {}", shown(key), what, hint), path)
     return table

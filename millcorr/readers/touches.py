@@ -6,6 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from millcorr.arrays import Bools, Floats
+from millcorr.messages import phrase
 
 from .parts import SAME_PLACE
 
@@ -40,4 +41,4 @@ def slow_touches(points: Floats) -> Bools:
 def remark(kept: Bools) -> list[str]:
     """Note about the touches that `slow_touches` left out, if any."""
     count = int((~kept).sum())
-    return [f"{count} places touched twice: the second touch of each counts, the slow one"] if count else []
+    return [phrase("{} places touched twice: the second touch of each counts, the slow one", count)] if count else []

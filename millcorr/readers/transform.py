@@ -12,6 +12,7 @@ import numpy as np
 
 from millcorr.arrays import Floats
 from millcorr.errors import InputError
+from millcorr.messages import phrase
 
 from .measurement import Measurement, Probe
 
@@ -105,8 +106,12 @@ class Transform:
             return radii
         if 0.0 not in (c, s):
             raise InputError(
-                f"{measurement.source}: the points are shifted along an axis of the machine and are to be turned by "
-                f"{math.degrees(self.rotation):g} degrees: give the direction of travel of each point, and one radius"
+                phrase(
+                    "{}: the points are shifted along an axis of the machine and are to be turned by {:g} "
+                    "degrees: give the direction of travel of each point, and one radius",
+                    measurement.source,
+                    math.degrees(self.rotation),
+                )
             )
         return radii if s == 0.0 else (radii[1], radii[0])
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 
 from millcorr.errors import FormatError
+from millcorr.messages import phrase
 
 _TAIL = 20_000
 _ROWS = 20
@@ -62,8 +63,10 @@ def check_last_number(data: bytes, name: str) -> None:
     if goes_on or shorter:
         line = len(re.findall(rb"\r\n|\r|\n", data.replace(b"\x00", b"").rstrip(b"\x11\x12\x13\x14\x1a"))) + 1
         raise FormatError(
-            "the file ends within a number: it was cut off, or a spreadsheet dropped the last zeros; export it again, "
-            "or end the last line",
+            phrase(
+                "the file ends within a number: it was cut off, or a spreadsheet dropped the last zeros; "
+                "export it again, or end the last line"
+            ),
             name,
             line,
         )

@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+from millcorr.messages import phrase
 from millcorr.readers.measurement import Measurement
 from millcorr.readers.transform import Transform
 
@@ -36,6 +37,6 @@ def laid_in_work_frame(
     into, down = Transform.about(math.radians(rotation or 0.0), shift=(x, y)).inverse(), (0.0, 0.0, z)
     moved = into.measurement(measurement)
     nominal = None if moved.nominal is None else into.points(moved.nominal) - down
-    turn = f", turned by {rotation:g} deg" if rotation else ""
-    note = f"laid into the work frame at X{x:g} Y{y:g} Z{z:g}{turn} of the file's frame, as given"
+    turn = phrase(", turned by {:g} deg", rotation) if rotation else ""
+    note = phrase("laid into the work frame at X{:g} Y{:g} Z{:g}{} of the file's frame, as given", x, y, z, turn)
     return replace(moved, points=moved.points - down, nominal=nominal, notes=(*measurement.notes, note))

@@ -17,6 +17,7 @@ from itertools import islice
 from typing import Any
 
 from millcorr.errors import FormatError, UsageError
+from millcorr.messages import phrase
 
 from .source import shown
 
@@ -66,13 +67,18 @@ def as_text(data: bytes, name: str) -> tuple[bytes, str]:
     """
     kind = _kind(data)
     if kind is None:
-        raise FormatError("no workbook", name)
+        raise FormatError(phrase("no workbook"), name)
     try:
         library = importlib.import_module(kind.module)
     except ImportError as error:
         raise UsageError(
-            f"{kind.name} workbooks are read by the Python package {kind.package}, which is not installed: "
-            f"pip install {kind.package}, or save the points as CSV"
+            phrase(
+                "{} workbooks are read by the Python package {}, which is not installed: pip install {}, or "
+                "save the points as CSV",
+                kind.name,
+                kind.package,
+                kind.package,
+            )
         ) from error
     refuse_dangerous(data, name, "workbook")
     try:
@@ -80,17 +86,17 @@ def as_text(data: bytes, name: str) -> tuple[bytes, str]:
     except Exception as error:  # noqa: BLE001 - whatever a foreign library raises, the file is the cause
         reason = shown(" ".join(str(error).split()) or type(error).__name__)
         raise FormatError(
-            f"{kind.package} cannot read it, {reason}: the workbook is damaged or cut off", name
+            phrase("{} cannot read it, {}: the workbook is damaged or cut off", kind.package, reason), name
         ) from error
     rows = ["\t".join(row).rstrip("\t") for row in sheet.rows]
     while rows and not rows[-1]:
         rows.pop()
     if not rows:
         raise FormatError(
-            f"sheet {shown(sheet.title)} is empty: save the workbook with the sheet of the points shown", name
+            phrase("sheet {} is empty: save the workbook with the sheet of the points shown", shown(sheet.title)), name
         )
-    shown_of = f", the one shown of {sheet.count}" if sheet.count > 1 else ""
-    return ("\n".join(rows) + "\n").encode(), f"sheet {shown(sheet.title)} of the workbook{shown_of}"
+    shown_of = phrase(", the one shown of {}", sheet.count) if sheet.count > 1 else ""
+    return ("\n".join(rows) + "\n").encode(), phrase("sheet {} of the workbook{}", shown(sheet.title), shown_of)
 
 
 def _of_excel(library: Any, data: bytes) -> _Sheet:
@@ -181,12 +187,12 @@ def refuse_dangerous(data: bytes, name: str, what: str) -> None:
         with zipfile.ZipFile(io.BytesIO(data)) as container:
             size = sum(entry.file_size for entry in container.infolist())
             if size > min(_LARGEST, _TIGHTEST * len(data)):
-                raise FormatError(f"the {what} unpacks to absurd sizes: not one of points", name)
+                raise FormatError(phrase("the {} unpacks to absurd sizes: not one of points", what), name)
             for entry in container.infolist():
                 with container.open(entry) as part:
                     if b"<!DOCTYPE" in part.read(4096):
-                        raise FormatError(f"the {what}'s XML declares a document type: save it again", name)
+                        raise FormatError(phrase("the {}'s XML declares a document type: save it again", what), name)
     except FormatError:
         raise
     except Exception as error:  # noqa: BLE001 - a damaged container raises half a dozen kinds
-        raise FormatError(f"the {what} is damaged or cut off: save it again", name) from error
+        raise FormatError(phrase("the {} is damaged or cut off: save it again", what), name) from error

@@ -12,6 +12,7 @@ from collections.abc import Callable
 from xml.parsers import expat
 
 from millcorr.errors import FormatError
+from millcorr.messages import phrase
 
 from .source import Source, shown
 
@@ -88,7 +89,7 @@ def parse(source: Source, root: str, element: Element) -> None:
 
     def refuse(*_: object) -> int:
         raise source.error(
-            "the XML declares a document type or an entity, which measurement files do not need: remove it",
+            phrase("the XML declares a document type or an entity, which measurement files do not need: remove it"),
             parser.CurrentLineNumber,
         )
 
@@ -100,10 +101,12 @@ def parse(source: Source, root: str, element: Element) -> None:
     except FormatError:
         raise
     except expat.ExpatError as error:
-        reason = expat.ErrorString(error.code) or "damaged"
-        raise source.error(f"not well-formed XML ({reason}): the file is damaged or cut off", error.lineno) from error
+        reason = expat.ErrorString(error.code) or phrase("damaged")
+        raise source.error(
+            phrase("not well-formed XML ({}): the file is damaged or cut off", reason), error.lineno
+        ) from error
     except (ValueError, LookupError) as error:
-        raise source.error(f"XML in an unknown encoding ({shown(str(error))}): save it as UTF-8") from error
+        raise source.error(phrase("XML in an unknown encoding ({}): save it as UTF-8", shown(str(error)))) from error
     finally:
         # They refer to the parser: file and buffers would stay until Python looks for cycles.
         for handler in (*_DECLARATIONS, "StartElementHandler", "EndElementHandler", "CharacterDataHandler"):
@@ -138,11 +141,11 @@ def _handlers(
     def check(name: str) -> None:
         line = parser.CurrentLineNumber
         if len(outer) == 1 and place is NOTHING:
-            raise source.error(f"the XML is {shown(name.rpartition(':')[2])}, not {root}", line)
+            raise source.error(phrase("the XML is {}, not {}", shown(name.rpartition(":")[2]), root), line)
         if outer[-1].text is not None:
-            raise source.error(f"{shown(name)} stands where the text of an element was expected", line)
+            raise source.error(phrase("{} stands where the text of an element was expected", shown(name)), line)
         if len(outer) > DEEPEST:
-            raise source.error(f"elements nested deeper than {DEEPEST}: not a measurement file", line)
+            raise source.error(phrase("elements nested deeper than {}: not a measurement file", DEEPEST), line)
 
     def end(_: str) -> None:
         nonlocal place

@@ -16,7 +16,7 @@ import numpy as np
 
 from millcorr.arrays import Floats, Ints
 from millcorr.errors import unsaid
-from millcorr.messages import message, remedy
+from millcorr.messages import phrase, remedy
 from millcorr.readers.measurement import Measurement
 
 from .decimal_columns import decimal_columns
@@ -60,26 +60,26 @@ def read(source: Source) -> Measurement:
     text = source.text()
     head = text[: text.index("\n")] if "\n" in text else text
     if not head.startswith("XYZIJK"):
-        raise source.error("the first line does not begin with XYZIJK", 1)
+        raise source.error(phrase("the first line does not begin with XYZIJK"), 1)
     unit = _unit(source, head)
     begin = len(head) + 1
     values, numbers, names, circles = _whole(text, begin) or _row_by_row(source, text[begin:].split("\n"))
     del text  # As large as the file.
-    notes = [f"{circles} circles left out: rows of 4 or 7 numbers are no points"] if circles else []
+    notes = [phrase("{} circles left out: rows of 4 or 7 numbers are no points", circles)] if circles else []
     if "METRIC" not in head and source.units is None:
         notes.append(
-            message(
-                "no METRIC in the first line: taken for inch, as PC-DMIS does; ",
-                remedy("units", "mm"),
-                " says otherwise",
+            phrase(
+                "no METRIC in the first line: taken for inch, as PC-DMIS does; {} says otherwise", remedy("units", "mm")
             )
         )
     if not len(values):
-        raise source.error(f"no points in the file{', only circles' if circles else ''}", 1)
+        raise source.error(phrase("no points in the file{}", phrase(", only circles") if circles else ""), 1)
     normals = values[:, 3:]
     with_normal = np.full(len(values), normals.size > 0) & ~np.isnan(normals).any(axis=1)
     if with_normal.any() and not with_normal.all():
-        notes.append(f"{int((~with_normal).sum())} of {len(values)} points have no normal: normals are not used")
+        notes.append(
+            phrase("{} of {} points have no normal: normals are not used", int((~with_normal).sum()), len(values))
+        )
     return source.measurement(
         "xyzijk", values[:, :3], numbers, ball_radius=source.ball_radius(), unit=unit,
         normals=normals if with_normal.all() else None, elements=names, notes=notes,
@@ -92,13 +92,16 @@ def _unit(source: Source, head: str) -> str:
         return source.unit("mm")
     if not rest:
         # Without METRIC PC-DMIS takes inch, but the file does not say so.
-        return source.unit(None, "inch", "no METRIC in the first line, which PC-DMIS takes for inch")
+        return source.unit(None, "inch", phrase("no METRIC in the first line, which PC-DMIS takes for inch"))
     if rest != "METRIC":
-        raise source.error(f"{shown(rest)} behind XYZIJK: only METRIC may stand there, in columns 11 to 16", 1)
+        raise source.error(phrase("{} behind XYZIJK: only METRIC may stand there, in columns 11 to 16", shown(rest)), 1)
     if source.units is None:
         raise unsaid(
-            f"METRIC stands in column {head.index('METRIC') + 1} of {source.name}, not 11, where "
-            "PC-DMIS takes the file for inch",
+            phrase(
+                "METRIC stands in column {} of {}, not 11, where PC-DMIS takes the file for inch",
+                head.index("METRIC") + 1,
+                source.name,
+            ),
             remedy("units", "mm"),
             remedy("units", "inch"),
         )
@@ -142,15 +145,15 @@ def _row_by_row(source: Source, lines: list[str]) -> _Rows:
             continue
         name = "" if _NUMBER.fullmatch(fields[0]) else fields.pop(0)
         if name and not name[0].isalpha():
-            raise source.error(f"{shown(name)} is no number", number)
+            raise source.error(phrase("{} is no number", shown(name)), number)
         if not all(map(_NUMBER.fullmatch, fields)):
             wrong = next(field for field in fields if not _NUMBER.fullmatch(field))
-            raise source.error(f"{shown(wrong)} is no number", number)
+            raise source.error(phrase("{} is no number", shown(wrong)), number)
         if len(fields) in _CIRCLE:
             circles += 1
             continue
         if len(fields) not in _POINT + _VECTOR_POINT:
-            raise source.error(f"{len(fields)} numbers: a point has 3, or 6 with its normal", number)
+            raise source.error(phrase("{} numbers: a point has 3, or 6 with its normal", len(fields)), number)
         count = 3 if len(fields) in _POINT else 6
         values.extend(map(float, fields[:count]))
         values.extend([np.nan] * (6 - count))

@@ -18,12 +18,13 @@ import numpy as np
 
 from millcorr import __version__
 from millcorr.arrays import Bools, Floats
+from millcorr.correction.settings import Exports
 from millcorr.errors import UsageError
-from millcorr.messages import option
+from millcorr.messages import option, phrase
 from millcorr.pipeline import Result
 
-KINDS = {"dfq": "deviations.dfq", "qif": "deviations.qif", "csv": "deviations-comma.csv"}
-"""What can be exported, and the file of each."""
+FILES = {"dfq": "deviations.dfq", "qif": "deviations.qif", "csv": "deviations-comma.csv"}
+"""File of each kind of export."""
 
 _VALID, _NOT_TO_EVALUATE = "0", "255"
 """Attributes of a value in Q-DAS files (K0002)."""
@@ -47,63 +48,31 @@ _PER_POINT = 7
 """Identifiers that one point needs."""
 
 
-@dataclass(frozen=True, slots=True)
-class Exports:
-    """What is exported beside a report.
+def files_of(exports: Exports) -> tuple[str, ...]:
+    """Names of the files of what is exported."""
+    return tuple(FILES[kind] for kind in dict.fromkeys(exports.export))
 
-    Parameters
-    ----------
-    kinds : tuple of str
-        Of `KINDS`.
-    zone : float, optional
-        Width in mm of the tolerance zone of the profile (ISO 1101), half of it to either side of the nominal.
+
+def texts_of(
+    exports: Exports, result: Result, table: Iterable[bytes], day: datetime.date
+) -> dict[str, Iterable[bytes]]:
+    """Pieces of each exported file by its name; `table` is that of deviations.csv.
 
     Raises
     ------
     UsageError
-        If a kind is unknown, the zone is no width, or QIF is wanted without one: its schema has no profile without.
+        If nothing was measured.
     """
-
-    kinds: tuple[str, ...] = ()
-    zone: float | None = None
-
-    def __post_init__(self) -> None:
-        unknown = [kind for kind in self.kinds if kind not in KINDS]
-        if unknown:
-            raise UsageError(option("export"), f" is one of {', '.join(KINDS)}, not {unknown[0]!r}")
-        if self.zone is not None and not 0 < self.zone < float("inf"):
-            raise UsageError(option("zone", self.zone), ": the width of a tolerance zone is above 0 mm")
-        if "qif" in self.kinds and self.zone is None:
-            raise UsageError(
-                option("export"),
-                " qif needs ",
-                option("zone", of="MM"),
-                ", the width of the profile's tolerance zone on the drawing",
-            )
-
-    @property
-    def files(self) -> tuple[str, ...]:
-        """Names of the files."""
-        return tuple(KINDS[kind] for kind in dict.fromkeys(self.kinds))
-
-    def texts(self, result: Result, table: Iterable[bytes], day: datetime.date) -> dict[str, Iterable[bytes]]:
-        """Pieces of each file by its name; `table` is that of deviations.csv.
-
-        Raises
-        ------
-        UsageError
-            If nothing was measured.
-        """
-        if self.kinds and result.request.measurement is None:
-            raise UsageError(
-                option("export"), " needs measured points: what is predicted is no result of an inspection"
-            )
-        makers = {
-            "dfq": lambda: dfq(result, self.zone, day),
-            "qif": lambda: qif(result, self.zone or 0.0, day),
-            "csv": lambda: with_decimal_comma(table),
-        }
-        return {KINDS[kind]: makers[kind]() for kind in dict.fromkeys(self.kinds)}
+    if exports.export and result.request.measurement is None:
+        raise UsageError(
+            phrase("{} needs measured points: what is predicted is no result of an inspection", option("export"))
+        )
+    makers = {
+        "dfq": lambda: dfq(result, exports.zone, day),
+        "qif": lambda: qif(result, exports.zone or 0.0, day),
+        "csv": lambda: with_decimal_comma(table),
+    }
+    return {FILES[kind]: makers[kind]() for kind in dict.fromkeys(exports.export)}
 
 
 def with_decimal_comma(pieces: Iterable[bytes]) -> Iterator[bytes]:

@@ -14,13 +14,14 @@ from numpy.typing import NDArray
 
 from millcorr import progress
 from millcorr.arrays import Floats
+from millcorr.correction.settings import Exports
 from millcorr.decimal_text import lines
 from millcorr.geometry import step
 from millcorr.pipeline import Result
 from millcorr.production import contour_check
 from millcorr.whole_file import write_together
 
-from .exports import Exports
+from .exports import texts_of
 from .page import page
 
 COLUMNS = ("s", "x", "y", "z", "nx", "ny", "deviation", "filtered", "used")
@@ -99,7 +100,7 @@ def write(
             "profile.json": [_json(result.compensated.as_dict() | moved)],
             "profile.step": [step.text(result.compensated, name, date=midnight)],
             "nominal.json": [_json(result.nominal.as_dict())],
-            **exports.texts(result, deviation_lines(result), day),
+            **texts_of(exports, result, deviation_lines(result), day),
         },
     )
 

@@ -60,7 +60,7 @@ def _chain(chain: Chain) -> str:
     corrected = sum(entry.corrected for entry in entries)
     count = f"{len(entries)} {'part' if len(entries) == 1 else 'parts'}"
     said = [line for line, _ in history.series(entries)]
-    found = "".join(f"<li>{escape(line)}</li>" for line in said)
+    found = "".join(f"<li>{escape(reader.worded(line))}</li>" for line in said)
     out = [
         f"<section><h2>{escape(chain.name)}</h2><p class=verdict>{count}; after {corrected} of them the program was "
         f"corrected, after {len(entries) - corrected} it stayed as it was.</p>",
@@ -72,7 +72,7 @@ def _chain(chain: Chain) -> str:
         d = e.statistics["deviation"]
         values = (d["mean"], d["std"], d["height"], e.statistics["determined"], e.statistics.get("smoothed", np.nan))
         numbers = [um(v) if np.isfinite(v) else "" for v in (*values, e.statistics["correction"])]
-        rows.append([f"{e.part}", e.time, *numbers, history.decision_in_words(e)])
+        rows.append([f"{e.part}", e.time, *numbers, reader.worded(history.decision_in_words(e))])
     head = ("part", "time (UTC)", "mean", "std", "height", "largest", "smoothed", "correction", "decision")
     out.append(html_table(head, rows))
     last = entries[-1]

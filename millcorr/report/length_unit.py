@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import isfinite
 
 from millcorr.messages import Coordinates, Length
 
@@ -57,10 +56,6 @@ class LengthUnit:
         """A place of a message; its numbers are in this unit."""
         digits = self.digits - 1
         return " ".join(f"{axis}{v / self.mm:.{digits}f}" for axis, v in zip(place.axes, place.values, strict=True))
-
-    def in_fine(self, micrometres: float) -> float:
-        """A length given in micrometres, in the small unit."""
-        return 1e-3 * micrometres / self.fine_mm if isfinite(micrometres) else micrometres
 
 
 MM = LengthUnit("mm", "\N{MICRO SIGN}m", 1.0, 1e-3, 4, 1, 1e-3)

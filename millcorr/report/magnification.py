@@ -13,6 +13,7 @@ from shapely.ops import polylabel
 from millcorr.arrays import Floats, Ints
 from millcorr.errors import UsageError
 from millcorr.geometry.profile import Profile
+from millcorr.messages import phrase
 
 from .svg import round_down
 
@@ -45,7 +46,7 @@ def checked(magnification: float) -> float:
         If it is not from 1 to 1000000.
     """
     if not 1 <= magnification <= GREATEST:
-        raise UsageError(f"magnification {magnification:g}: must be from 1 to {GREATEST:.0f}")
+        raise UsageError(phrase("magnification {:g}: must be from 1 to {:.0f}", magnification, GREATEST))
     return magnification
 
 

@@ -14,13 +14,12 @@ import numpy as np
 from millcorr.arrays import Floats
 from millcorr.comparison.deviation import statistics
 from millcorr.correction import provenance
-from millcorr.correction.largest import LargestCorrection, largest_correction
 from millcorr.correction.settings import Settings
+from millcorr.geometry.correction import LargestCorrection, largest_correction
 from millcorr.options import options_of
 from millcorr.pipeline import Result
 
 from . import reader
-from .foreseen import foreseen_section, nothing_measured, setup_name
 from .html import (
     DOT,
     MINUS,
@@ -40,6 +39,7 @@ from .html import (
 )
 from .plots import COVERAGE, Plot, along_contour, histogram
 from .posterior import posteriors
+from .prediction import nothing_measured, prediction_section, setup_name
 from .transfer import transfer_section
 from .verdict import what_to_do
 from .view import on_contour, path_and_contour
@@ -81,7 +81,7 @@ def page(
         _deviations(result),
         *_plots(result),
         _separation(result),
-        foreseen_section(result),
+        prediction_section(result),
         transfer_section(result),
         _own_path_error(result),
         _correction(result, largest),
@@ -134,17 +134,17 @@ def _verdict(result: Result, largest: LargestCorrection) -> str:
     if len(d):
         s, count = statistics(d.value), len(d) + len(d.rejected)
         span = f"{um(s['min'], True)} to {with_unit(s['max'], True)}, {with_unit(s['mean'], True)} in the mean."
-        measurement, foreseen = result.request.measurement, result.foreseen
-        if foreseen is not None and nothing_measured(result):
-            words.append(f"<b>Nothing was measured</b>: the model of {escape(setup_name(foreseen))} leaves {span}")
+        measurement, prediction = result.request.measurement, result.prediction
+        if prediction is not None and nothing_measured(result):
+            words.append(f"<b>Nothing was measured</b>: the model of {escape(setup_name(prediction))} leaves {span}")
         else:
             name = PurePath(measurement.source).name if measurement is not None else ""
             show = "shows" if count == 1 else "show"
             words.append(f"{plural(count, 'measured point')} ({escape(name)}) {show} deviations of {span}")
-        if foreseen is not None:
+        if prediction is not None:
             words.append(
-                f"The model expects at most {with_unit(foreseen.before.largest)} along the whole contour before the "
-                f"correction and {with_unit(foreseen.after[-1].largest)} after it."
+                f"The model expects at most {with_unit(prediction.before.largest)} along the whole contour before the "
+                f"correction and {with_unit(prediction.after[-1].largest)} after it."
             )
     else:
         words.append("No measurement: the path is laid on the exact parallel of the nominal contour.")
@@ -209,12 +209,12 @@ def _deviations(result: Result) -> str:
     head = (reader.fine(), "mean", "min", "max", "height", "std", "profile value")
     if nothing_measured(result):
         words = "All by the model: the program as it came, and after the correction, each simulated."
-    elif result.foreseen is not None:
+    elif result.prediction is not None:
         words = "Predicted: what the model expects at the same points, their random part unchanged."
     else:
         words = "Predicted: the same points after the correction, this part's random part unchanged."
     words += f" The profile value is 2{DOT}max|d|, to be held against the width of a profile tolerance zone (ISO 1101)."
-    if result.foreseen is None:
+    if result.prediction is None:
         words += " " + _next_part(result)
     return (
         f"<h2>Deviations</h2>{html_table(head, rows)}<p class=small>{_sign()}</p><p class=small>{words}</p>"
@@ -331,7 +331,7 @@ def _plots(result: Result) -> list[str]:
 
 def _separation(result: Result) -> str:
     found = result.separated
-    if found is None or result.foreseen is not None:
+    if found is None or result.prediction is not None:
         return ""
     lines = [
         f"Random part: standard deviation <b>{with_unit(result.random_std)}</b>, process and measurement together. It "

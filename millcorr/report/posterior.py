@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from millcorr.arrays import Bools, Floats
-from millcorr.correction.targets import local
+from millcorr.correction.wanted_displacement import local
 from millcorr.pipeline import Result
 from millcorr.plausibility import gaps
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
+from typing import Any
 
 from millcorr.messages import Accept, Coordinates, Length, Option, Place, Wording, message_of, mm, um
 
@@ -69,7 +70,22 @@ def length(value: float, form: str = "g") -> str:
 
 def shown(value: float, form: str = ".2f") -> str:
     """A deviation given in mm, with the name of the reader's small unit."""
-    return unit().said(um(value, form)).replace("-", "\N{MINUS SIGN}")
+    return small(value, form).replace("-", "\N{MINUS SIGN}")
+
+
+def small(value: float, form: str) -> str:
+    """The same as a terminal shows it."""
+    return unit().said(um(value, form))
+
+
+def feed() -> str:
+    """Name of the reader's unit of feeds."""
+    return f"{coarse()}/min"
+
+
+def feed_in_unit(value: Any) -> Any:
+    """Feeds given in mm/s, in the reader's unit."""
+    return 60.0 * value / unit().mm
 
 
 class _InUnit(Wording):

@@ -11,8 +11,8 @@ from millcorr.process.prediction.corner_feed import CornerFeeds
 from millcorr.production.remedy_programs import ShiftedProgram, TiltedProgram
 from millcorr.production.simulation import Study
 
-from .html import html_table, um
-from .plots import MICRO, UM
+from . import reader
+from .html import coordinates, html_table, um
 
 MOST_TABLED = 12
 """Corners of which the page has figures; simulation.json has all."""
@@ -76,7 +76,9 @@ def in_words(study: Study) -> Iterator[str]:
     """What to say in the terminal."""
     if study.machine is not None:
         m = study.machine
-        left = f"{UM * m.residual:.2g} {MICRO}" if m.positions else f"{60 * m.residual:.2g} mm/min"
+        left = (
+            reader.small(m.residual, ".2g") if m.positions else f"{reader.feed_in_unit(m.residual):.2g} {reader.feed()}"
+        )
         yield f"identified  [machine] by {m.source}, which scatters by {left} about it; simulated with it"
         yield from (f"            {line}" for line in m.lines())
     if study.slowed is not None:
@@ -84,23 +86,23 @@ def in_words(study: Study) -> Iterator[str]:
     if study.shifted is not None:
         yield f"shifted     {_shifted_in_words(study.shifted)}: {study.asked.shifted}"
     if study.tilted is not None:
-        before, after = (UM * v.max() for v in (study.tilted.remedy.worst[:, 0], study.tilted.after))
-        yield f"tilted      walls from {before:.1f} to {after:.1f} {MICRO} off at most: {study.asked.tilted}"
+        before, after = (reader.small(v.max(), ".1f") for v in (study.tilted.remedy.worst[:, 0], study.tilted.after))
+        yield f"tilted      walls from {before} to {after} off at most: {study.asked.tilted}"
 
 
 def _shifted_in_words(found: ShiftedProgram) -> str:
-    before, after, largest = (f"{UM * v:.1f}" for v in (found.before, found.after, found.largest))
-    return f"walls from {before} to {after} {MICRO} off at most, by moving the contour up to {largest} {MICRO}"
+    before, after, largest = (reader.small(v, ".1f") for v in (found.before, found.after, found.largest))
+    return f"walls from {before} to {after} off at most, by moving the contour up to {largest}"
 
 
 def _slowed_in_words(study: Study, found: CornerFeeds) -> str:
-    bound = f"{UM * (study.asked.corner_error or 0):g} {MICRO}"
+    bound = reader.small(study.asked.corner_error or 0.0, "g")
     if not len(found.line):
         return f"no corner is off by more than {bound}, the program is written as it was"
     corners = f"{len(found.line)} {'corner' if len(found.line) == 1 else 'corners'}"
     return (
-        f"{corners} from {UM * found.before.max():.1f} to {UM * found.after.max():.1f} {MICRO} at most (bound "
-        f"{bound}), in {found.duration[1]:.2f} s in place of {found.duration[0]:.2f} s"
+        f"{corners} from {reader.small(found.before.max(), '.1f')} to {reader.small(found.after.max(), '.1f')} at most "
+        f"(bound {bound}), in {found.duration[1]:.2f} s in place of {found.duration[0]:.2f} s"
     )
 
 
@@ -132,7 +134,11 @@ def sections(study: Study) -> Iterator[str]:
             )
             for k in range(min(len(t.after), MOST_TABLED))
         ]
-        head = ("", "tilt / \N{DEGREE SIGN}", *(f"{w} / {MICRO}" for w in ("path moved", "at most off", "tilted")))
+        head = (
+            "",
+            "tilt / \N{DEGREE SIGN}",
+            *(f"{w} / {reader.fine()}" for w in ("path moved", "at most off", "tilted")),
+        )
         yield (
             f"<h2>Tilted tool</h2><p>{escape(str(study.asked.tilted))} turns the tool on lines "
             f"{', '.join(map(str, t.lines))}. It has been read back and predicted again. The control keeps the tip "
@@ -145,8 +151,8 @@ def _corners(found: CornerFeeds) -> str:
         return ""
     rows = [
         (
-            f"line {found.line[k]}, X{found.vertex[k, 0]:.3f} Y{found.vertex[k, 1]:.3f}",
-            f"{60 * found.feed[k]:g}",
+            f"line {found.line[k]}, {coordinates(*found.vertex[k][:2])}",
+            f"{reader.feed_in_unit(found.feed[k]):.6g}",
             um(found.before[k]),
             um(found.after[k]),
         )
@@ -154,5 +160,5 @@ def _corners(found: CornerFeeds) -> str:
     ]
     more = len(found.line) - len(rows)
     note = f"<p class=small>{more} more corners are in simulation.json.</p>" if more else ""
-    head = ("", "feed / mm/min", f"before / {MICRO}", f"after / {MICRO}")
+    head = ("", f"feed / {reader.feed()}", f"before / {reader.fine()}", f"after / {reader.fine()}")
     return html_table(head, rows) + note

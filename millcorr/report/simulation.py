@@ -12,16 +12,16 @@ from typing import Any
 import numpy as np
 
 from millcorr.arrays import Bools, Floats
-from millcorr.messages import message, option
+from millcorr.messages import message, option, xy
 from millcorr.process.engagement import Engagement
 from millcorr.process.prediction import Simulation
 from millcorr.process.prediction.signals import Signals, csv_lines
 from millcorr.production.simulation import Study
 from millcorr.whole_file import write_together
 
-from . import remedies, simulation_view
+from . import reader, remedies, simulation_view
 from . import wall as report_wall
-from .plots import MICRO, UM, standalone
+from .plots import standalone
 from .simulation_page import page
 
 FILES = (
@@ -87,20 +87,20 @@ def write(study: Study, directory: Path, *, date: datetime.date | None = None) -
     write_together(directory, texts)
     return "\n".join(
         [
-            f"steps       {len(signals)} on {figures['path_length_mm']:.1f} mm of path, {figures['time_s']:.1f} s",
+            f"steps       {len(signals)} on {reader.length(figures['path_length_mm'], '.1f')} of path, "
+            f"{figures['time_s']:.1f} s",
             f"arc         {figures['arc_deg']['median']:.2f} degrees typically, "
             f"{figures['arc_deg']['max']:.2f} at most",
             f"force       {figures['force_n']['median']:.0f} N typically, {figures['force_n']['max']:.0f} N at most",
             f"unbent      arc {figures['rigid']['arc_deg']['median']:.2f} degrees typically, "
             f"{figures['rigid']['arc_deg']['max']:.2f} at most; load at most {figures['rigid']['load_ratio_max']:.2f} "
             "times the typical one",
-            f"error       {UM * figures['predicted_error_mm']['min']:+.1f} to "
-            f"{UM * figures['predicted_error_mm']['max']:+.1f} {MICRO} predicted"
-            + ("" if after is None else f"; corrected at most {UM * after.largest:.1f} {MICRO}"),
+            f"error       {_span(figures['predicted_error_mm']['min'], figures['predicted_error_mm']['max'])} predicted"
+            + ("" if after is None else f"; corrected at most {reader.small(after.largest, '.1f')}"),
             *_axes_in_words(before),
             *(() if wall is None else report_wall.in_words(wall)),
             *remedies.in_words(study),
-            *(f"warning     {text}" for text in (*before.cautions, *notes)),
+            *(f"warning     {reader.worded(text)}" for text in (*before.cautions, *notes)),
             f"report      {directory / 'simulation.html'}",
         ]
     )
@@ -111,15 +111,20 @@ def _axes_in_words(before: Simulation) -> list[str]:
     if before.motion is None:
         return []
     k, d = before.kinematic, before.deviation
-    x, y = d.foot[int(np.argmax(np.abs(k)))]
+    place = reader.unit().coordinates(xy(*d.foot[int(np.argmax(np.abs(k)))]))
     return [
         message(
-            f"axes        leave {UM * k.min():+.1f} to {UM * k.max():+.1f} {MICRO} of it, most at ",
-            f"X{x:.3f} Y{y:.3f}; a moved path takes out what arcs lose, at corners slower feeds do (",
+            f"axes        leave {_span(k.min(), k.max())} of it, most at ",
+            f"{place}; a moved path takes out what arcs lose, at corners slower feeds do (",
             option("slowed"),
             ")",
         )
     ]
+
+
+def _span(least: float, most: float) -> str:
+    """From one deviation to another, given in mm."""
+    return f"{reader.small(least, '+.1f').split()[0]} to {reader.small(most, '+.1f')}"
 
 
 def summary(before: Simulation, after: Simulation | None, signals: Signals, rigid: Engagement) -> dict[str, Any]:

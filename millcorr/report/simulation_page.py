@@ -20,8 +20,9 @@ from millcorr.pipeline import Request
 from millcorr.process.prediction import Simulation
 from millcorr.process.prediction.signals import Signals
 
-from .html import figure, html_facts, html_notes, html_page, html_tiles, um
-from .plots import MICRO, Plot
+from . import reader
+from .html import figure, html_facts, html_notes, html_page, html_tiles, with_unit
+from .plots import Plot
 from .simulation_script import LOOKS, SCRIPT
 from .simulation_view import magnification, outlines, stock_rings, surface_of, thinned
 
@@ -58,7 +59,7 @@ def page(
         Further parts of the page as HTML.
     """
     setup = PurePath(before.setup.source).name or "setup"
-    cautions = "".join(f"<li>{escape(text)}</li>" for text in before.cautions)
+    cautions = "".join(f"<li>{escape(reader.worded(text))}</li>" for text in before.cautions)
     tiles = [
         (f"{figures['force_n']['max']:.0f} N", f"largest mean force; typically {figures['force_n']['median']:.0f} N"),
         (
@@ -69,7 +70,7 @@ def page(
             f"{figures['rigid']['load_ratio_max']:.2f}",
             "largest load over the typical one, by the shape of the cut alone",
         ),
-        (f"{um(before.largest)} {MICRO}", "largest predicted error" + _corrected(after)),
+        (with_unit(before.largest), "largest predicted error" + _corrected(after)),
     ]
     parts = [
         html_notes(notes),
@@ -108,11 +109,11 @@ _STAGE = """<section class=stage id=stage tabindex=0 aria-label="Animation of th
 
 
 def _corrected(after: Simulation | None) -> str:
-    return "" if after is None else f"; {um(after.largest)} {MICRO} after the correction shown"
+    return "" if after is None else f"; {with_unit(after.largest)} after the correction shown"
 
 
 def _along(rows: tuple[tuple[float, float, float], ...]) -> str:
-    return "".join(f"; at s = {s:g} mm {kx:.0f}, {ky:.0f}" for s, kx, ky in rows)
+    return "".join(f"; at s = {reader.length(s)} {kx:.0f}, {ky:.0f}" for s, kx, ky in rows)
 
 
 def _facts(before: Simulation, setup: str) -> list[tuple[str, str]]:
@@ -121,17 +122,17 @@ def _facts(before: Simulation, setup: str) -> list[tuple[str, str]]:
     m = s.material
     return [
         ("File", setup),
-        ("Tool", f"diameter {s.tool.diameter_mm:g} mm, {s.tool.flutes} teeth, {s.tool.spindle_rpm:g} rpm"),
+        ("Tool", f"diameter {reader.length(s.tool.diameter_mm)}, {s.tool.flutes} teeth, {s.tool.spindle_rpm:g} rpm"),
         ("Material", m.name or "not named"),
         ("Cutting coefficients", f"Ktc {m.ktc_n_per_mm2:g}, Krc {m.krc_n_per_mm2:g} N/mm\N{SUPERSCRIPT TWO}"),
         ("Stiffness", f"X {kx:g} N/mm, Y {ky:g} N/mm{_along(s.machine.stiffness_along)}"),
         ("Feed", "of the actual motion" if before.motion is not None else "as programmed: the setup names no inertia"),
-        ("Elastic loop", f"closed within {um(before.elastic.accuracy)} {MICRO}"),
+        ("Elastic loop", f"closed within {with_unit(before.elastic.accuracy)}"),
     ]
 
 
 def animation(before: Simulation, after: Simulation | None, signals: Signals) -> dict[str, Any]:
-    """What the script draws: numbers rounded to what a screen can show, mm and s."""
+    """What the script draws: numbers rounded to what a screen can show, mm and s; strips in the reader's units."""
     rows = thinned(len(signals))
     radius = before.elastic.engagement.radius
     actual, commanded = signals.actual[rows], signals.commanded[rows, :2]
@@ -154,11 +155,12 @@ def animation(before: Simulation, after: Simulation | None, signals: Signals) ->
     strips = [
         ("mean force", "N", [signals.resultant], [""]),
         ("engaged arc", "\N{DEGREE SIGN}", [np.degrees(signals.arc)], [""]),
-        ("feed", "mm/min", [60 * signals.feed], [""]),
+        ("feed", reader.feed(), [reader.feed_in_unit(signals.feed)], [""]),
         ("force", "N", list(signals.force.T), ["Fx", "Fy"]),
-        ("deflection", MICRO, list(1000 * signals.deflection.T), ["dx", "dy"]),
+        ("deflection", reader.fine(), list(reader.fine_per_mm() * signals.deflection.T), ["dx", "dy"]),
     ]
     return {
+        "unit": {"name": reader.coarse(), "mm": reader.unit().mm},
         "box": _listed(np.array(box), 3),
         "radius": radius,
         "clockwise": bool(e.clockwise),

@@ -159,17 +159,20 @@ function legend(g) {
     g.fillStyle = ink.ink; g.textAlign = "left"; g.fillText(text, 40, y);
   });
   // A length to go by.
-  let bar = 1; while (bar * view.k < 50) bar *= (String(bar)[0] === "2" ? 2.5 : 2);
+  const k = view.k * d.unit.mm;
+  let bar = d.unit.mm > 1 ? 0.1 : 1;
+  while (bar * k < 50) bar = Number((bar * (/2/.test(bar) ? 2.5 : 2)).toPrecision(2));
   const x = view.width - 14, y = view.height - 14;
-  g.beginPath(); g.moveTo(x - bar * view.k, y - 4); g.lineTo(x - bar * view.k, y); g.lineTo(x, y); g.lineTo(x, y - 4);
+  g.beginPath(); g.moveTo(x - bar * k, y - 4); g.lineTo(x - bar * k, y); g.lineTo(x, y); g.lineTo(x, y - 4);
   g.strokeStyle = ink.ink; g.lineWidth = 1.2; g.stroke();
-  g.textAlign = "right"; g.fillStyle = ink.ink; g.fillText(bar + " mm", x, y - 12);
+  g.textAlign = "right"; g.fillStyle = ink.ink; g.fillText(bar + " " + d.unit.name, x, y - 12);
 }
+function along(mm, digits) { return (mm / d.unit.mm).toFixed(d.unit.mm > 1 ? digits + 1 : digits) + " " + d.unit.name; }
 function read(k, f) {
-  const words = [["time", mix(d.t, k, f).toFixed(2) + " s"], ["path", mix(d.s, k, f).toFixed(1) + " mm"],
+  const words = [["time", mix(d.t, k, f).toFixed(2) + " s"], ["path", along(mix(d.s, k, f), 1)],
     ["program line", d.line[k]]];
   for (const strip of d.strips) strip.values.forEach((v, i) => {
-    const value = mix(v, k, f).toFixed(strip.unit === "\u00b0" ? 1 : 0);
+    const value = mix(v, k, f).toFixed(strip.unit === "\u00b0" || d.unit.mm > 1 ? 1 : 0);
     words.push([strip.labels[i] || strip.name, value + " " + strip.unit]);
   });
   const out = $("readout");
@@ -210,7 +213,7 @@ function signals(k, f) {
   g.beginPath(); g.moveTo(x, 6); g.lineTo(x, 22 + 84 * d.strips.length - 16);
   g.strokeStyle = ink.predicted; g.lineWidth = 1.6; g.stroke();
   g.fillStyle = ink.soft; g.textAlign = "center";
-  g.fillText("path length 0 to " + d.s[n - 1].toFixed(0) + " mm", (left + right) / 2, 84 * d.strips.length + 26);
+  g.fillText("path length 0 to " + along(d.s[n - 1], 0), (left + right) / 2, 84 * d.strips.length + 26);
 }
 function go(t) { now = Math.min(total, Math.max(0, t)); draw(); }
 function run(on) {

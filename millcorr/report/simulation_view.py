@@ -16,8 +16,9 @@ from millcorr.process.engagement.stock_region import StockRegion
 from millcorr.process.prediction import Simulation
 from millcorr.process.prediction.signals import Signals
 
+from . import reader
 from .magnification import bound_of
-from .plots import UM, WIDTH, Plot
+from .plots import WIDTH, Plot
 from .svg import Axis, Canvas, number, polyline, round_down
 
 STRIP = 118.0
@@ -52,9 +53,9 @@ def thinned(count: int) -> Ints:
 
 def load_strips(signals: Signals) -> list[list[Trace]]:
     """Force, engaged arc and feed (fig. 5)."""
-    feed = [Trace("feed", "mm/min", "filtered", 60 * signals.feed)]
+    feed = [Trace("feed", reader.feed(), "filtered", reader.feed_in_unit(signals.feed))]
     if np.abs(signals.programmed - signals.feed).max(initial=0.0) > 1e-9:
-        feed.append(Trace("feed as programmed", "mm/min", "predicted", 60 * signals.programmed))
+        feed.append(Trace("feed as programmed", reader.feed(), "predicted", reader.feed_in_unit(signals.programmed)))
     return [
         [Trace("mean force", "N", "filtered", signals.resultant)],
         [Trace("engaged arc", "\N{DEGREE SIGN}", "filtered", np.degrees(signals.arc))],
@@ -66,7 +67,10 @@ def axis_strips(signals: Signals) -> list[list[Trace]]:
     """Force and deflection along both axes (fig. 6)."""
     return [
         [Trace(f"F{n}", "N", css, signals.force[:, k]) for k, (n, css) in enumerate(_AXES)],
-        [Trace(f"d{n}", "\N{MICRO SIGN}m", css, UM * signals.deflection[:, k]) for k, (n, css) in enumerate(_AXES)],
+        [
+            Trace(f"d{n}", reader.fine(), css, reader.fine_per_mm() * signals.deflection[:, k])
+            for k, (n, css) in enumerate(_AXES)
+        ],
     ]
 
 
@@ -77,7 +81,7 @@ def oscilloscope(signals: Signals, strips: list[list[Trace]], title: str, captio
     """Strips of signals over the path length, one above the other."""
     canvas = Canvas(WIDTH, 22 + len(strips) * (STRIP + 22) + 30, title)
     rows = thinned(len(signals))
-    s = signals.s[rows]
+    s = signals.s[rows] / reader.unit().mm
     x = Axis(float(s[0]), float(max(s[-1], s[0] + 1e-6)), 62, WIDTH - 14)
     for i, traces in enumerate(strips):
         top = 22 + i * (STRIP + 22)
@@ -97,7 +101,7 @@ def oscilloscope(signals: Signals, strips: list[list[Trace]], title: str, captio
             canvas.path(polyline(x(s), y(trace.values[rows])), trace.css)
         words = [(f"{t.name} / {t.unit}", [(t.css, "m-9 0h18")]) for t in traces]
         canvas.legend(x.start, top - 6, words)
-    canvas.text((x.start + x.end) / 2, canvas.height - 6, "path length / mm", anchor="middle")
+    canvas.text((x.start + x.end) / 2, canvas.height - 6, f"path length / {reader.coarse()}", anchor="middle")
     return Plot(str(canvas), caption)
 
 
@@ -167,9 +171,11 @@ def contour_plot(simulation: Simulation, after: Simulation | None) -> Plot:
     ]
     if after is not None:
         lines.append(("corrected path", "way", _parts(after.commanded, nominal, radius, times, reach)))
+    size = reader.unit().mm
+    lines = [(name, css, [part / size for part in parts]) for name, css, parts in lines]
     shown = np.concatenate([part for _, _, parts in lines for part in parts])
     low, high = np.nanmin(shown, axis=0), np.nanmax(shown, axis=0)
-    room = 0.04 * float((high - low).max()) + 1.0
+    room = 0.04 * float((high - low).max()) + 1.0 / size
     low, high = low - room, high + room
     height = float(np.clip((WIDTH - 70) * (high - low)[1] / (high - low)[0], 180, 620))
     scale = min((WIDTH - 70) / (high - low)[0], height / (high - low)[1])
@@ -186,8 +192,8 @@ def contour_plot(simulation: Simulation, after: Simulation | None) -> Plot:
     for _, css, parts in lines:
         for part in parts:
             canvas.path(polyline(x(part[:, 0]), y(part[:, 1])), css)
-    canvas.text((x.start + x.end) / 2, y.start + 32, "X / mm", anchor="middle")
-    canvas.text(13, (y.start + y.end) / 2, "Y / mm", anchor="middle", turn=-90)
+    canvas.text((x.start + x.end) / 2, y.start + 32, f"X / {reader.coarse()}", anchor="middle")
+    canvas.text(13, (y.start + y.end) / 2, f"Y / {reader.coarse()}", anchor="middle", turn=-90)
     return Plot(
         str(canvas),
         f"Deviations, deflections and corrections are drawn {times:g} times larger than the part.",

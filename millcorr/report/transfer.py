@@ -8,14 +8,14 @@ import math
 import numpy as np
 
 from millcorr.comparison.deviation import statistics
-from millcorr.correction.targets import Elastic
+from millcorr.correction.wanted_displacement import Elastic
 from millcorr.geometry.correction import along
 from millcorr.pipeline import Result
 
 from . import reader
-from .foreseen import nothing_measured
 from .html import figure, html_facts, mm, um, with_unit
 from .plots import COVERAGE, MOST_MARKERS, WIDTH, Plot, corners, course, frame, groups
+from .prediction import nothing_measured
 from .svg import Axis, Canvas, columns, polyline
 
 HEIGHT = 175.0

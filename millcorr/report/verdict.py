@@ -62,8 +62,10 @@ def what_to_do(summary: Mapping[str, Any]) -> tuple[Message, Message]:
         doing = phrase("nothing is to be corrected, the program stays as it is")
     elif abs(largest["largest"]) < 5e-9:
         doing = phrase("only the path's own error changes")
+    elif largest["largest"] < 0.0:
+        doing = phrase("the cut moves up to {} into the material, most at {}", um(-largest["largest"]), place)
     else:
-        doing = phrase("the contour moves by up to {}, most at {}", um(largest["largest"], "+.1f"), place)
+        doing = phrase("the cut moves up to {} away from the part, most at {}", um(largest["largest"]), place)
     if summary["unmeasured"] > OPEN:
         doing = phrase("{}; {:.0f} % of the contour rests on no points", doing, 100 * summary["unmeasured"])
     if predicted:

@@ -12,9 +12,10 @@ import numpy as np
 from millcorr.arrays import Floats
 from millcorr.production.wall import Wall
 
-from .html import figure, html_table, um
-from .plots import MICRO, UM, WIDTH, Plot, course, frame, value_axis
-from .svg import Axis, Canvas, columns, number, polyline
+from . import reader
+from .html import capital, figure, html_table, um
+from .plots import WIDTH, Plot, course, frame, value_axis
+from .svg import Axis, Canvas, columns, polyline
 
 MOST_TABLED = 8
 """Stretches of which the page has figures; simulation.json has all."""
@@ -75,12 +76,12 @@ def _plain(values: Floats) -> list[float | None]:
 
 def in_words(wall: Wall) -> list[str]:
     """What to say in the terminal."""
-    heights = ", ".join(f"{h:g}" for h in wall.before.heights)
-    before, *after = (f"{UM * v:.1f} {MICRO}" for v in wall.largest)
+    heights = ", ".join(f"{h / reader.unit().mm:.6g}" for h in wall.before.heights)
+    before, *after = (reader.small(v, ".1f") for v in wall.largest)
     left = f"; shifted {after[0]}; shifted and tilted {after[1]}" if after else ""
-    out = [f"wall        at most {before} off, {heights} mm above the tip{left}"]
+    out = [f"wall        at most {before} off, {heights} {reader.coarse()} above the tip{left}"]
     if wall.note:
-        out.append(f"warning     {wall.note}")
+        out.append(f"warning     {reader.worded(wall.note)}")
     return out
 
 
@@ -89,31 +90,31 @@ def curves(wall: Wall) -> Plot:
     heights = wall.before.heights
     shown = np.unique(np.linspace(0, len(heights) - 1, min(len(heights), len(LOOKS))).round().astype(np.int64))
     rows = wall.rows
-    s = wall.before.model.engagement.s[rows]
+    s = wall.before.model.engagement.s[rows] / reader.unit().mm
     panels = [("as it is", wall.before.value)]
     if wall.tilted is not None:
         panels.append(("shifted and tilted", wall.tilted.value))
     canvas = Canvas(WIDTH, 36 + len(panels) * (_PANEL + 50), "Error of the wall at each height")
-    canvas.legend(56, 14, [(f"{number(float(heights[k]))} mm", [(LOOKS[i], "m-9 0h18")]) for i, k in enumerate(shown)])
+    canvas.legend(56, 14, [(reader.length(float(heights[k])), [(LOOKS[i], "m-9 0h18")]) for i, k in enumerate(shown)])
     known = np.concatenate([value[rows][:, shown].ravel() for _, value in panels])
-    known = known[np.isfinite(known)] * UM
+    known = known[np.isfinite(known)] * reader.fine_per_mm()
     x = Axis(float(s[0]), float(max(s[-1], s[0] + 1e-6)), 56.0, WIDTH - 12.0)
     stretch = wall.stretch[rows]
     turns = (s[1:] + s[:-1])[stretch[1:] != stretch[:-1]] / 2
     for i, (title, value) in enumerate(panels):
         top = 36 + i * (_PANEL + 50)
         y = value_axis(known, top + _PANEL, top)
-        frame(canvas, x, y, "path length / mm", f"error / {MICRO}")
+        frame(canvas, x, y, f"path length / {reader.coarse()}", f"error / {reader.fine()}")
         canvas.text(x.end, top - 5, title, "strong", "end")
         for at in turns:
             canvas.line(x.at(at), top, x.at(at), top + _PANEL, "corner")
         for look, k in zip(LOOKS, shown, strict=False):
             there = np.isfinite(value[rows, k])
-            for along, error in course(s[there], value[rows, k][there] * UM, 0.0, False):
+            for along, error in course(s[there], value[rows, k][there] * reader.fine_per_mm(), 0.0, False):
                 canvas.path(_drawn(x(along), y(error)), look)
     words = [
-        f"Error of the wall in {MICRO} along its normal at each height above the tip, over the length of the path; "
-        "above zero material is left."
+        f"Error of the wall in {reader.fine()} along its normal at each height above the tip, over the length of the "
+        "path; above zero material is left."
     ]
     if len(turns):
         words.append("Dotted uprights mark where one stretch of the contour ends.")
@@ -139,35 +140,31 @@ def section(wall: Wall, plot: Plot) -> str:
         figure(plot),
     ]
     if wall.before.caution:
-        parts.append(f"<p class=note>{escape(_capital(wall.before.caution))}.</p>")
+        parts.append(f"<p class=note>{escape(capital(wall.before.caution))}.</p>")
     if wall.note:
-        parts.append(f"<p class=note>{escape(wall.note)}</p>")
+        parts.append(f"<p class=note>{escape(reader.worded(wall.note))}</p>")
     r = wall.remedy
     if r is not None:
         worst = np.sort(np.argsort(-r.worst[:, 0], kind="stable")[:MOST_TABLED])
         table = [
             [
-                f"stretch {r.number[k] + 1}, {h:g} mm above the tip",
+                f"stretch {r.number[k] + 1}, {reader.length(h)} above the tip",
                 *(um(v[k, i], True) for v in (r.before, r.shifted, r.after)),
             ]
             for k in worst
             for i, h in enumerate(r.heights)
         ]
-        parts.append(f"<h3>Mean error in {MICRO}</h3>")
+        parts.append(f"<h3>Mean error in {reader.fine()}</h3>")
         parts.append(html_table(("", "before", "shifted", "shifted and tilted"), table))
         lines = r.lines()
-        words = "".join(f"<li>{escape(_capital(lines[k].replace(' um', f' {MICRO}')))}.</li>" for k in worst)
+        words = "".join(f"<li>{escape(capital(lines[k]))}.</li>" for k in worst)
         parts.append(f"<h3>Remedies</h3><ul>{words}</ul>")
         if len(worst) < len(lines):
             parts.append(f"<p class=small>The {len(worst)} worst of {len(lines)}; simulation.json has all.</p>")
         parts.append(
             "<p class=small>A negative shift moves the contour into the part; a positive tilt leans the tool's upper "
-            f"end out of it, about the height of {r.about:g} mm. Both fit the mean of a stretch: where the tool is "
-            "slow, at starts, stops and corners, it bends less. Neither is in the corrected path above.</p>"
+            f"end out of it, about the height of {reader.length(r.about)}. Both fit the mean of a stretch: where the "
+            "tool is slow, at starts, stops and corners, it bends less. Neither is in the corrected path above.</p>"
         )
     parts.append("<p class=small>Every step is in <b>wall.csv</b>.</p>")
     return "".join(parts)
-
-
-def _capital(text: str) -> str:
-    return text[:1].upper() + text[1:]

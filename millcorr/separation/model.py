@@ -48,8 +48,9 @@ SHORTEST_FORM = 2.0
 """Length of the form in mm, at least: machines repeat themselves with the pitch of their ball screws, 5 mm and more,
 and over the width of the cutter's engagement; what is smooth over less, on one part, is as well the process."""
 
-WHITE_LEAST = 1e-5
-"""No measured value is better than this, in mm."""
+WHITE_LEAST = 1e-4
+"""No measured value is better than this, in mm: the best measuring machines repeat to 0.1 um, and a milled surface is
+rougher. What the rounding of the file's numbers adds comes on top (`Observed.rounding`)."""
 
 OUTLIERS = 0.01
 """Share of points that are expected to be wrong, before anything is known: a tenth to ten times as much moves the
@@ -57,6 +58,10 @@ border between a far point and an outlier by half a standard deviation."""
 
 OUTLIER_SPREAD = 10.0
 """Half of the wrong points lie within so many standard deviations (Cauchy: they may be as far as they like)."""
+
+MANY_SUSPECTS = 0.05
+"""Share of points that stand out from their neighbours above which it is tried, too, whether all are sound: files have
+some outliers in a hundred points."""
 
 IGNORED = 1e-6
 """Weight of what is certainly wrong: its own value no longer counts, its distance from the others is known."""
@@ -116,6 +121,8 @@ class Observed:
     part, level : (n,) int64
     z : (n,) float64, optional
         Height, mm; without it the levels are equally far apart, in the order of their numbers.
+    rounding : float
+        Standard deviation in mm that the rounding of the measured coordinates alone gives the values.
     """
 
     stretch: Ints
@@ -124,6 +131,7 @@ class Observed:
     part: Ints
     level: Ints
     z: Floats | None = None
+    rounding: float = 0.0
 
     def __len__(self) -> int:
         return len(self.s)
@@ -131,7 +139,8 @@ class Observed:
     def take(self, rows: Ints) -> Observed:
         """Some of the values."""
         z = None if self.z is None else self.z[rows]
-        return Observed(self.stretch[rows], self.s[rows], self.value[rows], self.part[rows], self.level[rows], z)
+        one = (self.stretch[rows], self.s[rows], self.value[rows], self.part[rows], self.level[rows], z)
+        return Observed(*one, rounding=self.rounding)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -180,6 +189,7 @@ class Gathered:
         self.across = (height - height.mean()) / np.ptp(height) if several else np.zeros(1)
         self.cells = Cells(stretch, block[start], s, table, self.kind, self.across[level[start]], np.ones(len(s)))
         self.value = observed.value
+        self.least = math.hypot(WHITE_LEAST, observed.rounding)
         self.parts, self.levels = len(parts), len(levels)
         self.part = part[start]
         self.spacing = room / blocks / max(len(s), 1)
@@ -234,7 +244,7 @@ class Likelihood:
             "form_length": (SHORTEST_FORM, max(3.0 * gathered.longest, 5.0 * SHORTEST_FORM)),
             "process": (1e-6, 3.0),
             "memory": (0.02, 50.0),
-            "white": (WHITE_LEAST, 3.0),
+            "white": (gathered.least, 3.0),
             "part": (1e-5, 3.0),
             "level": (1e-5, 3.0),
             "lean": (1e-6, 3.0),
@@ -276,9 +286,9 @@ class Likelihood:
             out += (max(over, 0.0) / _BARRIER) ** 2
         return out
 
-    def gradient(self, x: Floats) -> tuple[float, Floats]:
-        """Value and gradient, by differences on one grid."""
-        bound = self.bound(math.exp(x[self.free.index("form_length")]))
+    def gradient(self, x: Floats, bound: Bound | None = None) -> tuple[float, Floats]:
+        """Value and gradient, by differences on one grid: that of a layout, or the one that fits the length."""
+        bound = bound or self.bound(math.exp(x[self.free.index("form_length")]))
         here = self(x, bound)
         step = 1e-4
         out = np.empty(len(x))
@@ -322,7 +332,7 @@ def _starts(likelihood: Likelihood, noise: float, spread: float) -> list[Floats]
         for length in some:
             sizes = Sizes(
                 max(spread, 2 * noise, 1e-4), float(length), max(process * noise, 1e-5), min(1.0, length / 4),
-                max(white * noise, 2 * WHITE_LEAST), max(noise, 1e-4), max(noise, 1e-4), max(noise, 1e-4),
+                max(white * noise, 2 * g.least), max(noise, 1e-4), max(noise, 1e-4), max(noise, 1e-4),
             )  # fmt: skip
             x = likelihood.logs(sizes)
             begun.append((likelihood(x), len(begun), x))
@@ -352,7 +362,7 @@ def _suspects(gathered: Gathered, observed: Observed, half: int) -> Bools:
             ranked = np.partition(around[part, beside], (half - 1, half), axis=1)
             off[rows[part]] = value[part] - 0.5 * ranked[:, half - 1 : half + 1].sum(axis=1)
     usual = 1.482602 * float(np.median(np.abs(off[told]))) if told.any() else 0.0
-    out: Bools = np.abs(off) > _SUSPECT * max(usual, WHITE_LEAST)
+    out: Bools = np.abs(off) > _SUSPECT * max(usual, gathered.least)
     return out
 
 
@@ -569,14 +579,18 @@ def _fitted(observed: Observed, stretches: Stretches) -> tuple[Gathered, Fit]:
     gap = few.spacing
     begun: list[Bools] = []
     fits: list[Fit] = []
+    none = np.zeros(len(observed), dtype=bool)
     for half in _HALVES:
-        wrong = _suspects(gathered, observed, half) if len(observed) >= _FEW else np.zeros(len(observed), dtype=bool)
+        wrong = _suspects(gathered, observed, half) if len(observed) >= _FEW else none
         if not any(np.array_equal(wrong, other) for other in begun):
             begun.append(wrong)
             fits.append(_settled(few, np.where(wrong, IGNORED, 1.0), gap, fits[0].x if fits else None))
             if not wrong.any() and fits[-1].weight.min() >= 0.5:
                 # Nothing stands out, neither beforehand nor of what was found.
                 break
+    if max(wrong.mean() for wrong in begun) > MANY_SUSPECTS:
+        # Where all but some humps is flat to a hair, every point of a hump stands out, and the humps are form.
+        fits.append(_settled(few, np.ones(len(observed)), gap, None))
     best = min(fits, key=lambda fit: fit.cost)
     if few is gathered:
         return gathered, best
@@ -863,7 +877,7 @@ class Peak:
 
 
 def _peak(likelihood: Likelihood, x: Floats) -> Peak:
-    """Curvature of the likelihood, and from it the last step to its maximum."""
+    """Curvature of the likelihood, and with it the last steps to its maximum."""
     n = sum(name not in ("part", "level") for name in likelihood.free)
     bound = likelihood.bound(math.exp(x[likelihood.free.index("form_length")]))
     step = 0.1
@@ -880,11 +894,34 @@ def _peak(likelihood: Likelihood, x: Floats) -> Peak:
     value, axes = np.linalg.eigh(curve / (2.0 * step**2))
     # The priors know a logarithm to 1.5: no direction is known worse.
     value = np.maximum(value, 1.0 / 1.5**2)
-    moved = x.copy()
-    moved[:n] -= axes @ (axes.T @ (plus - minus) / (4.0 * step) / value)
+    x = _nearer(likelihood, bound, x, curve / step**2, (plus - minus) / (2.0 * step))
+    return Peak(x, axes, 1.0 / np.sqrt(value))
+
+
+def _nearer(likelihood: Likelihood, bound: Bound, x: Floats, curve: Floats, slope: Floats) -> Floats:
+    """Newton's steps to the maximum, from curvature and slope of -2 log likelihood by the first of the sizes.
+
+    A size at its bound that would be beyond it stays there, and the others go where the likelihood is largest for that.
+    """
     low, high = np.array(likelihood.limits()).T
-    moved = np.clip(moved, low, high)
-    return Peak(moved if likelihood(moved, bound) < here else x, axes, 1.0 / np.sqrt(value))
+    n, here = len(slope), likelihood(x, bound)
+    for _ in range(_ROUNDS):
+        free = np.flatnonzero(np.where(slope > 0.0, x[:n] > low[:n], x[:n] < high[:n]))
+        value, axes = np.linalg.eigh(curve[np.ix_(free, free)])
+        step = np.zeros(len(x))
+        step[free] = axes @ (axes.T @ slope[free] / np.maximum(value, 2.0 / 1.5**2))
+        for share in (1.0, 0.5, 0.25, 0.125):
+            moved = np.clip(x - share * step, low, high)
+            there = likelihood(moved, bound)
+            if there < here:
+                break
+        else:
+            return x
+        gained, x, here = here - there, moved, there
+        if gained < 0.01 * _FLAT:
+            return x
+        slope = likelihood.gradient(x, bound)[1][:n]
+    return x
 
 
 def _drawn(likelihood: Likelihood, peak: Peak, others: tuple[Floats, ...]) -> tuple[Floats, Floats]:

@@ -7,11 +7,23 @@ from dataclasses import dataclass, replace
 
 from millcorr import plausibility, progress
 from millcorr.comparison.deviation import deviations
-from millcorr.correction.targets import Part, Target, carried_along, correction_through, smoothed_over_parts, target_of
+from millcorr.correction.wanted_displacement import (
+    Part,
+    WantedDisplacement,
+    carried_along,
+    correction_through,
+    smoothed_over_parts,
+    wanted_displacement,
+)
 from millcorr.geometry.correction import Correction
 from millcorr.process.prediction import Aim, Simulation, simulate
 from millcorr.process.prediction.combined_control import AxisTransfer, Machine
-from millcorr.process.prediction.foreseen import FirstCut, aim_of, combined_target, predicted_target
+from millcorr.process.prediction.predicted_correction import (
+    FirstCut,
+    aim_of,
+    combined_displacement,
+    predicted_displacement,
+)
 
 from .compared import Compared
 from .prepared import Prepared
@@ -48,7 +60,7 @@ class Aimed:
     ----------
     request : Request
         With the predicted surface in place of a measurement, where a model made it.
-    work : Target
+    work : WantedDisplacement
         Deviations at the points and what became of them.
     correction : Correction
         Zero where a model settles it.
@@ -59,7 +71,7 @@ class Aimed:
     """
 
     request: Request
-    work: Target
+    work: WantedDisplacement
     correction: Correction
     carried: Correction | None
     modelled: Modelled | None
@@ -92,7 +104,7 @@ def _laid(prepared: Prepared) -> Aimed:
     """Nothing was measured: the path is laid on the nominal, or moved by what is known beforehand."""
     request, nominal = prepared.request, prepared.passes.nominal
     shift = request.shift or Correction.even(nominal, request.settings.leave_stock)
-    return Aimed(request, Target.empty(), shift, None, None, ())
+    return Aimed(request, WantedDisplacement.empty(), shift, None, None, ())
 
 
 def _predicted(prepared: Prepared) -> Aimed:
@@ -106,7 +118,7 @@ def _predicted(prepared: Prepared) -> Aimed:
     offset = prepared.commanded_at(deviation)
     notes: list[str] = []
     part = Part(deviation, offset, deviation.value - offset)
-    work = predicted_target(part, nominal, before.setup, request.settings, bool(prepared.history.marks), notes)
+    work = predicted_displacement(part, nominal, before.setup, request.settings, bool(prepared.history.marks), notes)
     return Aimed(request, work, Correction.none(nominal), None, Modelled(aim_of(work), before), tuple(notes))
 
 
@@ -115,7 +127,7 @@ def _measured(prepared: Prepared, compared: Compared) -> Aimed:
     request, nominal, settings = prepared.request, prepared.passes.nominal, prepared.request.settings
     notes: list[str] = []
     progress.stage("separate")
-    work = target_of(list(compared.parts), nominal, settings, bool(prepared.history.marks), notes)
+    work = wanted_displacement(list(compared.parts), nominal, settings, bool(prepared.history.marks), notes)
     if work.separated is not None:
         seen = plausibility.examine_separated(work.deviation, work.separated, nominal, settings.unmeasured_share)
         notes += plausibility.refuse_dangerous(seen, settings.accept, request.measurements[0].source)
@@ -133,7 +145,7 @@ def _combined(prepared: Prepared, compared: Compared, first: FirstCut | None) ->
     assert prepared.setup is not None
     notes: list[str] = []
     progress.stage("simulate")
-    work, target, before, axes, machine = combined_target(
+    work, target, before, axes, machine = combined_displacement(
         list(compared.parts), request.program, nominal, prepared.setup, settings, bool(prepared.history.marks), first,
         prepared.commanded_at, notes,
     )  # fmt: skip

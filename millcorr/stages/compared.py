@@ -14,7 +14,7 @@ from millcorr.comparison import alignment
 from millcorr.comparison.ball_radius import axis_residue, contact_known, numbered_as_read
 from millcorr.comparison.deviation import deviations, require_heights
 from millcorr.correction import provenance
-from millcorr.correction.targets import Part
+from millcorr.correction.wanted_displacement import Part
 from millcorr.errors import InputError
 from millcorr.geometry.footpoint import FootPointSearch
 from millcorr.geometry.profile import Profile
@@ -97,10 +97,11 @@ def _compared(prepared: Prepared, row: int, heights: plausibility.CutHeights) ->
     progress.stage("compare")
     # A cutter that leaves an allowance reaches the nominal where one larger by it would.
     deviation = numbered_as_read(deviations(moved, nominal, cutter_radius=request.radius + allowance), moved)
+    deviation = replace(deviation, step=plausibility.resolution(read))
     noted = provenance.values_of(deviation, nominal)
     # Parts of a series come back to the same size by wear; its journal knows which it has seen.
     if history.again is None and not request.in_series:
-        otherwise = provenance.recognised(history.marks, noted, plausibility.resolution(read))
+        otherwise = provenance.recognised(history.marks, noted, deviation.step)
         if otherwise is not None:
             provenance.refuse_mark(otherwise, request.program.name)
     # A first cut that millcorr wrote runs on the exact parallel; what this program is off by came after it.
@@ -120,7 +121,7 @@ def _compared(prepared: Prepared, row: int, heights: plausibility.CutHeights) ->
         request.radius,
         ball_radius=moved.ball_radius - allowance,
         heights=heights if surface.has_z else None,
-        step=plausibility.resolution(read),
+        step=deviation.step,
         depth=depth,
     )
     if history.marks and not by_another:

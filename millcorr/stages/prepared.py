@@ -33,7 +33,7 @@ from millcorr.path.passes import (
 from millcorr.path.reconstruction import CompensatedContour
 from millcorr.path.second_reader import moves_of
 from millcorr.path.vanishing_arcs import without_vanishing_arcs
-from millcorr.process.prediction.foreseen import require_setup
+from millcorr.process.prediction.predicted_correction import require_setup
 from millcorr.process.setup_file import Setup
 from millcorr.readers.measurement import Measurement
 from millcorr.tolerances import EXACT

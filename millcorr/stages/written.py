@@ -13,7 +13,7 @@ from millcorr.arrays import Ints
 from millcorr.correction import provenance
 from millcorr.geometry.correction import Correction
 from millcorr.path.emission import Emission, emit
-from millcorr.process.prediction.foreseen import Foreseen, foresee
+from millcorr.process.prediction.predicted_correction import Prediction, predict
 from millcorr.tolerances import EXACT
 
 from .aimed import Aimed
@@ -31,14 +31,14 @@ class Written:
         Its origin: moves of the program as it came.
     correction : Correction
         What it carries.
-    foreseen : Foreseen or None
+    prediction : Prediction or None
         What the model of a setup says before and after.
     notes : tuple of str
     """
 
     emission: Emission
     correction: Correction
-    foreseen: Foreseen | None
+    prediction: Prediction | None
     notes: tuple[str, ...]
 
 
@@ -87,9 +87,9 @@ def write(prepared: Prepared, aimed: Aimed, noted: Sequence[Ints]) -> Written:
     if aimed.modelled is None:
         return Written(lay(aimed.correction), aimed.correction, None, tuple(notes))
     model = aimed.modelled
-    foreseen, correction, emission = foresee(model.aim, model.before, model.first, settings, program.name, lay, notes)
-    foreseen = replace(foreseen, axes=model.axes, machine=model.machine)
-    return Written(emission, correction, foreseen, tuple(notes))
+    prediction, correction, emission = predict(model.aim, model.before, model.first, settings, program.name, lay, notes)
+    prediction = replace(prediction, axes=model.axes, machine=model.machine)
+    return Written(emission, correction, prediction, tuple(notes))
 
 
 def header(request: Request, noted: Sequence[Ints]) -> tuple[str, ...]:

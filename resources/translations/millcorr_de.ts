@@ -252,8 +252,8 @@
         <translation>Im Modell weiter korrigieren, bis der erwartete Fehler höchstens so groß ist; 0: nur einmal</translation>
     </message>
     <message>
-        <source>Depth in mm along the normal that the measured part was cut at; one, or one a part</source>
-        <translation>Tiefe in mm längs der Normalen, mit der das gemessene Teil gefräst wurde; eine, oder eine je Teil</translation>
+        <source>Depth along the normal that the measured part was cut at; one, or one a part</source>
+        <translation>Tiefe entlang der Normalen, mit der das gemessene Teil geschnitten wurde; eine, oder eine je Teil</translation>
     </message>
     <message>
         <source>Depth that the corrected path will cut; 0: that of the measured part</source>
@@ -268,8 +268,8 @@
         <translation>Geglättet längs der Kontur, ein Wert, oder einer je Punkt</translation>
     </message>
     <message>
-        <source>Stock in mm that the path of the measured part left on the nominal</source>
-        <translation>Aufmaß in mm, das die Bahn des gemessenen Teils auf der Sollkontur gelassen hat</translation>
+        <source>Stock that the path of the measured part left on the nominal</source>
+        <translation>Aufmaß, das die Bahn des gemessenen Teils auf der Sollkontur gelassen hat</translation>
     </message>
     <message>
         <source>Stock that the path leaves on the part: a first cut, before anything is measured</source>
@@ -1455,10 +1455,6 @@
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Origin of the work frame in the file's, mm</source>
-        <translation>Ursprung des Werkstücksystems in dem der Datei, mm</translation>
-    </message>
-    <message>
         <source>Measured points</source>
         <translation>Messpunkte</translation>
     </message>
@@ -1481,6 +1477,10 @@
     <message>
         <source>Not imported, see the report view</source>
         <translation>Nicht importiert, siehe Berichtsansicht</translation>
+    </message>
+    <message>
+        <source>Origin of the work frame in the file's, {}</source>
+        <translation>Nullpunkt des Werkstücksystems im System der Datei, {}</translation>
     </message>
     <message>
         <source>nominal profile</source>
@@ -1579,6 +1579,10 @@
         <translation>nach ihrem Abstand</translation>
     </message>
     <message>
+        <source>by their number</source>
+        <translation>nach ihrer Anzahl</translation>
+    </message>
+    <message>
         <source>everywhere</source>
         <translation>überall</translation>
     </message>
@@ -1633,34 +1637,6 @@
     <message>
         <source>assumed</source>
         <translation>angenommen</translation>
-    </message>
-    <message>
-        <source>the file does not say</source>
-        <translation>die Datei sagt es nicht</translation>
-    </message>
-    <message>
-        <source>the work frame; the file does not say</source>
-        <translation>das Werkstücksystem; die Datei sagt es nicht</translation>
-    </message>
-    <message>
-        <source>three decimals, as GRBL prints mm</source>
-        <translation>drei Nachkommastellen, wie GRBL mm ausgibt</translation>
-    </message>
-    <message>
-        <source>places farther out than such machines go in inches</source>
-        <translation>Orte weiter draußen, als solche Maschinen in Zoll fahren</translation>
-    </message>
-    <message>
-        <source>no METRIC in the first line, which PC-DMIS takes for inch</source>
-        <translation>kein METRIC in der ersten Zeile, was PC-DMIS als Zoll nimmt</translation>
-    </message>
-    <message>
-        <source>the profile values stored in the file</source>
-        <translation>die in der Datei gespeicherten Profilwerte</translation>
-    </message>
-    <message>
-        <source>the file's other points</source>
-        <translation>die anderen Punkte der Datei</translation>
     </message>
     <message>
         <source>Millcorr needs Python packages that FreeCAD's Python does not have: {}.
@@ -2492,6 +2468,130 @@ In einem Terminal tut dies dasselbe:
         <translation>{}: {}.{} ist weder waagrecht noch senkrecht; wählen Sie eine Skizze der Kontur als Sollkontur</translation>
     </message>
     <message>
+        <source>Profile operations</source>
+        <translation>Profiloperationen</translation>
+    </message>
+    <message>
+        <source>operations called {}</source>
+        <translation>Operationen namens {}</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>the document has {} {}; its operations are: {}</source>
+        <translation>das Dokument hat {} {}; seine Operationen sind: {}</translation>
+    </message>
+    <message>
+        <source>{} belongs to a document that is a file, and to an {}: it records both</source>
+        <translation>{} gehört zu einem Dokument, das eine Datei ist, und zu {}: es hält beide fest</translation>
+    </message>
+    <message>
+        <source>{}: FreeCAD could not recompute the corrected path</source>
+        <translation>{}: FreeCAD konnte die korrigierte Bahn nicht neu berechnen</translation>
+    </message>
+    <message>
+        <source>{}: the posted program has no move of this operation</source>
+        <translation>{}: das ausgegebene Programm enthält keine Bewegung dieser Operation</translation>
+    </message>
+    <message>
+        <source>The path error is that of the path itself: the job's post processor gave no program ({}).</source>
+        <translation>Der Bahnfehler ist der der Bahn selbst: der Postprozessor des Auftrags ergab kein Programm ({}).</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>a setting is not possible: {}</source>
+        <translation>eine Einstellung ist nicht möglich: {}</translation>
+    </message>
+    <message>
+        <source>{}: the operation has no tool with a diameter; set ToolDiameter</source>
+        <translation>{}: die Operation hat kein Werkzeug mit Durchmesser; geben Sie den Werkzeugdurchmesser an</translation>
+    </message>
+    <message>
+        <source>{}: the tool's diameter is {}; set ToolDiameter</source>
+        <translation>{}: der Werkzeugdurchmesser ist {}; geben Sie den Werkzeugdurchmesser an</translation>
+    </message>
+    <message>
+        <source>{} has no shape to take as nominal profile</source>
+        <translation>{} hat keine Form, die als Nennprofil dienen kann</translation>
+    </message>
+    <message>
+        <source>{}: FreeCAD's post processor {} made no program</source>
+        <translation>{}: FreeCADs Postprozessor {} ergab kein Programm</translation>
+    </message>
+    <message>
+        <source>{}: FreeCAD's post processor made {} programs; clear SplitOutput</source>
+        <translation>{}: FreeCADs Postprozessor ergab {} Programme; schalten Sie SplitOutput aus</translation>
+    </message>
+    <message>
+        <source>the dressups of {} form a ring</source>
+        <translation>die Aufbereitungen von {} bilden einen Ring</translation>
+    </message>
+    <message>
+        <source>{}: FreeCAD's own post processor {} fails on this job ({}): post with another one</source>
+        <translation>{}: FreeCADs eigener Postprozessor {} scheitert an diesem Auftrag ({}): geben Sie mit einem anderen aus</translation>
+    </message>
+    <message>
+        <source>a profile lies parallel to the XY plane: choose level edges, upright faces, or a sketch of it as Nominal</source>
+        <translation>ein Profil liegt parallel zur XY-Ebene: wählen Sie waagrechte Kanten, senkrechte Flächen oder eine Skizze davon als Sollkontur</translation>
+    </message>
+    <message>
+        <source>select the faces or edges of the profile in the operation, or choose a sketch of it as Nominal</source>
+        <translation>wählen Sie in der Operation die Flächen oder Kanten des Profils, oder eine Skizze davon als Sollkontur</translation>
+    </message>
+    <message>
+        <source>a side face near {} ends neither below nor above in level edges alone: choose a sketch or level edges of the contour as Nominal</source>
+        <translation>eine Seitenfläche nahe {} endet weder unten noch oben nur in waagrechten Kanten: wählen Sie eine Skizze oder waagrechte Kanten der Kontur als Sollkontur</translation>
+    </message>
+    <message>
+        <source>an edge of the profile has no length</source>
+        <translation>eine Kante des Profils hat keine Länge</translation>
+    </message>
+    <message>
+        <source>an edge near {} is not level: it runs from Z{:.6f} to Z{:.6f}; {}</source>
+        <translation>eine Kante nahe {} ist nicht waagrecht: sie läuft von Z{:.6f} bis Z{:.6f}; {}</translation>
+    </message>
+    <message>
+        <source>an edge near {} is not level: its poles differ by {} in Z; {}</source>
+        <translation>eine Kante nahe {} ist nicht waagrecht: ihre Kontrollpunkte liegen in Z um {} auseinander; {}</translation>
+    </message>
+    <message>
+        <source>the profile has no edge</source>
+        <translation>das Profil hat keine Kante</translation>
+    </message>
+    <message>
+        <source>the shape of the profile is empty</source>
+        <translation>die Form des Profils ist leer</translation>
+    </message>
+    <message>
+        <source>a face of the profile is not parallel to the XY plane, and the faces close round no solid: choose a sketch or level edges of the contour as Nominal, or save the model as STEP</source>
+        <translation>eine Fläche des Profils liegt nicht parallel zur XY-Ebene, und die Flächen schließen keinen Körper ein: wählen Sie eine Skizze oder waagrechte Kanten der Kontur als Sollkontur, oder speichern Sie das Modell als STEP</translation>
+    </message>
+    <message>
+        <source>the model is not prismatic: vertical faces do not go all the way round its outline; {}</source>
+        <translation>das Modell ist nicht prismatisch: senkrechte Flächen gehen nicht ganz um seinen Umriss; {}</translation>
+    </message>
+    <message>
+        <source>the model has no height</source>
+        <translation>das Modell hat keine Höhe</translation>
+    </message>
+    <message>
+        <source>{} edges of the profile meet at {}; leave one way through</source>
+        <translation>{} Kanten des Profils treffen sich bei {}; lassen Sie einen Weg hindurch</translation>
+    </message>
+    <message>
+        <source>the model is not prismatic: between {} and {} it stands out of its outline; {}</source>
+        <translation>das Modell ist nicht prismatisch: zwischen {} und {} ragt es aus seinem Umriss; {}</translation>
+    </message>
+    <message>
+        <source>the model is not prismatic: the side face near {} is not vertical; {}</source>
+        <translation>das Modell ist nicht prismatisch: die Seitenfläche nahe {} steht nicht senkrecht; {}</translation>
+    </message>
+    <message>
         <source>unknown setting {}; known are {}</source>
         <translation>unbekannte Einstellung {}; bekannt sind {}</translation>
     </message>
@@ -2508,6 +2608,22 @@ In einem Terminal tut dies dasselbe:
         <translation>{}: die Operation schneidet entlang keiner Kontur; prüfen Sie ihre Basisgeometrie, und dass ihre FinalDepth unter den gewählten Kanten liegt</translation>
     </message>
     <message>
+        <source>no such file</source>
+        <translation>keine solche Datei</translation>
+    </message>
+    <message>
+        <source>the document has {} objects called {}</source>
+        <translation>das Dokument hat {} Objekte namens {}</translation>
+    </message>
+    <message>
+        <source>the document is empty or damaged</source>
+        <translation>das Dokument ist leer oder beschädigt</translation>
+    </message>
+    <message>
+        <source>not a FreeCAD document</source>
+        <translation>kein FreeCAD-Dokument</translation>
+    </message>
+    <message>
         <source>the path of {} is not the one the measured part was cut with: the difference between the two counts as an error of the machine; measure a part cut with the path as it is now</source>
         <translation>die Bahn von {} ist nicht die, mit der das gemessene Teil geschnitten wurde: der Unterschied zählt als Fehler der Maschine; messen Sie ein Teil, das mit der jetzigen Bahn geschnitten wurde</translation>
     </message>
@@ -2520,20 +2636,92 @@ In einem Terminal tut dies dasselbe:
         <translation>{}: über dieser Operation liegt ein Dressup; wählen Sie das Dressup</translation>
     </message>
     <message>
-        <source>{}: the measurement holds no file</source>
-        <translation>{}: die Messung enthält keine Datei</translation>
+        <source>a table of stiffness goes along one contour, the nominal has {}</source>
+        <translation>eine Steifigkeitstabelle gilt entlang einer Kontur, das Nennprofil hat {}</translation>
     </message>
     <message>
-        <source>no such file</source>
-        <translation>keine solche Datei</translation>
+        <source>{}: its analysis has {} loads, one force on one place is needed</source>
+        <translation>{}: die Analyse hat {} Lasten, gebraucht wird eine Kraft auf eine Stelle</translation>
+    </message>
+    <message>
+        <source>{}: {} acts on {} places, not on one</source>
+        <translation>{}: {} wirkt auf {} Stellen, nicht auf eine</translation>
+    </message>
+    <message>
+        <source>{}: {} acts neither along X nor along Y</source>
+        <translation>{}: {} wirkt weder entlang X noch entlang Y</translation>
+    </message>
+    <message>
+        <source>{}: no displacements of the nodes at {}.{}, calculate it again</source>
+        <translation>{}: keine Knotenverschiebungen bei {}.{}, rechnen Sie noch einmal</translation>
+    </message>
+    <message>
+        <source>{}: the wall moves against its load or not at all</source>
+        <translation>{}: die Wand bewegt sich gegen ihre Last oder gar nicht</translation>
+    </message>
+    <message>
+        <source>{}: its load at {} is not on the contour</source>
+        <translation>{}: die Last bei {} liegt nicht auf der Kontur</translation>
+    </message>
+    <message>
+        <source>{}: another result loads the place at {} along {}</source>
+        <translation>{}: ein anderes Ergebnis belastet die Stelle bei {} entlang {}</translation>
+    </message>
+    <message>
+        <source>{}: the measurement holds no file</source>
+        <translation>{}: die Messung enthält keine Datei</translation>
     </message>
     <message>
         <source>cannot be read: {}</source>
         <translation>nicht lesbar: {}</translation>
     </message>
     <message>
+        <source>{} is no Profile or Pocket operation: give the contour with {}</source>
+        <translation>{} ist keine Profil- oder Taschenoperation: geben Sie die Kontur mit {} an</translation>
+    </message>
+    <message>
+        <source>the corrected path has a move that FreeCAD's Path cannot hold: use lines or arcs</source>
+        <translation>die korrigierte Bahn hat eine Bewegung, die FreeCADs Path nicht fassen kann: nehmen Sie Linien oder Bögen</translation>
+    </message>
+    <message>
+        <source>FreeCAD is asked for {}, which it cannot do</source>
+        <translation>von FreeCAD wird {} verlangt, was es nicht kann</translation>
+    </message>
+    <message>
+        <source>{}: the profile has no dressup</source>
+        <translation>{}: das Profil hat keine Aufbereitung</translation>
+    </message>
+    <message>
+        <source>a first cut is made before anything is measured</source>
+        <translation>ein erster Schnitt wird gemacht, bevor etwas gemessen ist</translation>
+    </message>
+    <message>
         <source>{} is a measured part of {} already: switch it on instead</source>
         <translation>{} ist schon ein gemessenes Teil von {}: schalten Sie es stattdessen ein</translation>
+    </message>
+    <message>
+        <source>the file holds no shape</source>
+        <translation>die Datei enthält keine Form</translation>
+    </message>
+    <message>
+        <source>the file holds no line or curve</source>
+        <translation>die Datei enthält keine Linie oder Kurve</translation>
+    </message>
+    <message>
+        <source>not a STEP, IGES or BREP file that FreeCAD can read</source>
+        <translation>keine STEP-, IGES- oder BREP-Datei, die FreeCAD lesen kann</translation>
+    </message>
+    <message>
+        <source>this FreeCAD cannot read the DXF file; save the contour as STEP</source>
+        <translation>dieses FreeCAD kann die DXF-Datei nicht lesen; speichern Sie die Kontur als STEP</translation>
+    </message>
+    <message>
+        <source>{}: the nominal of a document comes from an object, a CAD file or a profile.json</source>
+        <translation>{}: das Nennprofil eines Dokuments kommt aus einem Objekt, einer CAD-Datei oder einer profile.json</translation>
+    </message>
+    <message>
+        <source>“{}”</source>
+        <translation>„{}“</translation>
     </message>
     <message>
         <source>{}, line {}</source>
@@ -2628,6 +2816,46 @@ In einem Terminal tut dies dasselbe:
         <translation>{}: der Taster fuhr entlang keiner Achse, und control_radius hat für X und Y verschiedene Radien</translation>
     </message>
     <message>
+        <source>the program has no feed move in the XY plane that could follow a contour</source>
+        <translation>das Programm hat keine Vorschubbewegung in der XY-Ebene, die einer Kontur folgen könnte</translation>
+    </message>
+    <message>
+        <source>{}: the ball is as large as the cutter, so its centres lie on the path and do not tell the side of the material: say {} or {}</source>
+        <translation>{}: die Kugel ist so groß wie der Fräser, ihre Mittelpunkte liegen also auf der Bahn und sagen nicht, auf welcher Seite das Material ist: geben Sie {} oder {} an</translation>
+    </message>
+    <message>
+        <source>{}: the points lie on both sides of the path or far from it ({} right and {} left of {}): say {} or {}, and check {}, the unit and the work frame</source>
+        <translation>{}: die Punkte liegen auf beiden Seiten der Bahn oder weit davon ({} rechts und {} links von {}): geben Sie {} oder {} an, und prüfen Sie {}, die Einheit und das Werkstücksystem</translation>
+    </message>
+    <message>
+        <source>{}: the points lie typically {} off the nearest contour that {} cuts: check {}, {}, {}, {}, and the work frame</source>
+        <translation>{}: die Punkte liegen typisch {} neben der nächsten Kontur, die {} schneidet: prüfen Sie {}, {}, {}, {} und das Werkstücksystem</translation>
+    </message>
+    <message>
+        <source>steps of the wall without measured points, down to {}: left as they are</source>
+        <translation>Stufen der Wand ohne Messpunkte, hinab bis {}: sie bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>another contour</source>
+        <translation>eine andere Kontur</translation>
+    </message>
+    <message>
+        <source>{} other contours</source>
+        <translation>{} andere Konturen</translation>
+    </message>
+    <message>
+        <source>the program cuts {} without measured points: left as it is</source>
+        <translation>das Programm schneidet {} ohne Messpunkte: das bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>the program cuts no contour in the XY plane</source>
+        <translation>das Programm schneidet keine Kontur in der XY-Ebene</translation>
+    </message>
+    <message>
+        <source>in an inner corner or hollow that the cutter cannot reach</source>
+        <translation>in einer Innenecke oder Höhlung, die der Fräser nicht erreicht</translation>
+    </message>
+    <message>
         <source>farther than {} from the profile</source>
         <translation>weiter als {} vom Profil</translation>
     </message>
@@ -2642,10 +2870,6 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>two branches of the profile are equally near and the file gives no normal</source>
         <translation>zwei Zweige des Profils sind gleich nah, und die Datei gibt keine Normale an</translation>
-    </message>
-    <message>
-        <source>in an inner corner or hollow that the cutter cannot reach</source>
-        <translation>in einer Innenecke oder Höhlung, die der Fräser nicht erreicht</translation>
     </message>
     <message>
         <source>touched on another surface: its own normal is more than 60 degrees off the profile's there</source>
@@ -2704,6 +2928,18 @@ In einem Terminal tut dies dasselbe:
         <translation>{}: sie wird nicht korrigiert</translation>
     </message>
     <message>
+        <source>{}:{}: this measurement was applied on {} already; cut and measure a new part with the corrected program first</source>
+        <translation>{}:{}: diese Messung wurde schon am {} angewandt; fräsen und messen Sie erst ein neues Teil mit dem korrigierten Programm</translation>
+    </message>
+    <message>
+        <source>{}:{}: the program was corrected on {}, so it does not show the nominal any more; give the first, uncorrected program or the drawing with {}</source>
+        <translation>{}:{}: das Programm wurde am {} korrigiert und zeigt das Nennprofil nicht mehr; geben Sie das erste, unkorrigierte Programm oder die Zeichnung mit {} an</translation>
+    </message>
+    <message>
+        <source>line {}: the comment that says which measurement corrected this program is damaged; take the corrected program as it was written</source>
+        <translation>Zeile {}: der Kommentar, der sagt, welche Messung dieses Programm korrigiert hat, ist beschädigt; nehmen Sie das korrigierte Programm, wie es geschrieben wurde</translation>
+    </message>
+    <message>
         <source>{}: more than {} would hide what is to be corrected</source>
         <translation>{}: mehr als {} würde verdecken, was zu korrigieren ist</translation>
     </message>
@@ -2724,6 +2960,10 @@ In einem Terminal tut dies dasselbe:
         <translation>{} ist {}-mal angegeben, gemessene Teile: {}; einmal angeben, oder einmal für jedes von {}</translation>
     </message>
     <message>
+        <source>{} qif needs {}, the width of the profile's tolerance zone on the drawing</source>
+        <translation>{} qif braucht {}, die Breite der Toleranzzone des Profils auf der Zeichnung</translation>
+    </message>
+    <message>
         <source> or {}</source>
         <translation> oder {}</translation>
     </message>
@@ -2734,30 +2974,6 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>{}: write the number or name and the diameter of a tool in mm, as {}</source>
         <translation>{}: schreiben Sie Nummer oder Namen und den Durchmesser eines Werkzeugs in mm, als {}</translation>
-    </message>
-    <message>
-        <source>{} parts cut {} mm deep: the transfer function is taken from the difference, the constant offset apart; deviations are shown as at the depth of the first</source>
-        <translation>{} Teile, {} mm tief geschnitten: die Übertragungsfunktion folgt aus dem Unterschied, der gleichbleibende Versatz getrennt; Abweichungen stehen wie bei der Tiefe des ersten</translation>
-    </message>
-    <message>
-        <source>the parts were cut at different depths: say with {} what the next one takes off</source>
-        <translation>die Teile wurden verschieden tief geschnitten: sagen Sie mit {}, was der nächste Schnitt abnimmt</translation>
-    </message>
-    <message>
-        <source>{} stretches of contours without a measured point are left as they are</source>
-        <translation>{} Strecken von Konturen ohne gemessenen Punkt bleiben, wie sie sind</translation>
-    </message>
-    <message>
-        <source>gain {:g} leaves {:.0f} % of what the next part would show on purpose</source>
-        <translation>Verstärkung {:g} lässt absichtlich {:.0f} % dessen, was das nächste Teil zeigen würde</translation>
-    </message>
-    <message>
-        <source>one depth cannot tell a constant offset (tool radius, backlash, edge force) from elastic response: all of it is taken as elastic, which is right at the depth measured; for another depth measure two</source>
-        <translation>eine einzige Tiefe kann einen gleichbleibenden Versatz (Werkzeugradius, Umkehrspiel, Schneidkantenkraft) nicht vom Nachgeben unterscheiden: alles gilt als elastisch, was bei der gemessenen Tiefe stimmt; für eine andere Tiefe zwei messen</translation>
-    </message>
-    <message>
-        <source>deviations along {} with depths along the normal correct by {} more on average than {}</source>
-        <translation>Abweichungen entlang {} mit Tiefen entlang der Normalen korrigieren im Mittel um {} mehr als {}</translation>
     </message>
     <message>
         <source>at {}: </source>
@@ -2808,8 +3024,648 @@ In einem Terminal tut dies dasselbe:
         <translation>die Übertragungsfunktion ist {:.3f} bei {}: {:.0f} % der Tiefe bleiben stehen; prüfen Sie {}</translation>
     </message>
     <message>
+        <source>{} parts cut {} mm deep: the transfer function is taken from the difference, the constant offset apart; deviations are shown as at the depth of the first</source>
+        <translation>{} Teile, {} mm tief geschnitten: die Übertragungsfunktion folgt aus dem Unterschied, der gleichbleibende Versatz getrennt; Abweichungen stehen wie bei der Tiefe des ersten</translation>
+    </message>
+    <message>
+        <source>the parts were cut at different depths: say with {} what the next one takes off</source>
+        <translation>die Teile wurden verschieden tief geschnitten: sagen Sie mit {}, was der nächste Schnitt abnimmt</translation>
+    </message>
+    <message>
+        <source>{} stretches of contours without a measured point are left as they are</source>
+        <translation>{} Strecken von Konturen ohne gemessenen Punkt bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>gain {:g} leaves {:.0f} % of what the next part would show on purpose</source>
+        <translation>Verstärkung {:g} lässt absichtlich {:.0f} % dessen, was das nächste Teil zeigen würde</translation>
+    </message>
+    <message>
+        <source>one depth cannot tell a constant offset (tool radius, backlash, edge force) from elastic response: all of it is taken as elastic, which is right at the depth measured; for another depth measure two</source>
+        <translation>eine einzige Tiefe kann einen gleichbleibenden Versatz (Werkzeugradius, Umkehrspiel, Schneidkantenkraft) nicht vom Nachgeben unterscheiden: alles gilt als elastisch, was bei der gemessenen Tiefe stimmt; für eine andere Tiefe zwei messen</translation>
+    </message>
+    <message>
+        <source>deviations along {} with depths along the normal correct by {} more on average than {}</source>
+        <translation>Abweichungen entlang {} mit Tiefen entlang der Normalen korrigieren im Mittel um {} mehr als {}</translation>
+    </message>
+    <message>
+        <source>say {}: </source>
+        <translation>geben Sie an {}: </translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source>the profile has a cusp or a point where its parametrisation stands still</source>
+        <translation>das Profil hat eine Spitze oder einen Punkt, an dem seine Parametrisierung stillsteht</translation>
+    </message>
+    <message>
+        <source>the profile has no contour</source>
+        <translation>das Profil hat keine Kontur</translation>
+    </message>
+    <message>
+        <source>the profile has no length</source>
+        <translation>das Profil hat keine Länge</translation>
+    </message>
+    <message>
+        <source>the profile has a cusp or a point where its parametrisation stands still near {}</source>
+        <translation>das Profil hat eine Spitze oder einen Punkt, an dem seine Parametrisierung stillsteht, nahe {}</translation>
+    </message>
+    <message>
+        <source>contour {} of the profile has no length</source>
+        <translation>Kontur {} des Profils hat keine Länge</translation>
+    </message>
+    <message>
+        <source>contour {} of the profile has a gap of {} at {}</source>
+        <translation>Kontur {} des Profils hat eine Lücke von {} bei {}</translation>
+    </message>
+    <message>
+        <source>profile: unit must be mm and material left</source>
+        <translation>Profil: die Einheit muss mm sein und das Material links liegen</translation>
+    </message>
+    <message>
+        <source>profile: {!r} is missing or of the wrong kind</source>
+        <translation>Profil: {!r} fehlt oder ist von falscher Art</translation>
+    </message>
+    <message>
+        <source>not a millcorr profile: {}</source>
+        <translation>kein Profil von millcorr: {}</translation>
+    </message>
+    <message>
+        <source>{} needs a name: the measuring program is written there</source>
+        <translation>{} braucht einen Namen: dorthin wird das Messprogramm geschrieben</translation>
+    </message>
+    <message>
+        <source>{}: say the radius at which the probe triggers</source>
+        <translation>{}: geben Sie den Radius an, bei dem der Taster schaltet</translation>
+    </message>
+    <message>
+        <source>{} needs a name: the corrected program is written there</source>
+        <translation>{} braucht einen Namen: dorthin wird das korrigierte Programm geschrieben</translation>
+    </message>
+    <message>
+        <source>name the program that finishes the part, and the one to write</source>
+        <translation>nennen Sie das Programm, das das Teil fertigstellt, und das zu schreibende</translation>
+    </message>
+    <message>
+        <source>name the setup and the directory for the report</source>
+        <translation>nennen Sie die Einrichtung und das Verzeichnis für den Bericht</translation>
+    </message>
+    <message>
+        <source>Share: the first cut takes more than 0 and less than 1 of the allowance</source>
+        <translation>Anteil: der erste Schnitt nimmt mehr als 0 und weniger als 1 des Aufmaßes</translation>
+    </message>
+    <message>
+        <source>Stock: say how much stands on the finished contour</source>
+        <translation>Aufmaß: geben Sie an, wie viel auf der fertigen Kontur steht</translation>
+    </message>
+    <message>
+        <source>the angle does not give where this line ends</source>
+        <translation>der Winkel ergibt nicht, wo dieser Satz endet</translation>
+    </message>
+    <message>
+        <source>the number of turns P of an arc is a whole number from 1</source>
+        <translation>die Zahl der Umdrehungen P eines Kreisbogens ist eine ganze Zahl ab 1</translation>
+    </message>
+    <message>
+        <source>arc with a radius and a centre: keep one of them</source>
+        <translation>Kreisbogen mit Radius und Mittelpunkt: behalten Sie eines davon</translation>
+    </message>
+    <message>
+        <source>arc without a centre: state I, J, K or R</source>
+        <translation>Kreisbogen ohne Mittelpunkt: geben Sie I, J, K oder R an</translation>
+    </message>
+    <message>
+        <source>arc with an absolute centre (G90.1) needs both of its coordinates</source>
+        <translation>ein Kreisbogen mit absolutem Mittelpunkt (G90.1) braucht beide Koordinaten</translation>
+    </message>
+    <message>
+        <source>arc whose end is not on its circle: correct it</source>
+        <translation>Kreisbogen, dessen Ende nicht auf seinem Kreis liegt: berichtigen Sie ihn</translation>
+    </message>
+    <message>
+        <source>arc of radius zero: state its centre</source>
+        <translation>Kreisbogen mit Radius null: geben Sie seinen Mittelpunkt an</translation>
+    </message>
+    <message>
+        <source>arc radius shorter than half the way to its end: correct R</source>
+        <translation>Radius kürzer als der halbe Weg zum Ende des Bogens: berichtigen Sie R</translation>
+    </message>
+    <message>
+        <source>arc with R ends where it starts: state I, J for a circle</source>
+        <translation>ein Bogen mit R endet, wo er beginnt: geben Sie für einen Vollkreis I, J an</translation>
+    </message>
+    <message>
+        <source>G92 shifts the frame</source>
+        <translation>G92 verschiebt das Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>G52 turns the frame</source>
+        <translation>G52 verändert das Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>G10 may change a work offset</source>
+        <translation>G10 kann eine Nullpunktverschiebung ändern</translation>
+    </message>
+    <message>
+        <source>G68 rotates the frame</source>
+        <translation>G68 dreht das Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>G68.1 rotates the frame</source>
+        <translation>G68.1 dreht das Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>G68.2 tilts the plane</source>
+        <translation>G68.2 schwenkt die Ebene</translation>
+    </message>
+    <message>
+        <source>G51 scales the frame</source>
+        <translation>G51 skaliert das Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>G51.1 mirrors the frame</source>
+        <translation>G51.1 spiegelt das Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>G101 mirrors the frame</source>
+        <translation>G101 spiegelt das Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>G16 states polar coordinates</source>
+        <translation>G16 gibt Polarkoordinaten an</translation>
+    </message>
+    <message>
+        <source>G12.1 interpolates in polar coordinates</source>
+        <translation>G12.1 interpoliert in Polarkoordinaten</translation>
+    </message>
+    <message>
+        <source>G112 interpolates in polar coordinates</source>
+        <translation>G112 interpoliert in Polarkoordinaten</translation>
+    </message>
+    <message>
+        <source>G7.1 interpolates on a cylinder</source>
+        <translation>G7.1 interpoliert auf einem Zylinder</translation>
+    </message>
+    <message>
+        <source>G107 interpolates on a cylinder</source>
+        <translation>G107 interpoliert auf einem Zylinder</translation>
+    </message>
+    <message>
+        <source>G7 states diameters</source>
+        <translation>G7 gibt Durchmesser an</translation>
+    </message>
+    <message>
+        <source>G43.4 controls the tool centre point</source>
+        <translation>G43.4 führt die Werkzeugspitze (TCPM)</translation>
+    </message>
+    <message>
+        <source>G43.5 controls the tool centre point</source>
+        <translation>G43.5 führt die Werkzeugspitze (TCPM)</translation>
+    </message>
+    <message>
+        <source>G234 controls the tool centre point</source>
+        <translation>G234 führt die Werkzeugspitze (TCPM)</translation>
+    </message>
+    <message>
+        <source>G66 calls a macro at every move</source>
+        <translation>G66 ruft bei jeder Bewegung ein Makro auf</translation>
+    </message>
+    <message>
+        <source>G93 states the feed as inverse time</source>
+        <translation>G93 gibt den Vorschub als Kehrwert der Zeit an</translation>
+    </message>
+    <message>
+        <source>ROT, MIRROR or SCALE changes the frame</source>
+        <translation>ROT, MIRROR oder SCALE ändert das Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>G65 calls a macro</source>
+        <translation>G65 ruft ein Makro auf</translation>
+    </message>
+    <message>
+        <source>this line becomes several moves, but its M code belongs behind the last of them</source>
+        <translation>aus diesem Satz werden mehrere Bewegungen, sein M-Code gehört aber hinter die letzte davon</translation>
+    </message>
+    <message>
+        <source>{}: put the M code on a line of its own</source>
+        <translation>{}: schreiben Sie den M-Code in einen eigenen Satz</translation>
+    </message>
+    <message>
+        <source>{}{}{} cannot be corrected: {}</source>
+        <translation>{}{}{} kann nicht korrigiert werden: {}</translation>
+    </message>
+    <message>
+        <source>rounding would make another arc of this one: allow more decimals</source>
+        <translation>gerundet würde ein anderer Bogen daraus: lassen Sie mehr Nachkommastellen zu</translation>
+    </message>
+    <message>
+        <source>toolpath: an arc of line {} is not in the plane in force there</source>
+        <translation>Bahn: ein Bogen der Zeile {} liegt nicht in der Ebene, die dort gilt</translation>
+    </message>
+    <message>
+        <source>the turns of this arc would change: write it as arcs of one turn</source>
+        <translation>die Umdrehungen dieses Bogens würden sich ändern: schreiben Sie ihn als Bögen von einer Umdrehung</translation>
+    </message>
+    <message>
+        <source>toolpath: a move of line {} of {} starts {} from where the one before ends</source>
+        <translation>Bahn: eine Bewegung der Zeile {} von {} beginnt {} neben dem Ende der vorigen</translation>
+    </message>
+    <message>
+        <source>controls round numbers below zero differently</source>
+        <translation>Steuerungen runden Zahlen unter null verschieden</translation>
+    </message>
+    <message>
+        <source>'{}' has no value</source>
+        <translation>„{}“ hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>controls divide numbers below zero differently</source>
+        <translation>Steuerungen teilen Zahlen unter null verschieden</translation>
+    </message>
+    <message>
+        <source>{} of bits is not computed</source>
+        <translation>{} von Bits wird nicht berechnet</translation>
+    </message>
+    <message>
+        <source>an expression is not complete</source>
+        <translation>ein Ausdruck ist unvollständig</translation>
+    </message>
+    <message>
+        <source>a bracket is missing</source>
+        <translation>eine Klammer fehlt</translation>
+    </message>
+    <message>
+        <source>a bracket is not closed</source>
+        <translation>eine Klammer ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>{} has no value that this program sets</source>
+        <translation>{} hat keinen Wert, den dieses Programm setzt</translation>
+    </message>
+    <message>
+        <source>controls give arc tangents below zero differently</source>
+        <translation>Steuerungen geben Arkustangens unter null verschieden an</translation>
+    </message>
+    <message>
+        <source>'{}' is no value</source>
+        <translation>„{}“ ist kein Wert</translation>
+    </message>
+    <message>
+        <source>ATAN of one number is not computed</source>
+        <translation>ATAN einer einzelnen Zahl wird nicht berechnet</translation>
+    </message>
+    <message>
+        <source>a variable</source>
+        <translation>eine Variable</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>this is a binary file or UTF-16 text: save the program as plain text</source>
+        <translation>das ist eine Binärdatei oder Text in UTF-16: speichern Sie das Programm als einfachen Text</translation>
+    </message>
+    <message>
+        <source>arc from an unknown start: state the position before it</source>
+        <translation>Kreisbogen ab unbekanntem Anfang: geben Sie davor die Position an</translation>
+    </message>
+    <message>
+        <source>G5.1 with a target is not followed</source>
+        <translation>G5.1 mit einem Ziel wird nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>arc from an unknown start</source>
+        <translation>Kreisbogen ab unbekanntem Anfang</translation>
+    </message>
+    <message>
+        <source>arc with a pitch word along its axis</source>
+        <translation>Kreisbogen mit einer Steigung entlang seiner Achse</translation>
+    </message>
+    <message>
+        <source>G5 works in the XY plane only: state G17</source>
+        <translation>G5 gilt nur in der XY-Ebene: geben Sie G17 an</translation>
+    </message>
+    <message>
+        <source>G5 needs both I and J, or neither behind another G5</source>
+        <translation>G5 braucht I und J, oder keines von beiden hinter einem G5</translation>
+    </message>
+    <message>
+        <source>G5 needs P and Q</source>
+        <translation>G5 braucht P und Q</translation>
+    </message>
+    <message>
+        <source>G5 moves X and Y only: move Z on a line of its own</source>
+        <translation>G5 bewegt nur X und Y: fahren Sie Z in einem eigenen Satz</translation>
+    </message>
+    <message>
+        <source>the first G5 of a row needs I and J</source>
+        <translation>das erste G5 einer Reihe braucht I und J</translation>
+    </message>
+    <message>
+        <source>spline from an unknown start: state the position before it</source>
+        <translation>Spline ab unbekanntem Anfang: geben Sie davor die Position an</translation>
+    </message>
+    <message>
+        <source>G{:g} is not a G code</source>
+        <translation>G{:g} ist kein G-Code</translation>
+    </message>
+    <message>
+        <source>two {} words on one line: keep the one that is meant</source>
+        <translation>zwei Wörter {} in einem Satz: behalten Sie das gemeinte</translation>
+    </message>
+    <message>
+        <source>G{:g} and G{:g} on one line contradict each other</source>
+        <translation>G{:g} und G{:g} in einem Satz widersprechen sich</translation>
+    </message>
+    <message>
+        <source>G{:g} is not followed</source>
+        <translation>G{:g} wird nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>a rotary or parallel axis moves with this line</source>
+        <translation>eine Dreh- oder Parallelachse bewegt sich in diesem Satz mit</translation>
+    </message>
+    <message>
+        <source>no motion code is in force</source>
+        <translation>keine Wegbedingung ist in Kraft</translation>
+    </message>
+    <message>
+        <source>axis words behind G80</source>
+        <translation>Achswörter hinter G80</translation>
+    </message>
+    <message>
+        <source>canned cycle, never rewritten</source>
+        <translation>Bearbeitungszyklus, wird nie umgeschrieben</translation>
+    </message>
+    <message>
+        <source>G28 or G30 leaves the work frame</source>
+        <translation>G28 oder G30 verlässt das Werkstücksystem</translation>
+    </message>
+    <message>
+        <source>G53 moves in the machine frame</source>
+        <translation>G53 fährt im Maschinensystem</translation>
+    </message>
+    <message>
+        <source>RNDM rounds every corner: write RND= at each</source>
+        <translation>RNDM rundet jede Ecke: schreiben Sie RND= an jede</translation>
+    </message>
+    <message>
+        <source>a corner rounding or chamfer that is not followed</source>
+        <translation>eine Eckenrundung oder Fase, die nicht verfolgt wird</translation>
+    </message>
+    <message>
+        <source>{}, G90 or G91 is not stated afresh behind it</source>
+        <translation>{}, G90 oder G91 steht danach nicht neu</translation>
+    </message>
+    <message>
+        <source>this way to state an arc is not followed</source>
+        <translation>diese Art, einen Bogen anzugeben, wird nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>behind the end of the program</source>
+        <translation>hinter dem Programmende</translation>
+    </message>
+    <message>
+        <source>a corner word without a move</source>
+        <translation>ein Eckenwort ohne Bewegung</translation>
+    </message>
+    <message>
+        <source>{} SUB without its ENDSUB</source>
+        <translation>{} SUB ohne sein ENDSUB</translation>
+    </message>
+    <message>
+        <source>no line N{:g} is there to go to</source>
+        <translation>kein Satz N{:g}, zu dem gesprungen werden kann</translation>
+    </message>
+    <message>
+        <source>a subprogram is called</source>
+        <translation>ein Unterprogramm wird aufgerufen</translation>
+    </message>
+    <message>
+        <source>subprogram {} is called, which is neither in the file nor beside it</source>
+        <translation>Unterprogramm {} wird aufgerufen, das weder in der Datei noch daneben ist</translation>
+    </message>
+    <message>
+        <source>subprograms call each other without end</source>
+        <translation>Unterprogramme rufen einander ohne Ende auf</translation>
+    </message>
+    <message>
+        <source>M99 with L is not followed</source>
+        <translation>M99 mit L wird nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>'{}' is not followed</source>
+        <translation>„{}“ wird nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>no label {} is there to go to</source>
+        <translation>keine Marke {}, zu der gesprungen werden kann</translation>
+    </message>
+    <message>
+        <source>a loop or choice is not complete</source>
+        <translation>eine Schleife oder Verzweigung ist unvollständig</translation>
+    </message>
+    <message>
+        <source>subprogram {} is called, which is not in the file</source>
+        <translation>Unterprogramm {} wird aufgerufen, das nicht in der Datei ist</translation>
+    </message>
+    <message>
+        <source>{}: which line comes next is not known</source>
+        <translation>{}: welcher Satz folgt, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>REPEAT of what stands behind it is not followed</source>
+        <translation>REPEAT von etwas, das dahinter steht, wird nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>REPEAT of lines that call or jump is not followed</source>
+        <translation>REPEAT von Sätzen, die aufrufen oder springen, wird nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>a loop does not end</source>
+        <translation>eine Schleife endet nicht</translation>
+    </message>
+    <message>
+        <source>{} is computed by a macro expression: {}</source>
+        <translation>{} wird von einem Makroausdruck berechnet: {}</translation>
+    </message>
+    <message>
+        <source>plain G0 to G3 moves</source>
+        <translation>einfache Bewegungen G0 bis G3</translation>
+    </message>
+    <message>
+        <source> since line {}</source>
+        <translation> seit Zeile {}</translation>
+    </message>
+    <message>
+        <source>this move cannot be corrected: {}{}; write the stretch as {}</source>
+        <translation>diese Bewegung kann nicht korrigiert werden: {}{}; schreiben Sie den Abschnitt als {}</translation>
+    </message>
+    <message>
+        <source>toolpath: its lines are not those of the program, in their order</source>
+        <translation>Bahn: ihre Zeilen sind nicht die des Programms in dessen Reihenfolge</translation>
+    </message>
+    <message>
+        <source>this move cannot be corrected: it stands in a file beside the program; put the subprogram into the program's own file</source>
+        <translation>diese Bewegung kann nicht korrigiert werden: sie steht in einer Datei neben dem Programm; nehmen Sie das Unterprogramm in die Programmdatei auf</translation>
+    </message>
+    <message>
+        <source>this line runs {} times, and its {} and {} want {}: write the runs out, each with lines of its own</source>
+        <translation>dieser Satz läuft {}-mal, und {} und {} verlangen {}: schreiben Sie die Durchläufe aus, jeden mit eigenen Sätzen</translation>
+    </message>
+    <message>
+        <source>run {}</source>
+        <translation>Durchlauf {}</translation>
+    </message>
+    <message>
+        <source> at Z{:g}</source>
+        <translation> bei Z{:g}</translation>
+    </message>
+    <message>
+        <source>other words</source>
+        <translation>andere Wörter</translation>
+    </message>
+    <message>
+        <source>other moves</source>
+        <translation>andere Bewegungen</translation>
+    </message>
+    <message>
+        <source>corrections that differ by {}</source>
+        <translation>Korrekturen, die um {} auseinanderliegen</translation>
+    </message>
+    <message>
+        <source>polar positions (AP=, RP=) are not followed</source>
+        <translation>Polarkoordinaten (AP=, RP=) werden nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>cannot read '{}': is this an NC program?</source>
+        <translation>„{}“ ist nicht lesbar: ist das ein NC-Programm?</translation>
+    </message>
+    <message>
+        <source>'{}' calls a label as HEIDENHAIN's ISO programs do: let the program begin with %NAME G71 or G70</source>
+        <translation>„{}“ ruft ein Label auf wie DIN/ISO-Programme von HEIDENHAIN: Das Programm muss mit %NAME G71 oder G70 beginnen</translation>
+    </message>
+    <message>
+        <source>decimal comma in '{}': write numbers with a decimal point</source>
+        <translation>Dezimalkomma in „{}“: schreiben Sie Zahlen mit Dezimalpunkt</translation>
+    </message>
+    <message>
+        <source>comment without ')': close it on the same line</source>
+        <translation>Kommentar ohne „)“: schließen Sie ihn in derselben Zeile</translation>
+    </message>
+    <message>
+        <source>'{}' is not a word: a letter needs one number behind it</source>
+        <translation>„{}“ ist kein Wort: hinter einem Buchstaben steht eine Zahl</translation>
+    </message>
+    <message>
+        <source>{} is not plain ISO code</source>
+        <translation>{} ist kein einfacher ISO-Code</translation>
+    </message>
+    <message>
+        <source>number too large: correct it</source>
+        <translation>Zahl zu groß: berichtigen Sie sie</translation>
+    </message>
+    <message>
+        <source>an O word steers the program</source>
+        <translation>ein O-Wort steuert das Programm</translation>
+    </message>
+    <message>
+        <source>{} may change the frame</source>
+        <translation>{} kann das Koordinatensystem ändern</translation>
+    </message>
+    <message>
+        <source>OFFN shifts the contour</source>
+        <translation>OFFN verschiebt die Kontur</translation>
+    </message>
+    <message>
+        <source>{}={}() is not followed</source>
+        <translation>{}={}() wird nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>{} is computed by a macro expression</source>
+        <translation>{} wird von einem Makroausdruck berechnet</translation>
+    </message>
+    <message>
+        <source>a plain-language block among ISO code; write the program in one of both languages</source>
+        <translation>ein Klartext-Satz zwischen ISO-Sätzen; das Programm in einer der beiden Sprachen schreiben</translation>
+    </message>
+    <message>
+        <source>the program returns</source>
+        <translation>das Programm springt zurück</translation>
+    </message>
+    <message>
+        <source>variable set: {}</source>
+        <translation>Variable gesetzt: {}</translation>
+    </message>
+    <message>
+        <source>{} is assigned with '='</source>
+        <translation>{} wird mit „=“ zugewiesen</translation>
+    </message>
+    <message>
+        <source>{} is not followed</source>
+        <translation>{} wird nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>which variable it is, is computed; state the number here</source>
+        <translation>welche Variable es ist, wird berechnet; schreiben Sie hier die Zahl</translation>
+    </message>
+    <message>
+        <source>{} is used {} times (line {}); state the numbers in these lines</source>
+        <translation>{} wird {}-mal verwendet (Zeile {}); schreiben Sie in diese Zeilen die Zahlen</translation>
+    </message>
+    <message>
+        <source>{}, set in line {},</source>
+        <translation>{}, gesetzt in Zeile {},</translation>
+    </message>
+    <message>
+        <source>the numbers of this program cannot be read; is it an NC program?</source>
+        <translation>die Zahlen dieses Programms sind nicht lesbar; ist es ein NC-Programm?</translation>
+    </message>
+    <message>
+        <source>the motion code before this line has changed: state it here</source>
+        <translation>die Wegbedingung vor diesem Satz hat sich geändert: geben Sie sie hier an</translation>
+    </message>
+    <message>
+        <source>the position before this line has changed, but not its move: {}</source>
+        <translation>die Position vor diesem Satz hat sich geändert, seine Bewegung aber nicht: {}</translation>
+    </message>
+    <message>
+        <source>lead the cut out to a stated {} on a line before it</source>
+        <translation>führen Sie den Schnitt davor in einem eigenen Satz auf ein angegebenes {} hinaus</translation>
+    </message>
+    <message>
+        <source>state {} here</source>
+        <translation>geben Sie hier {} an</translation>
+    </message>
+    <message>
+        <source>must be {}{}</source>
+        <translation>muss {}{} liegen</translation>
+    </message>
+    <message>
+        <source>must be from {:g} to {:g}</source>
+        <translation>muss zwischen {:g} und {:g} liegen</translation>
+    </message>
+    <message>
+        <source>above {:g}</source>
+        <translation>über {:g}</translation>
+    </message>
+    <message>
+        <source>at least {:g}</source>
+        <translation>mindestens {:g}</translation>
+    </message>
+    <message>
+        <source> and at most {:g}</source>
+        <translation> und höchstens {:g}</translation>
+    </message>
+    <message>
         <source>{}: choose one of {}</source>
         <translation>{}: wählen Sie eines von {}</translation>
+    </message>
+    <message>
+        <source>the corrected path near {} cannot be written within {}</source>
+        <translation>die korrigierte Bahn nahe {} lässt sich nicht innerhalb von {} schreiben</translation>
     </message>
     <message>
         <source>near {} the program runs {} off the profile at {} and {} off it at {}: which pass carries the correction cannot be told; correct the first, uncorrected program, or one that holds the finishing pass alone</source>
@@ -2834,6 +3690,14 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>line {} of the written program goes to {} and not where it was planned to go</source>
         <translation>Zeile {} des geschriebenen Programms fährt nach {} und nicht an den geplanten Ort</translation>
+    </message>
+    <message>
+        <source>the written program differs where it must not: its block numbers do not follow one another</source>
+        <translation>das geschriebene Programm weicht ab, wo es nicht darf: seine Satznummern folgen nicht aufeinander</translation>
+    </message>
+    <message>
+        <source>line {} of the corrected program would cut {} into another wall at {}, which line {} of the program has made and which is not corrected: measure it, too, or correct less there</source>
+        <translation>Zeile {} des korrigierten Programms würde {} in eine andere Wand bei {} schneiden, die Zeile {} des Programms gemacht hat und die nicht korrigiert ist: messen Sie diese auch, oder korrigieren Sie dort weniger</translation>
     </message>
     <message>
         <source>the program does not cut the profile near {}, where points were measured: give the {} that cuts it, or only the points that belong to it</source>
@@ -3224,12 +4088,64 @@ In einem Terminal tut dies dasselbe:
         <translation>bei {}, {} im Mittel</translation>
     </message>
     <message>
+        <source>the ball leaves the space that the program clears, first near {}: make sure that nothing stands there, or say how far it is free with {} and lower {}</source>
+        <translation>die Kugel verlässt den Raum, den das Programm freiräumt, zuerst nahe {}: stellen Sie sicher, dass dort nichts steht, oder geben Sie mit {} an, wie weit es frei ist, und verringern Sie {}</translation>
+    </message>
+    <message>
+        <source>{} is one of {}, not {!r}</source>
+        <translation>{} ist eines von {}, nicht {!r}</translation>
+    </message>
+    <message>
+        <source>the model has no wall on this contour: heights are judged by the passes only</source>
+        <translation>das Modell hat keine Wand an dieser Kontur: Höhen werden nur nach den Bahnen beurteilt</translation>
+    </message>
+    <message>
+        <source>nothing shows that the wall stands as high as {}: the highest pass beside it runs at {}</source>
+        <translation>nichts zeigt, dass die Wand bis {} hinaufreicht: die höchste Bahn daneben läuft auf {}</translation>
+    </message>
+    <message>
+        <source>this height is right only for a probe whose length was set to the tip of the ball, not to its centre</source>
+        <translation>diese Höhe stimmt nur für einen Taster, dessen Länge auf die unterste Stelle der Kugel eingestellt wurde, nicht auf ihre Mitte</translation>
+    </message>
+    <message>
+        <source>this height is right only for a probe whose length was set to the centre of the ball, not to its tip</source>
+        <translation>diese Höhe stimmt nur für einen Taster, dessen Länge auf die Mitte der Kugel eingestellt wurde, nicht auf ihre unterste Stelle</translation>
+    </message>
+    <message>
+        <source>{}: GRBL writes no file, save the log of the sender</source>
+        <translation>{}: GRBL schreibt keine Datei, speichern Sie das Protokoll des Senders</translation>
+    </message>
+    <message>
+        <source>{}: GRBL changes no tools, leave it out</source>
+        <translation>{}: GRBL wechselt keine Werkzeuge, lassen Sie es weg</translation>
+    </message>
+    <message>
         <source>{} touches, {} of {} ways between them over the safe height</source>
         <translation>{} Berührungen, {} von {} Wegen dazwischen über die sichere Höhe</translation>
     </message>
     <message>
         <source>measured at {}, passed over at {}</source>
         <translation>gemessen auf {}, überfahren auf {}</translation>
+    </message>
+    <message>
+        <source>{}: this control takes names like {}</source>
+        <translation>{}: diese Steuerung nimmt Namen wie {}</translation>
+    </message>
+    <message>
+        <source>program name {!r}: this control takes names like {}</source>
+        <translation>Programmname {!r}: diese Steuerung nimmt Namen wie {}</translation>
+    </message>
+    <message>
+        <source>{} and {} are no heights in mm</source>
+        <translation>{} und {} sind keine Höhen in mm</translation>
+    </message>
+    <message>
+        <source>{} must lie above {}</source>
+        <translation>{} muss über {} liegen</translation>
+    </message>
+    <message>
+        <source>{} is no tool number</source>
+        <translation>{} ist keine Werkzeugnummer</translation>
     </message>
     <message>
         <source>points</source>
@@ -3252,8 +4168,2596 @@ In einem Terminal tut dies dasselbe:
         <translation>Protokoll</translation>
     </message>
     <message>
+        <source>{} is no feed in mm/min</source>
+        <translation>{} ist kein Vorschub in mm/min</translation>
+    </message>
+    <message>
         <source>left out</source>
         <translation>ausgelassen</translation>
+    </message>
+    <message>
+        <source>{}: where DPRNT writes is set on the {} control</source>
+        <translation>{}: wohin DPRNT schreibt, wird an der Steuerung {} eingestellt</translation>
+    </message>
+    <message>
+        <source>{} lies below {}, a margin of {} above the deepest that the program cuts beside the contour: say {} or higher</source>
+        <translation>{} liegt unter {}, einem Abstand von {} über dem Tiefsten, das das Programm neben der Kontur schneidet: geben Sie {} oder mehr an</translation>
+    </message>
+    <message>
+        <source>the program's lowest rapid across the part</source>
+        <translation>dem tiefsten Eilgang des Programms über das Teil</translation>
+    </message>
+    <message>
+        <source>the program's highest cut</source>
+        <translation>dem höchsten Schnitt des Programms</translation>
+    </message>
+    <message>
+        <source>the top of the model and the ball above it</source>
+        <translation>der Oberkante des Modells und der Kugel darüber</translation>
+    </message>
+    <message>
+        <source>{} lies below {}, {}: say {} or higher</source>
+        <translation>{} liegt unter {}, {}: geben Sie {} oder mehr an</translation>
+    </message>
+    <message>
+        <source>the ball does not reach it: the contour is too hollow there, or another wall is too near</source>
+        <translation>die Kugel kommt nicht hin: die Kontur ist dort zu hohl, oder eine andere Wand ist zu nah</translation>
+    </message>
+    <message>
+        <source>the cutter does not reach it: its fillet stands there</source>
+        <translation>der Fräser kommt nicht hin: dort steht seine Ausrundung</translation>
+    </message>
+    <message>
+        <source>another wall is in the way of the touch</source>
+        <translation>eine andere Wand ist der Antastung im Weg</translation>
+    </message>
+    <message>
+        <source>no wall stands there that is as high, and cut as deep, as the ball needs it</source>
+        <translation>dort steht keine Wand, die so hoch und so tief geschnitten ist, wie die Kugel sie braucht</translation>
+    </message>
+    <message>
+        <source>there is no room for the ball to stand clear before the touch</source>
+        <translation>vor der Antastung ist kein Platz, an dem die Kugel frei stünde</translation>
+    </message>
+    <message>
+        <source>near {} {}</source>
+        <translation>nahe {}: {}</translation>
+    </message>
+    <message>
+        <source>no stretch</source>
+        <translation>kein Abschnitt</translation>
+    </message>
+    <message>
+        <source>{} and {}</source>
+        <translation>{} und {}</translation>
+    </message>
+    <message>
+        <source>no point of the contour can be touched: {}; check {}</source>
+        <translation>kein Punkt der Kontur kann angetastet werden: {}; prüfen Sie {}</translation>
+    </message>
+    <message>
+        <source>the stretch of {} between corners is shorter than {}</source>
+        <translation>der Abschnitt von {} zwischen Ecken ist kürzer als {}</translation>
+    </message>
+    <message>
+        <source>no point of the contour can be touched: {} near {}; use a smaller ball</source>
+        <translation>kein Punkt der Kontur kann angetastet werden: {} nahe {}; nehmen Sie eine kleinere Kugel</translation>
+    </message>
+    <message>
+        <source>{} makes more than {} points</source>
+        <translation>{} ergibt mehr als {} Punkte</translation>
+    </message>
+    <message>
+        <source>the margin {:g} at corners must lie between 0 and 1000 mm</source>
+        <translation>der Abstand {:g} an Ecken muss zwischen 0 und 1000 mm liegen</translation>
+    </message>
+    <message>
+        <source>{}: the ball and the stock do not fit in there</source>
+        <translation>{}: Kugel und Aufmaß haben darin keinen Platz</translation>
+    </message>
+    <message>
+        <source>give either {} or {}</source>
+        <translation>geben Sie entweder {} oder {} an</translation>
+    </message>
+    <message>
+        <source>{} must lie between 1 and {}</source>
+        <translation>{} muss zwischen 1 und {} liegen</translation>
+    </message>
+    <message>
+        <source>{} is no distance in mm</source>
+        <translation>{} ist kein Abstand in mm</translation>
+    </message>
+    <message>
+        <source>{}: the profile has {} contours</source>
+        <translation>{}: das Profil hat {} Konturen</translation>
+    </message>
+    <message>
+        <source>{}: there are {} smooth stretches</source>
+        <translation>{}: es gibt {} glatte Abschnitte</translation>
+    </message>
+    <message>
+        <source>{} must lie between {:g} and 1000 mm</source>
+        <translation>{} muss zwischen {:g} und 1000 mm liegen</translation>
+    </message>
+    <message>
+        <source>wall error: the deflection does not settle near {}, it still changes by {}; check [tool] overhang_mm, [material] and the radial depth of cut</source>
+        <translation>Wandfehler: die Verformung kommt nahe {} nicht zur Ruhe, sie ändert sich noch um {}; prüfen Sie [tool] overhang_mm, [material] und die radiale Schnitttiefe</translation>
+    </message>
+    <message>
+        <source>wall error: the program makes no wall: it cuts only slots or air</source>
+        <translation>Wandfehler: das Programm macht keine Wand: es schneidet nur Nuten oder Luft</translation>
+    </message>
+    <message>
+        <source>wall error: the program makes no wall {} above its deepest tip</source>
+        <translation>Wandfehler: das Programm macht keine Wand {} über seiner tiefsten Spitze</translation>
+    </message>
+    <message>
+        <source>tilt: the slope of the wall needs two heights at least</source>
+        <translation>Neigung: die Steigung der Wand braucht mindestens zwei Höhen</translation>
+    </message>
+    <message>
+        <source>tilt: the program makes no wall within {} of the nominal: check {}</source>
+        <translation>Neigung: das Programm macht keine Wand innerhalb von {} am Nennprofil: prüfen Sie {}</translation>
+    </message>
+    <message>
+        <source>mean shift: the program makes no wall within {} of the nominal: check {}</source>
+        <translation>mittlere Verschiebung: das Programm macht keine Wand innerhalb von {} am Nennprofil: prüfen Sie {}</translation>
+    </message>
+    <message>
+        <source>tilt: the walls are cut in passes of several depths: only walls of one depth are tilted</source>
+        <translation>Neigung: die Wände werden in Bahnen mehrerer Tiefen geschnitten: nur Wände einer Tiefe werden geneigt</translation>
+    </message>
+    <message>
+        <source>tilt: a stretch is cut at fewer than two of the heights: give heights within its depth</source>
+        <translation>Neigung: ein Abschnitt wird auf weniger als zwei der Höhen geschnitten: geben Sie Höhen innerhalb seiner Tiefe an</translation>
+    </message>
+    <message>
+        <source>stretch {} ({}): at most {} off over the heights; shift {}: {}; shift and tilt {:+.4f} deg: {}, and the tilted end face digs {} below the tip</source>
+        <translation>Abschnitt {} ({}): höchstens {} Fehler über die Höhen; Verschiebung {}: {}; Verschiebung und Neigung {:+.4f}°: {}, und die geneigte Stirn gräbt {} unter die Spitze</translation>
+    </message>
+    <message>
+        <source>combined control: no stiffness makes the model leave what was touched, {} are still missing: check {}, [stock] and [material]</source>
+        <translation>kombiniert: mit keiner Steifigkeit lässt das Modell, was angetastet wurde, {} fehlen noch: prüfen Sie {}, [stock] und [material]</translation>
+    </message>
+    <message>
+        <source>at {} a point was touched where the program takes nothing off the stock of the setup: check [stock] and {}</source>
+        <translation>bei {} wurde ein Punkt angetastet, an dem das Programm nichts vom Rohteil der Einrichtung abnimmt: prüfen Sie [stock] und {}</translation>
+    </message>
+    <message>
+        <source>at {} {} of a depth of {} stayed: MS = delta/(h - delta) has no meaning there; check {} or [stock]</source>
+        <translation>bei {} blieben {} einer Tiefe von {} stehen: MS = delta/(h - delta) hat dort keinen Sinn; prüfen Sie {} oder [stock]</translation>
+    </message>
+    <message>
+        <source>combined control: the model has no force across the walls that were touched</source>
+        <translation>kombiniert: das Modell hat keine Kraft quer zu den angetasteten Wänden</translation>
+    </message>
+    <message>
+        <source>combined control: the touches show the cutter moved against the force of the model (mean deviation {}): check [tool] rotation, the cutter's side and {}; or take the deviations as they are: {}</source>
+        <translation>kombiniert: die Antastungen zeigen den Fräser gegen die Kraft des Modells verschoben (mittlere Abweichung {}): prüfen Sie [tool] rotation, die Seite des Fräsers und {}; oder nehmen Sie die Abweichungen, wie sie sind: {}</translation>
+    </message>
+    <message>
+        <source>corner bound {}: state a length above 0</source>
+        <translation>Eckenfehler {}: geben Sie eine Länge über 0 an</translation>
+    </message>
+    <message>
+        <source>{}:{}: the corner is off by {} and cannot be slowed: {}; lower the feed there, raise the bound, or accept it as it is</source>
+        <translation>{}:{}: die Ecke weicht um {} ab und kann nicht verlangsamt werden: {}; senken Sie dort den Vorschub, erlauben Sie mehr, oder nehmen Sie es hin</translation>
+    </message>
+    <message>
+        <source>{}:{}: the slowed corner is still off by {}, more than {}</source>
+        <translation>{}:{}: die verlangsamte Ecke weicht noch um {} ab, mehr als {}</translation>
+    </message>
+    <message>
+        <source>one of its blocks is a spline</source>
+        <translation>einer ihrer Sätze ist ein Spline</translation>
+    </message>
+    <message>
+        <source>the feed would be below the smallest step of a feed</source>
+        <translation>der Vorschub läge unter dem kleinsten Schritt eines Vorschubs</translation>
+    </message>
+    <message>
+        <source>{}: the slowed program does not read back as it was meant; raise the bound</source>
+        <translation>{}: das verlangsamte Programm liest sich nicht so zurück, wie es gemeint war; erlauben Sie mehr</translation>
+    </message>
+    <message>
+        <source>its blocks are too short for the control to change the feed in them</source>
+        <translation>ihre Sätze sind zu kurz, als dass die Steuerung den Vorschub darin ändern könnte</translation>
+    </message>
+    <message>
+        <source>its error does not fall with the feed</source>
+        <translation>ihr Fehler sinkt nicht mit dem Vorschub</translation>
+    </message>
+    <message>
+        <source>{}: a corner is lost in the slowed program; raise the bound</source>
+        <translation>{}: im verlangsamten Programm ging eine Ecke verloren; erlauben Sie mehr</translation>
+    </message>
+    <message>
+        <source>elastic loop: it does not settle near {}, where force and deflection still differ by {}; check [machine] stiffness, feed and [material]</source>
+        <translation>elastischer Kreis: er kommt nahe {} nicht zur Ruhe, wo Kraft und Verformung noch um {} auseinanderliegen; prüfen Sie Steifigkeit [machine], Vorschub und [material]</translation>
+    </message>
+    <message>
+        <source>elastic loop: the cut is {:.2f} times as stiff as the machine ({:g} N/mm): it need not settle; check [machine] kx_n_per_mm and ky_n_per_mm, feed, axial depth and [material]</source>
+        <translation>elastischer Kreis: der Schnitt ist {:.2f}-mal so steif wie die Maschine ({:g} N/mm): er muss nicht zur Ruhe kommen; prüfen Sie [machine] kx_n_per_mm und ky_n_per_mm, Vorschub, axiale Tiefe und [material]</translation>
+    </message>
+    <message>
+        <source>predicted deviation: a spacing of {!r} mm is not positive</source>
+        <translation>vorhergesagte Abweichung: ein Abstand von {!r} mm ist nicht positiv</translation>
+    </message>
+    <message>
+        <source>predicted deviation: the program does not cut the nominal profile: check both</source>
+        <translation>vorhergesagte Abweichung: das Programm schneidet das Nennprofil nicht: prüfen Sie beide</translation>
+    </message>
+    <message>
+        <source>predicted deviation: nothing cuts at or below {}</source>
+        <translation>vorhergesagte Abweichung: nichts schneidet auf oder unter {}</translation>
+    </message>
+    <message>
+        <source>predicted deviation: what the cutter leaves at {} is not to be found within {}; it is up to {} off its path: check [machine] stiffness and inertia</source>
+        <translation>vorhergesagte Abweichung: was der Fräser bei {} lässt, ist innerhalb von {} nicht zu finden; er ist bis zu {} neben seiner Bahn: prüfen Sie Steifigkeit und Trägheit [machine]</translation>
+    </message>
+    <message>
+        <source>{}: [machine] states all that a trace can tell: name with {} what is to be identified anew</source>
+        <translation>{}: [machine] gibt alles an, was eine Aufzeichnung sagen kann: nennen Sie mit {}, was neu bestimmt werden soll</translation>
+    </message>
+    <message>
+        <source>the model leaves at most {} before and {} after the correction{}</source>
+        <translation>das Modell lässt vor der Korrektur höchstens {} und danach {}{}</translation>
+    </message>
+    <message>
+        <source>{} needs {}: tool, material, machine and stock</source>
+        <translation>{} braucht {}: Werkzeug, Werkstoff, Maschine und Rohteil</translation>
+    </message>
+    <message>
+        <source>{}: [tool] diameter_mm {:g} is not the tool diameter of the program, {:g}</source>
+        <translation>{}: [tool] diameter_mm {:g} ist nicht der Werkzeugdurchmesser des Programms, {:g}</translation>
+    </message>
+    <message>
+        <source>the touches do not tell the axes apart: both are taken as equally stiff</source>
+        <translation>die Antastungen unterscheiden die Achsen nicht: beide gelten als gleich steif</translation>
+    </message>
+    <message>
+        <source>{} takes parts of one depth; for several depths use {}</source>
+        <translation>{} nimmt Teile einer Tiefe; für mehrere Tiefen nehmen Sie {}</translation>
+    </message>
+    <message>
+        <source>{} needs {}: the stock of the setup is no even allowance_mm</source>
+        <translation>{} braucht {}: das Rohteil der Einrichtung ist kein gleichmäßiges allowance_mm</translation>
+    </message>
+    <message>
+        <source>{} is no part of [stock] allowance_mm {:g}, which the first cut started from</source>
+        <translation>{} ist kein Teil von [stock] allowance_mm {:g}, von dem der erste Schnitt ausging</translation>
+    </message>
+    <message>
+        <source>nothing was measured: the size of the correction is the model's alone; touch the first part</source>
+        <translation>nichts wurde gemessen: die Größe der Korrektur kommt allein vom Modell; tasten Sie das erste Teil an</translation>
+    </message>
+    <message>
+        <source>transfer function of the axes at the first touch: MSx {:.4f}, MSy {:.4f}</source>
+        <translation>Übertragungsfunktion der Achsen bei der ersten Antastung: MSx {:.4f}, MSy {:.4f}</translation>
+    </message>
+    <message>
+        <source>at {} a point was touched that the simulated program does not cut</source>
+        <translation>bei {} wurde ein Punkt angetastet, den das simulierte Programm nicht schneidet</translation>
+    </message>
+    <message>
+        <source>the touches do not tell the rows of [machine] stiffness_along apart: all are off by one factor; touch at each of its places</source>
+        <translation>die Antastungen unterscheiden die Zeilen von [machine] stiffness_along nicht: alle weichen um einen Faktor ab; tasten Sie an jeder ihrer Stellen an</translation>
+    </message>
+    <message>
+        <source>, in {} rounds</source>
+        <translation>, in {} Runden</translation>
+    </message>
+    <message>
+        <source>[machine] position_gain_per_s {:g} is above 1000 (1/s)</source>
+        <translation>[machine] position_gain_per_s {:g} liegt über 1000 (1/s)</translation>
+    </message>
+    <message>
+        <source>[machine] {} {:g} is neither 0 nor at least 1 (ms)</source>
+        <translation>[machine] {} {:g} ist weder 0 noch mindestens 1 (ms)</translation>
+    </message>
+    <message>
+        <source>[machine] contour_time_offset_ms and contour_time_slope_ms_per_mm_min are both 0: contour control takes its time</source>
+        <translation>[machine] contour_time_offset_ms und contour_time_slope_ms_per_mm_min sind beide 0: Bahnsteuerung braucht ihre Zeit</translation>
+    </message>
+    <message>
+        <source>after {} {} are still predicted at {}, more than {}</source>
+        <translation>nach {} sind noch {} bei {} vorhergesagt, mehr als {}</translation>
+    </message>
+    <message>
+        <source>{}: the cutter cannot follow so quick a change; allow more</source>
+        <translation>{}: der Fräser kann einer so schnellen Änderung nicht folgen; erlauben Sie mehr</translation>
+    </message>
+    <message>
+        <source>1 round</source>
+        <translation>1 Runde</translation>
+    </message>
+    <message>
+        <source>{} rounds</source>
+        <translation>{} Runden</translation>
+    </message>
+    <message>
+        <source>{}, which the axes leave: lower the feed there (simulate {})</source>
+        <translation>{}, was von den Achsen kommt: senken Sie dort den Vorschub (Simulation mit {})</translation>
+    </message>
+    <message>
+        <source>{}: the unit of the dwells is not known, they are taken as seconds</source>
+        <translation>{}: die Einheit der Verweilzeiten ist nicht bekannt, sie gelten als Sekunden</translation>
+    </message>
+    <message>
+        <source>cutting coefficients of {} are not calibrated on this machine ({}): forces are good to a factor of two</source>
+        <translation>die Schnittkraftkoeffizienten von {} sind nicht auf dieser Maschine kalibriert ({}): Kräfte stimmen bis auf den Faktor zwei</translation>
+    </message>
+    <message>
+        <source>stiffness of {:g} and {:g} N/mm: {}</source>
+        <translation>Steifigkeit {:g} und {:g} N/mm: {}</translation>
+    </message>
+    <message>
+        <source>: is it {}?</source>
+        <translation>: meinen Sie {}?</translation>
+    </message>
+    <message>
+        <source>, known are {}</source>
+        <translation>, bekannt sind {}</translation>
+    </message>
+    <message>
+        <source>GPa: 600 for carbide, 210 for high-speed steel</source>
+        <translation>GPa: 600 für Hartmetall, 210 für Schnellarbeitsstahl</translation>
+    </message>
+    <message>
+        <source>N/mm: an end mill has 500 to 100000 (1 N/um = 1000 N/mm)</source>
+        <translation>N/mm: ein Schaftfräser hat 500 bis 100000 (1 N/um = 1000 N/mm)</translation>
+    </message>
+    <message>
+        <source>mm, not um</source>
+        <translation>mm, nicht µm</translation>
+    </message>
+    <message>
+        <source>N/mm2: 500 to 5000 for metals</source>
+        <translation>N/mm²: 500 bis 5000 für Metalle</translation>
+    </message>
+    <message>
+        <source>N/mm (1 N/um = 1000 N/mm)</source>
+        <translation>N/mm (1 N/µm = 1000 N/mm)</translation>
+    </message>
+    <message>
+        <source>mm/min: the feed difference that the control allows at a corner</source>
+        <translation>mm/min: der Vorschubunterschied, den die Steuerung an einer Ecke erlaubt</translation>
+    </message>
+    <message>
+        <source>1/s, not (m/min)/mm: Kv 1 is 16.67/s</source>
+        <translation>1/s, nicht (m/min)/mm: Kv 1 ist 16,67/s</translation>
+    </message>
+    <message>
+        <source>{} is none of {}</source>
+        <translation>{} ist keines von {}</translation>
+    </message>
+    <message>
+        <source>the material</source>
+        <translation>dem Werkstoff</translation>
+    </message>
+    <message>
+        <source>origin not stated</source>
+        <translation>Herkunft nicht angegeben</translation>
+    </message>
+    <message>
+        <source>{}: [machine] {} is missing: deflection needs the stiffness of both axes</source>
+        <translation>{}: [machine] {} fehlt: die Verformung braucht die Steifigkeit beider Achsen</translation>
+    </message>
+    <message>
+        <source>[stock] is missing: give allowance_mm, contour, program or solid = true</source>
+        <translation>[stock] fehlt: geben Sie allowance_mm, contour, program oder solid = true an</translation>
+    </message>
+    <message>
+        <source>[stock] {} and {} say the same twice: give one of them</source>
+        <translation>[stock] {} und {} sagen dasselbe: geben Sie eines davon an</translation>
+    </message>
+    <message>
+        <source>[stock] program_tool_diameter_mm goes with program, which is missing</source>
+        <translation>[stock] program_tool_diameter_mm gehört zu program, das fehlt</translation>
+    </message>
+    <message>
+        <source>[stock] end = "{}" goes with allowance_mm or contour, one is missing</source>
+        <translation>[stock] end = "{}" gehört zu allowance_mm oder contour, eines davon fehlt</translation>
+    </message>
+    <message>
+        <source>[stock] top_z_mm or axial_depth_mm is needed, one of them: it says how deep the tool cuts</source>
+        <translation>[stock] top_z_mm oder axial_depth_mm wird gebraucht, eines davon: es sagt, wie tief das Werkzeug schneidet</translation>
+    </message>
+    <message>
+        <source>[machine] contour_speed_change_mm_min is missing: contour_control needs the speed change allowed at a corner</source>
+        <translation>[machine] contour_speed_change_mm_min fehlt: contour_control braucht die an einer Ecke erlaubte Geschwindigkeitsänderung</translation>
+    </message>
+    <message>
+        <source>[tool] overhang_mm {:g} is more than 40 diameters: is its unit mm?</source>
+        <translation>[tool] overhang_mm {:g} ist mehr als 40 Durchmesser: ist die Einheit mm?</translation>
+    </message>
+    <message>
+        <source>[tool] overhang_mm {:g} is shorter than the cut of {}</source>
+        <translation>[tool] overhang_mm {:g} ist kürzer als der Schnitt von {}</translation>
+    </message>
+    <message>
+        <source>too large for a setup</source>
+        <translation>zu groß für eine Einrichtung</translation>
+    </message>
+    <message>
+        <source>not TOML: {}</source>
+        <translation>kein TOML: {}</translation>
+    </message>
+    <message>
+        <source>[{}] is unknown{}</source>
+        <translation>[{}] ist unbekannt{}</translation>
+    </message>
+    <message>
+        <source>[{}] is a table of keys</source>
+        <translation>[{}] ist eine Tabelle von Schlüsseln</translation>
+    </message>
+    <message>
+        <source>[material] {} is missing: ks_n_per_mm2 and mu go together</source>
+        <translation>[material] {} fehlt: ks_n_per_mm2 und mu gehören zusammen</translation>
+    </message>
+    <message>
+        <source>[material] {} {!r} is not a number from {:g} to {:g}</source>
+        <translation>[material] {} {!r} ist keine Zahl von {:g} bis {:g}</translation>
+    </message>
+    <message>
+        <source>[material] {} and ks_n_per_mm2 say the same twice: give one of them</source>
+        <translation>[material] {} und ks_n_per_mm2 sagen dasselbe: geben Sie eines davon an</translation>
+    </message>
+    <message>
+        <source>[{}] {} is unknown{}</source>
+        <translation>[{}] {} ist unbekannt{}</translation>
+    </message>
+    <message>
+        <source>[{}] {} is missing</source>
+        <translation>[{}] {} fehlt</translation>
+    </message>
+    <message>
+        <source>{}: {!r} is no row [mm, kx_n_per_mm, ky_n_per_mm]</source>
+        <translation>{}: {!r} ist keine Zeile [mm, kx_n_per_mm, ky_n_per_mm]</translation>
+    </message>
+    <message>
+        <source>{}: {!r}: stiffness is above 1 and at most 1e+07 N/mm</source>
+        <translation>{}: {!r}: die Steifigkeit liegt über 1 und höchstens bei 1e+07 N/mm</translation>
+    </message>
+    <message>
+        <source>[material] {} is missing: give ktc_n_per_mm2 and krc_n_per_mm2, or ks_n_per_mm2 and mu</source>
+        <translation>[material] {} fehlt: geben Sie ktc_n_per_mm2 und krc_n_per_mm2 an, oder ks_n_per_mm2 und mu</translation>
+    </message>
+    <message>
+        <source>{} is not a whole number{}</source>
+        <translation>{} ist keine ganze Zahl{}</translation>
+    </message>
+    <message>
+        <source>{} is not a number{}</source>
+        <translation>{} ist keine Zahl{}</translation>
+    </message>
+    <message>
+        <source>{} is not {}{}{}</source>
+        <translation>{} ist nicht {}{}{}</translation>
+    </message>
+    <message>
+        <source>[machine] {}: {} is 0 or more and ascends, {:g} does not</source>
+        <translation>[machine] {}: {} ist 0 oder mehr und steigt an, {:g} nicht</translation>
+    </message>
+    <message>
+        <source>{} is not true or false</source>
+        <translation>{} ist weder wahr noch falsch (true, false)</translation>
+    </message>
+    <message>
+        <source>{} is not the name of a file</source>
+        <translation>{} ist kein Dateiname</translation>
+    </message>
+    <message>
+        <source>{} is not a text</source>
+        <translation>{} ist kein Text</translation>
+    </message>
+    <message>
+        <source>{}: [machine] stiffness_along needs a nominal of one contour, which it goes along</source>
+        <translation>{}: [machine] stiffness_along braucht ein Nennprofil mit einer Kontur, entlang der es gilt</translation>
+    </message>
+    <message>
+        <source>{}: [machine] stiffness_along goes to {}, the contour is {} long</source>
+        <translation>{}: [machine] stiffness_along reicht bis {}, die Kontur ist {} lang</translation>
+    </message>
+    <message>
+        <source>NOT CORRECTED</source>
+        <translation>NICHT KORRIGIERT</translation>
+    </message>
+    <message>
+        <source>corrected</source>
+        <translation>korrigiert</translation>
+    </message>
+    <message>
+        <source>corrected by its own deviation</source>
+        <translation>mit seiner eigenen Abweichung korrigiert</translation>
+    </message>
+    <message>
+        <source>corrected by the smoothed deviation</source>
+        <translation>mit der geglätteten Abweichung korrigiert</translation>
+    </message>
+    <message>
+        <source>PENDING: the next run that uses the journal settles it</source>
+        <translation>OFFEN: der nächste Lauf mit diesem Journal klärt es</translation>
+    </message>
+    <message>
+        <source>{} is no table of a journal and stays untouched: name another file</source>
+        <translation>{} ist keine Tabelle eines Journals und bleibt unberührt: nennen Sie eine andere Datei</translation>
+    </message>
+    <message>
+        <source>{} is a directory; name a file</source>
+        <translation>{} ist ein Verzeichnis; nennen Sie eine Datei</translation>
+    </message>
+    <message>
+        <source>{}: there is no directory {}: make it first</source>
+        <translation>{}: es gibt kein Verzeichnis {}: legen Sie es erst an</translation>
+    </message>
+    <message>
+        <source>{}: the journal cannot be written: no permission</source>
+        <translation>{}: das Journal kann nicht geschrieben werden: keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>{}: there is no such journal</source>
+        <translation>{}: dieses Journal gibt es nicht</translation>
+    </message>
+    <message>
+        <source>an SQLite file of another program, not a journal of millcorr</source>
+        <translation>eine SQLite-Datei eines anderen Programms, kein Journal von millcorr</translation>
+    </message>
+    <message>
+        <source>written by a newer millcorr (journal version {}, this one knows {}): update millcorr</source>
+        <translation>von einem neueren millcorr geschrieben (Journalversion {}, dieses kennt {}): aktualisieren Sie millcorr</translation>
+    </message>
+    <message>
+        <source>the journal is damaged ({}): restore it from a copy</source>
+        <translation>das Journal ist beschädigt ({}): stellen Sie es aus einer Kopie wieder her</translation>
+    </message>
+    <message>
+        <source>{}: not what the journal {} announced; part {} was not recorded</source>
+        <translation>{}: nicht, was das Journal {} angekündigt hat; Teil {} wurde nicht eingetragen</translation>
+    </message>
+    <message>
+        <source>{}: the journal cannot be read or written ({})</source>
+        <translation>{}: das Journal kann nicht gelesen oder geschrieben werden ({})</translation>
+    </message>
+    <message>
+        <source>not a journal of millcorr, or damaged ({}): give the journal, or restore it from a copy</source>
+        <translation>kein Journal von millcorr, oder beschädigt ({}): geben Sie das Journal an, oder stellen Sie es aus einer Kopie wieder her</translation>
+    </message>
+    <message>
+        <source>{}: this measurement is part {} of {} already (as {} on {}, for {}); measure a new part</source>
+        <translation>{}: diese Messung ist schon Teil {} von {} (als {} am {}, für {}); messen Sie ein neues Teil</translation>
+    </message>
+    <message>
+        <source>{}: another run has held the journal for too long; try again when it is done</source>
+        <translation>{}: ein anderer Lauf hält das Journal zu lange; versuchen Sie es wieder, wenn er fertig ist</translation>
+    </message>
+    <message>
+        <source>the smoothed deviation of a series is damaged ({}): correct from the part again</source>
+        <translation>die geglättete Abweichung einer Serie ist beschädigt ({}): korrigieren Sie noch einmal vom Teil aus</translation>
+    </message>
+    <message>
+        <source>the smoothed deviation, {} at most, is beyond the limit of {}</source>
+        <translation>die geglättete Abweichung, höchstens {}, liegt über der Grenze von {}</translation>
+    </message>
+    <message>
+        <source>the smoothed deviation, {} at most, is within the limit of {}</source>
+        <translation>die geglättete Abweichung, höchstens {}, liegt innerhalb der Grenze von {}</translation>
+    </message>
+    <message>
+        <source>{}: write ewma:K, such as ewma:2, K being how many parts are smoothed over</source>
+        <translation>{}: schreiben Sie ewma:K, etwa ewma:2; über K Teile wird geglättet</translation>
+    </message>
+    <message>
+        <source>the part is {} off, more than {}: this cannot be a part of this program; nothing was recorded or written</source>
+        <translation>das Teil weicht um {} ab, mehr als {}: das kann kein Teil dieses Programms sein; nichts wurde eingetragen oder geschrieben</translation>
+    </message>
+    <message>
+        <source>the part is {} off, more than {}: look for the cause; if it is real and stays (a new tool), {} corrects it; nothing was recorded or written</source>
+        <translation>das Teil weicht um {} ab, mehr als {}: suchen Sie die Ursache; ist sie echt und bleibt sie (ein neues Werkzeug), korrigiert {} sie; nichts wurde eingetragen oder geschrieben</translation>
+    </message>
+    <message>
+        <source>the part itself is {} off, beyond the tolerance of {}: corrected by its own deviation</source>
+        <translation>das Teil selbst weicht um {} ab, über der Toleranz von {}: mit seiner eigenen Abweichung korrigiert</translation>
+    </message>
+    <message>
+        <source>first correction: the deviation, {} at most, is beyond the limit of {}</source>
+        <translation>erste Korrektur: die Abweichung, höchstens {}, liegt über der Grenze von {}</translation>
+    </message>
+    <message>
+        <source>the deviation, {} at most, is within the limit of {}</source>
+        <translation>die Abweichung, höchstens {}, liegt innerhalb der Grenze von {}</translation>
+    </message>
+    <message>
+        <source>one correction would move the contour</source>
+        <translation>eine Korrektur würde die Kontur verschieben</translation>
+    </message>
+    <message>
+        <source>look for what jumped</source>
+        <translation>suchen Sie, was gesprungen ist</translation>
+    </message>
+    <message>
+        <source>all corrections together would move the contour</source>
+        <translation>alle Korrekturen zusammen würden die Kontur verschieben</translation>
+    </message>
+    <message>
+        <source>change the tool</source>
+        <translation>wechseln Sie das Werkzeug</translation>
+    </message>
+    <message>
+        <source>{}: K must be 1 or more</source>
+        <translation>{}: K muss mindestens 1 sein</translation>
+    </message>
+    <message>
+        <source>{}: must not be negative</source>
+        <translation>{}: darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>{} needs {}: the program stays as it is within it</source>
+        <translation>{} braucht {}: innerhalb davon bleibt das Programm, wie es ist</translation>
+    </message>
+    <message>
+        <source>{} must not be above {}</source>
+        <translation>{} darf nicht über {} liegen</translation>
+    </message>
+    <message>
+        <source>{} by {}, more than {}: {}, or raise the limit; nothing was recorded or written</source>
+        <translation>{} um {}, mehr als {}: {}, oder heben Sie die Grenze an; nichts wurde eingetragen oder geschrieben</translation>
+    </message>
+    <message>
+        <source>{}: must be above 0</source>
+        <translation>{}: muss über 0 liegen</translation>
+    </message>
+    <message>
+        <source>{} must be below {}: dead band &lt; limit &lt; tolerance &lt; alarm &lt; abort</source>
+        <translation>{} muss unter {} liegen: Totband &lt; Grenze &lt; Toleranz &lt; Alarm &lt; Abbruch</translation>
+    </message>
+    <message>
+        <source>{} needs {}, how far the tool may pass a corner</source>
+        <translation>{} braucht {}, den Abstand, in dem das Werkzeug eine Ecke verfehlen darf</translation>
+    </message>
+    <message>
+        <source>{}: {} needs [machine] acceleration_time_x_ms, acceleration_time_y_ms or position_gain_per_s: without inertia no corner is rounded off</source>
+        <translation>{}: {} braucht [machine] acceleration_time_x_ms, acceleration_time_y_ms oder position_gain_per_s: ohne Trägheit wird keine Ecke verrundet</translation>
+    </message>
+    <message>
+        <source>{}: the moved path no longer makes the same walls: nothing is written</source>
+        <translation>{}: die verschobene Bahn macht nicht mehr dieselben Wände: nichts wird geschrieben</translation>
+    </message>
+    <message>
+        <source>{}: the tilted program does not read back as it was meant: nothing is written</source>
+        <translation>{}: das geneigte Programm liest sich nicht so zurück, wie es gemeint war: nichts wird geschrieben</translation>
+    </message>
+    <message>
+        <source>the last {} parts share a form of up to {} that none of them shows alone (they scatter by {}): it stays in the next part; {} {} takes it out</source>
+        <translation>die letzten {} Teile haben eine Form von bis zu {} gemeinsam, die keines davon allein zeigt (sie streuen um {}): sie bleibt im nächsten Teil; {} {} nimmt sie heraus</translation>
+    </message>
+    <message>
+        <source>{} needs {}: what earlier parts have shown is kept there</source>
+        <translation>{} braucht {}: dort steht, was frühere Teile gezeigt haben</translation>
+    </message>
+    <message>
+        <source>{} keeps measured parts: nothing was measured</source>
+        <translation>{} hält gemessene Teile fest: nichts wurde gemessen</translation>
+    </message>
+    <message>
+        <source>{}: {} goes on from {}; since {} it was corrected by part {} on {}, and correcting again from a part of the earlier program would count its error twice: measure a part cut with {}</source>
+        <translation>{}: {} geht von {} aus weiter; {} wurde inzwischen mit Teil {} am {} korrigiert, und noch einmal von einem Teil des früheren Programms aus zu korrigieren würde dessen Fehler doppelt zählen: messen Sie ein Teil, das mit {} gefräst wurde</translation>
+    </message>
+    <message>
+        <source>{}: it carries a correction (measurement {}) that {} does not know; begin a new journal with {}</source>
+        <translation>{}: es trägt eine Korrektur (Messung {}), die {} nicht kennt; beginnen Sie ein neues Journal mit {}</translation>
+    </message>
+    <message>
+        <source>{}: the nominal has other contours or lengths than in {}: give the same {} and measure the same contours on every part, or begin a new journal with {}</source>
+        <translation>{}: das Nennprofil hat andere Konturen oder Längen als in {}: geben Sie dasselbe {} an und messen Sie an jedem Teil dieselben Konturen, oder beginnen Sie ein neues Journal mit {}</translation>
+    </message>
+    <message>
+        <source>{} goes with {} or transfer, not with {}: it smooths what whole contours have shown over the parts, not what a model expects</source>
+        <translation>{} gehört zu {} oder Übertragung, nicht zu {}: es glättet, was ganze Konturen über die Teile gezeigt haben, nicht was ein Modell erwartet</translation>
+    </message>
+    <message>
+        <source>{} watches a series of finished parts: it does not go with {}</source>
+        <translation>{} überwacht eine Serie fertiger Teile: es passt nicht zu {}</translation>
+    </message>
+    <message>
+        <source>{} smooths over parts that are cut alike: give one {} and no other {}; for a new depth correct once without {}</source>
+        <translation>{} glättet über Teile, die gleich gefräst werden: geben Sie ein {} und kein anderes {} an; für eine neue Tiefe korrigieren Sie einmal ohne {}</translation>
+    </message>
+    <message>
+        <source>corrected as the settings say</source>
+        <translation>korrigiert, wie die Einstellungen sagen</translation>
+    </message>
+    <message>
+        <source>nothing is to be corrected</source>
+        <translation>nichts ist zu korrigieren</translation>
+    </message>
+    <message>
+        <source>NOT CORRECTED: {}; the output is the very bytes of {}</source>
+        <translation>NICHT KORRIGIERT: {}; die Ausgabe ist Byte für Byte {}</translation>
+    </message>
+    <message>
+        <source>{} belongs to {}</source>
+        <translation>{} gehört zu {}</translation>
+    </message>
+    <message>
+        <source>corrected: {}</source>
+        <translation>korrigiert: {}</translation>
+    </message>
+    <message>
+        <source>{} needs {} at two heights at least: the tool leans by the wall's slope</source>
+        <translation>{} braucht {} mit mindestens zwei Höhen: das Werkzeug neigt sich um die Steigung der Wand</translation>
+    </message>
+    <message>
+        <source>{} needs {}: the contour is moved by the wall's mean error over them</source>
+        <translation>{} braucht {}: die Kontur wird um den mittleren Fehler der Wand darüber verschoben</translation>
+    </message>
+    <message>
+        <source>tilt: {}</source>
+        <translation>Neigung: {}</translation>
+    </message>
+    <message>
+        <source>{} belongs to {}, the log that tells</source>
+        <translation>{} gehört zu {}, der Aufzeichnung, die es sagt</translation>
+    </message>
+    <message>
+        <source>{} belongs to {}, the program that keeps it</source>
+        <translation>{} gehört zu {}, dem Programm, das ihn einhält</translation>
+    </message>
+    <message>
+        <source>{}: the allowance must be above 0</source>
+        <translation>{}: das Aufmaß muss über 0 liegen</translation>
+    </message>
+    <message>
+        <source>{}: the first cut takes a share between 0 and 1</source>
+        <translation>{}: der erste Schnitt nimmt einen Anteil zwischen 0 und 1</translation>
+    </message>
+    <message>
+        <source>{}:{}: the program was corrected before; split the first, uncorrected one</source>
+        <translation>{}:{}: das Programm wurde schon korrigiert; teilen Sie das erste, unkorrigierte</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittelwerts</translation>
+    </message>
+    <message>
+        <source>place X</source>
+        <translation>Lage in X</translation>
+    </message>
+    <message>
+        <source>place Y</source>
+        <translation>Lage in Y</translation>
+    </message>
+    <message>
+        <source>form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>tool wear or warming</source>
+        <translation>Werkzeugverschleiß oder Erwärmung</translation>
+    </message>
+    <message>
+        <source>warming of the machine or of the fixture</source>
+        <translation>Erwärmung der Maschine oder der Spannvorrichtung</translation>
+    </message>
+    <message>
+        <source>wear or warming that is not the same all along the contour</source>
+        <translation>Verschleiß oder Erwärmung, die nicht überall an der Kontur gleich ist</translation>
+    </message>
+    <message>
+        <source>another tool, another stock, or a clamping that bends the part</source>
+        <translation>ein anderes Werkzeug, ein anderes Rohteil oder eine Spannung, die das Teil biegt</translation>
+    </message>
+    <message>
+        <source>a new tool, another offset or another batch of material</source>
+        <translation>ein neues Werkzeug, eine andere Korrektur im Werkzeugspeicher oder eine andere Materialcharge</translation>
+    </message>
+    <message>
+        <source>a chip at the stop, another clamping or another datum</source>
+        <translation>ein Span am Anschlag, eine andere Spannung oder ein anderer Bezug</translation>
+    </message>
+    <message>
+        <source>jump of the {} by {} before part {} (p {:.1g}): {}</source>
+        <translation>Sprung ({}) um {} vor Teil {} (p {:.1g}): {}</translation>
+    </message>
+    <message>
+        <source>drift of the {} by {} a part from part {} to {} (+- {}, p {:.1g}): {}</source>
+        <translation>Drift ({}) um {} je Teil von Teil {} bis {} (± {}, p {:.1g}): {}</translation>
+    </message>
+    <message>
+        <source>{}; one part shows it so far, measure another</source>
+        <translation>{}; bisher zeigt es ein Teil, messen Sie ein weiteres</translation>
+    </message>
+    <message>
+        <source>No remedy: a slope needs two heights at least, give {} again.</source>
+        <translation>Keine Abhilfe: eine Steigung braucht mindestens zwei Höhen, geben Sie {} noch einmal an.</translation>
+    </message>
+    <message>
+        <source>{}: heights count from the tool's tip upwards, in mm: give 0 or more</source>
+        <translation>{}: Höhen zählen in mm von der Werkzeugspitze aufwärts: geben Sie 0 oder mehr an</translation>
+    </message>
+    <message>
+        <source>{}: {} cuts its wall up to {} above the tool's tip: give 0 to {:g}, or correct [stock] in {}</source>
+        <translation>{}: {} schneidet seine Wand bis {} über der Werkzeugspitze: geben Sie 0 bis {:g} an, oder berichtigen Sie [stock] in {}</translation>
+    </message>
+    <message>
+        <source>No remedy: {}</source>
+        <translation>Keine Abhilfe: {}</translation>
+    </message>
+    <message>
+        <source>the setup</source>
+        <translation>der Einrichtung</translation>
+    </message>
+    <message>
+        <source>the work frame; the file does not say</source>
+        <translation>das Werkstücksystem; die Datei sagt nichts</translation>
+    </message>
+    <message>
+        <source>what G330 leads back to</source>
+        <translation>das, wohin G330 zurückführt</translation>
+    </message>
+    <message>
+        <source>the document's common frame</source>
+        <translation>das gemeinsame System des Dokuments</translation>
+    </message>
+    <message>
+        <source>the work frame in force, as LinuxCNC logs it</source>
+        <translation>das geltende Werkstücksystem, wie LinuxCNC es protokolliert</translation>
+    </message>
+    <message>
+        <source>the machine's, brought to the work frame by the offset in the log</source>
+        <translation>das der Maschine, mit der Nullpunktverschiebung des Protokolls ins Werkstücksystem gebracht</translation>
+    </message>
+    <message>
+        <source>{} is no radius in mm</source>
+        <translation>{} ist kein Radius in mm</translation>
+    </message>
+    <message>
+        <source>{} belongs to {} or axis: contact points lie on the part already</source>
+        <translation>{} gehört zu {} oder zur Achse: Berührpunkte liegen schon auf dem Teil</translation>
+    </message>
+    <message>
+        <source>{} is no place</source>
+        <translation>{} ist kein Ort</translation>
+    </message>
+    <message>
+        <source>{} is no angle</source>
+        <translation>{} ist kein Winkel</translation>
+    </message>
+    <message>
+        <source>{} is for text that no format covers: leave {} out</source>
+        <translation>{} ist für Text, den kein Format abdeckt: lassen Sie {} weg</translation>
+    </message>
+    <message>
+        <source>{}: {} holds one measured part</source>
+        <translation>{}: {} enthält ein gemessenes Teil</translation>
+    </message>
+    <message>
+        <source>{} contradicts {}, whose points are centres of the probe ball</source>
+        <translation>{} widerspricht {}, deren Punkte Mittelpunkte der Tasterkugel sind</translation>
+    </message>
+    <message>
+        <source>not a file</source>
+        <translation>keine Datei</translation>
+    </message>
+    <message>
+        <source>measured part {}</source>
+        <translation>gemessenes Teil {}</translation>
+    </message>
+    <message>
+        <source>{} features with X and Y and no size are taken for points</source>
+        <translation>{} Merkmale mit X und Y und ohne Größe gelten als Punkte</translation>
+    </message>
+    <message>
+        <source>no single column {}: not Calypso's table of characteristics or features; give the file that ends in _chr.txt or _fet.txt, or say by {} what the columns are and which rows are points</source>
+        <translation>keine eindeutige Spalte {}: keine Merkmals- oder Elementtabelle von Calypso; geben Sie die Datei an, die auf _chr.txt oder _fet.txt endet, oder sagen Sie mit {}, was die Spalten sind und welche Zeilen Punkte</translation>
+    </message>
+    <message>
+        <source>part {}, {}</source>
+        <translation>Teil {}, {}</translation>
+    </message>
+    <message>
+        <source>{}: the table does not name their kind</source>
+        <translation>{}: die Tabelle nennt ihre Art nicht</translation>
+    </message>
+    <message>
+        <source>{} of axis {} is no coordinate</source>
+        <translation>{} der Achse {} ist keine Koordinate</translation>
+    </message>
+    <message>
+        <source>no rows below the header</source>
+        <translation>keine Zeilen unter der Kopfzeile</translation>
+    </message>
+    <message>
+        <source>no row of the kind Point or SpacePoint, only {}</source>
+        <translation>keine Zeile der Art Point oder SpacePoint, nur {}</translation>
+    </message>
+    <message>
+        <source>{} points were not measured</source>
+        <translation>{} Punkte wurden nicht gemessen</translation>
+    </message>
+    <message>
+        <source>{} other features left out: {}</source>
+        <translation>{} andere Merkmale weggelassen: {}</translation>
+    </message>
+    <message>
+        <source>{} of {} points have no normal: normals are not used</source>
+        <translation>{} von {} Punkten haben keine Normale: Normalen werden nicht verwendet</translation>
+    </message>
+    <message>
+        <source>none of {} features has xValue and yValue and no other characteristic</source>
+        <translation>keines von {} Merkmalen hat xValue und yValue und keine andere Kenngröße</translation>
+    </message>
+    <message>
+        <source>{} has no zValue, others have</source>
+        <translation>{} hat kein zValue, andere schon</translation>
+    </message>
+    <message>
+        <source>{} other features left out{}</source>
+        <translation>{} andere Merkmale weggelassen{}</translation>
+    </message>
+    <message>
+        <source>{} columns: the row is incomplete; {}</source>
+        <translation>{} Spalten: die Zeile ist unvollständig; {}</translation>
+    </message>
+    <message>
+        <source>feature {} is there twice, first in line {}</source>
+        <translation>Merkmal {} kommt zweimal vor, zuerst in Zeile {}</translation>
+    </message>
+    <message>
+        <source>{} of {} is there twice, first from line {}</source>
+        <translation>{} von {} kommt zweimal vor, zuerst ab Zeile {}</translation>
+    </message>
+    <message>
+        <source>coordinates in different units: export them in one</source>
+        <translation>Koordinaten in verschiedenen Einheiten: geben Sie sie in einer aus</translation>
+    </message>
+    <message>
+        <source>unit {}: only mm and inch are read</source>
+        <translation>Einheit {}: nur mm und Zoll werden gelesen</translation>
+    </message>
+    <message>
+        <source>a header</source>
+        <translation>eine Kopfzeile</translation>
+    </message>
+    <message>
+        <source>{}: deviation is not actual less nominal, export the table again</source>
+        <translation>{}: die Abweichung ist nicht Ist minus Soll, geben Sie die Tabelle neu aus</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>ein PDF-Dokument</translation>
+    </message>
+    <message>
+        <source>export the points as CSV</source>
+        <translation>geben Sie die Punkte als CSV aus</translation>
+    </message>
+    <message>
+        <source>a ZIP container (a workbook, a FreeCAD document?)</source>
+        <translation>ein ZIP-Archiv (eine Arbeitsmappe, ein FreeCAD-Dokument?)</translation>
+    </message>
+    <message>
+        <source>save the points as CSV</source>
+        <translation>speichern Sie die Punkte als CSV</translation>
+    </message>
+    <message>
+        <source>an Excel workbook</source>
+        <translation>eine Excel-Arbeitsmappe</translation>
+    </message>
+    <message>
+        <source>compressed (gzip)</source>
+        <translation>komprimiert (gzip)</translation>
+    </message>
+    <message>
+        <source>unpack it first</source>
+        <translation>entpacken Sie sie erst</translation>
+    </message>
+    <message>
+        <source>a PNG picture</source>
+        <translation>ein PNG-Bild</translation>
+    </message>
+    <message>
+        <source>give the measured points</source>
+        <translation>geben Sie die Messpunkte an</translation>
+    </message>
+    <message>
+        <source>a JPEG picture</source>
+        <translation>ein JPEG-Bild</translation>
+    </message>
+    <message>
+        <source>a rich text document</source>
+        <translation>ein RTF-Dokument</translation>
+    </message>
+    <message>
+        <source>save the points as plain text</source>
+        <translation>speichern Sie die Punkte als einfachen Text</translation>
+    </message>
+    <message>
+        <source>a STEP model</source>
+        <translation>ein STEP-Modell</translation>
+    </message>
+    <message>
+        <source>give the measured points, not the model</source>
+        <translation>geben Sie die Messpunkte an, nicht das Modell</translation>
+    </message>
+    <message>
+        <source>the file is XML or HTML: export the points as text with a header x,y,z</source>
+        <translation>die Datei ist XML oder HTML: geben Sie die Punkte als Text mit der Kopfzeile x,y,z aus</translation>
+    </message>
+    <message>
+        <source>binary data (control character {}): not a text file</source>
+        <translation>Binärdaten (Steuerzeichen {}): keine Textdatei</translation>
+    </message>
+    <message>
+        <source>the file holds nothing but blanks</source>
+        <translation>die Datei enthält nur Leerzeichen</translation>
+    </message>
+    <message>
+        <source>the file is {}: {}</source>
+        <translation>die Datei ist {}: {}</translation>
+    </message>
+    <message>
+        <source>binary or truncated</source>
+        <translation>binär oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the file is {}: no text in {}</source>
+        <translation>die Datei ist {}: kein Text in {}</translation>
+    </message>
+    <message>
+        <source>the file ends in the middle of a statement: it was cut off</source>
+        <translation>die Datei endet mitten in einer Anweisung: sie wurde abgeschnitten</translation>
+    </message>
+    <message>
+        <source>a statement of more than {} characters</source>
+        <translation>eine Anweisung mit mehr als {} Zeichen</translation>
+    </message>
+    <message>
+        <source>UNITS/{}: only MM and INCH are read</source>
+        <translation>UNITS/{}: nur MM und INCH werden gelesen</translation>
+    </message>
+    <message>
+        <source>the unit changes: export the points in one</source>
+        <translation>die Einheit wechselt: geben Sie die Punkte in einer aus</translation>
+    </message>
+    <message>
+        <source>PTDATA without a curve or surface above it</source>
+        <translation>PTDATA ohne Kurve oder Fläche darüber</translation>
+    </message>
+    <message>
+        <source>PTDATA of {}</source>
+        <translation>PTDATA von {}</translation>
+    </message>
+    <message>
+        <source>{}: neither CART nor POL</source>
+        <translation>{}: weder CART noch POL</translation>
+    </message>
+    <message>
+        <source>{}: {} numbers where 3 or 6 were expected</source>
+        <translation>{}: {} Zahlen, wo 3 oder 6 erwartet wurden</translation>
+    </message>
+    <message>
+        <source>{} is no number</source>
+        <translation>{} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{} is no length that a machine can travel</source>
+        <translation>{} ist keine Länge, die eine Maschine fahren kann</translation>
+    </message>
+    <message>
+        <source>, only {}</source>
+        <translation>, nur {}</translation>
+    </message>
+    <message>
+        <source>no measured points FA(...)=FEAT/POINT in the file{}</source>
+        <translation>keine Messpunkte FA(...)=FEAT/POINT in der Datei{}</translation>
+    </message>
+    <message>
+        <source>no ENDFIL: points may be missing at the end of the file</source>
+        <translation>kein ENDFIL: am Ende der Datei können Punkte fehlen</translation>
+    </message>
+    <message>
+        <source>{} repetitions of points left out: they are equal</source>
+        <translation>{} Wiederholungen von Punkten weggelassen: sie sind gleich</translation>
+    </message>
+    <message>
+        <source>measured features left out: {}</source>
+        <translation>gemessene Merkmale weggelassen: {}</translation>
+    </message>
+    <message>
+        <source>{} nominal points were not measured</source>
+        <translation>{} Sollpunkte wurden nicht gemessen</translation>
+    </message>
+    <message>
+        <source>{} has no UNITS statement</source>
+        <translation>{} hat keine Anweisung UNITS</translation>
+    </message>
+    <message>
+        <source>{} is no whole statement: export the file again</source>
+        <translation>{} ist keine ganze Anweisung: geben Sie die Datei neu aus</translation>
+    </message>
+    <message>
+        <source>FA({}) is there twice: export every curve once</source>
+        <translation>FA({}) kommt zweimal vor: geben Sie jede Kurve einmal aus</translation>
+    </message>
+    <message>
+        <source>FA({}) is a point and a curve</source>
+        <translation>FA({}) ist ein Punkt und eine Kurve</translation>
+    </message>
+    <message>
+        <source>FA({}) lies elsewhere than in line {}: export every point once</source>
+        <translation>FA({}) liegt anderswo als in Zeile {}: geben Sie jeden Punkt einmal aus</translation>
+    </message>
+    <message>
+        <source>work plane {} is not known</source>
+        <translation>Arbeitsebene {} ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>ball compensation changes between the points: export them apart</source>
+        <translation>die Kugelkorrektur wechselt zwischen den Punkten: geben Sie sie getrennt aus</translation>
+    </message>
+    <message>
+        <source>no points in the file</source>
+        <translation>keine Punkte in der Datei</translation>
+    </message>
+    <message>
+        <source>Z stands in some lines and not in others</source>
+        <translation>Z steht in manchen Zeilen und in anderen nicht</translation>
+    </message>
+    <message>
+        <source>point N{:g} is there twice, first in line {}: keep one of them, or give every point a number of its own</source>
+        <translation>Punkt N{:g} kommt zweimal vor, zuerst in Zeile {}: behalten Sie einen davon, oder geben Sie jedem Punkt eine eigene Nummer</translation>
+    </message>
+    <message>
+        <source>{} is no word of a printed point</source>
+        <translation>{} ist kein Wort eines ausgedruckten Punkts</translation>
+    </message>
+    <message>
+        <source>the letter {} is there twice: two lines ran together</source>
+        <translation>der Buchstabe {} kommt zweimal vor: zwei Zeilen sind ineinandergelaufen</translation>
+    </message>
+    <message>
+        <source>{}{} is no coordinate</source>
+        <translation>{}{} ist keine Koordinate</translation>
+    </message>
+    <message>
+        <source>{} is missing: the line is incomplete</source>
+        <translation>{} fehlt: die Zeile ist unvollständig</translation>
+    </message>
+    <message>
+        <source>a line of {} characters: no print-out, or damaged</source>
+        <translation>eine Zeile von {} Zeichen: kein Ausdruck, oder beschädigt</translation>
+    </message>
+    <message>
+        <source>{}: decimal points and decimal commas in one file; a spreadsheet may have spoilt it, export again with decimal points</source>
+        <translation>{}: Dezimalpunkte und Dezimalkommas in einer Datei; eine Tabellenkalkulation kann sie verdorben haben, geben Sie sie mit Dezimalpunkten neu aus</translation>
+    </message>
+    <message>
+        <source>a coordinate is missing: delete the row or measure the point again</source>
+        <translation>eine Koordinate fehlt: löschen Sie die Zeile, oder messen Sie den Punkt noch einmal</translation>
+    </message>
+    <message>
+        <source>{} is no measured value: delete the row or measure the point again</source>
+        <translation>{} ist kein Messwert: löschen Sie die Zeile, oder messen Sie den Punkt noch einmal</translation>
+    </message>
+    <message>
+        <source>{} is a date: a spreadsheet has spoilt the number, export again without it</source>
+        <translation>{} ist ein Datum: eine Tabellenkalkulation hat die Zahl verdorben, geben Sie sie ohne diese neu aus</translation>
+    </message>
+    <message>
+        <source>{}: thousands separator or decimal comma? Export with plain decimal points</source>
+        <translation>{}: Tausendertrennzeichen oder Dezimalkomma? Geben Sie es mit einfachen Dezimalpunkten aus</translation>
+    </message>
+    <message>
+        <source>three decimals, as GRBL prints mm</source>
+        <translation>drei Nachkommastellen, wie GRBL mm ausgibt</translation>
+    </message>
+    <message>
+        <source>places farther out than such machines go in inches</source>
+        <translation>Orte weiter draußen, als solche Maschinen in Zoll fahren</translation>
+    </message>
+    <message>
+        <source>machine frame, work offset by {}</source>
+        <translation>Maschinensystem, Nullpunktverschiebung: {}</translation>
+    </message>
+    <message>
+        <source>the touch failed, the ball met nothing: delete the line or measure the point again</source>
+        <translation>die Antastung ist misslungen, die Kugel traf nichts: löschen Sie die Zeile, oder messen Sie den Punkt noch einmal</translation>
+    </message>
+    <message>
+        <source>no probe report [PRB:x,y,z:1] in the log</source>
+        <translation>keine Tastermeldung [PRB:x,y,z:1] im Protokoll</translation>
+    </message>
+    <message>
+        <source>{} does not hold $13 and gives four decimals, as GRBL prints inches, and some builds of it mm</source>
+        <translation>{} enthält kein $13 und gibt vier Nachkommastellen, wie GRBL Zoll ausgibt und manche seiner Fassungen mm</translation>
+    </message>
+    <message>
+        <source>WCO of the log</source>
+        <translation>WCO des Protokolls</translation>
+    </message>
+    <message>
+        <source>{} contradicts {}, which holds {}: leave it out</source>
+        <translation>{} widerspricht {}, mit {}: lassen Sie es weg</translation>
+    </message>
+    <message>
+        <source>{} is damaged: log the touches again</source>
+        <translation>{} ist beschädigt: protokollieren Sie die Antastungen noch einmal</translation>
+    </message>
+    <message>
+        <source>{} of the log</source>
+        <translation>{} des Protokolls</translation>
+    </message>
+    <message>
+        <source>the $# report in the log does not hold the active {}</source>
+        <translation>die Meldung $# des Protokolls enthält das aktive {} nicht</translation>
+    </message>
+    <message>
+        <source>{} is in the machine frame and does not hold the work offset</source>
+        <translation>{} steht im Maschinensystem und enthält die Nullpunktverschiebung nicht</translation>
+    </message>
+    <message>
+        <source>machine frame, work offset as given</source>
+        <translation>Maschinensystem, Nullpunktverschiebung wie angegeben</translation>
+    </message>
+    <message>
+        <source>a height map, touched along Z: it shows the height of a surface and nothing of a contour</source>
+        <translation>eine Höhenkarte, entlang Z angetastet: sie zeigt die Höhe einer Fläche und nichts von einer Kontur</translation>
+    </message>
+    <message>
+        <source>no height in the map: it was not probed yet</source>
+        <translation>keine Höhe in der Karte: sie wurde noch nicht angetastet</translation>
+    </message>
+    <message>
+        <source>{} of {} places were not touched</source>
+        <translation>{} von {} Orten wurden nicht angetastet</translation>
+    </message>
+    <message>
+        <source>{} is no coordinate</source>
+        <translation>{} ist keine Koordinate</translation>
+    </message>
+    <message>
+        <source>{:g} by {:g} places are no grid</source>
+        <translation>{:g} mal {:g} Orte sind kein Gitter</translation>
+    </message>
+    <message>
+        <source>a height map begins with three lines: x and y from, to and how many, and z</source>
+        <translation>eine Höhenkarte beginnt mit drei Zeilen: x und y von, bis und wie viele, und z</translation>
+    </message>
+    <message>
+        <source>more than the {} places of the grid</source>
+        <translation>mehr als die {} Orte des Gitters</translation>
+    </message>
+    <message>
+        <source>X{:g} Y{:g} where the grid has X{:g} Y{:g}: lines are missing</source>
+        <translation>X{:g} Y{:g}, wo das Gitter X{:g} Y{:g} hat: Zeilen fehlen</translation>
+    </message>
+    <message>
+        <source>{} numbers where a height map has three in a line</source>
+        <translation>{} Zahlen, wo eine Höhenkarte drei in einer Zeile hat</translation>
+    </message>
+    <message>
+        <source>point {:g}, {:g} is not on the grid</source>
+        <translation>Punkt {:g}, {:g} ist nicht auf dem Gitter</translation>
+    </message>
+    <message>
+        <source>point {}, {} is there twice</source>
+        <translation>Punkt {}, {} kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>a number is too large, or not nine in a row</source>
+        <translation>eine Zahl ist zu groß, oder es sind nicht neun in einer Zeile</translation>
+    </message>
+    <message>
+        <source>axis {} moved between the touches: probe with X, Y and Z only</source>
+        <translation>Achse {} hat sich zwischen den Antastungen bewegt: tasten Sie nur mit X, Y und Z an</translation>
+    </message>
+    <message>
+        <source>other axes stood at {}</source>
+        <translation>andere Achsen standen auf {}</translation>
+    </message>
+    <message>
+        <source>{} numbers where X Y Z A B C U V W make nine: the row is damaged or cut off</source>
+        <translation>{} Zahlen, wo X Y Z A B C U V W neun sind: die Zeile ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source> (is it {}?)</source>
+        <translation> (ist es {}?)</translation>
+    </message>
+    <message>
+        <source>the mapping</source>
+        <translation>die Zuordnung</translation>
+    </message>
+    <message>
+        <source>line {} does not name all columns of {}; lacking: {}</source>
+        <translation>Zeile {} nennt nicht alle Spalten von {}; es fehlt: {}</translation>
+    </message>
+    <message>
+        <source>no line names all columns of {}; lacking: {}</source>
+        <translation>keine Zeile nennt alle Spalten von {}; es fehlt: {}</translation>
+    </message>
+    <message>
+        <source>direction of travel</source>
+        <translation>Antastrichtung</translation>
+    </message>
+    <message>
+        <source>the file ends before line {}, where the mapping has the header</source>
+        <translation>die Datei endet vor Zeile {}, in der nach der Zuordnung die Kopfzeile steht</translation>
+    </message>
+    <message>
+        <source>{} has a decimal point: the mapping says decimal = {!r}</source>
+        <translation>{} hat einen Dezimalpunkt: die Zuordnung sagt decimal = {!r}</translation>
+    </message>
+    <message>
+        <source>no points below the header</source>
+        <translation>keine Punkte unter der Kopfzeile</translation>
+    </message>
+    <message>
+        <source>the mapping {}</source>
+        <translation>die Zuordnung {}</translation>
+    </message>
+    <message>
+        <source>columns by {}{}</source>
+        <translation>Spalten nach {}{}</translation>
+    </message>
+    <message>
+        <source>no text in {}, which the mapping says</source>
+        <translation>kein Text in {}, wie die Zuordnung sagt</translation>
+    </message>
+    <message>
+        <source>the row is incomplete, or the file was cut off</source>
+        <translation>die Zeile ist unvollständig, oder die Datei wurde abgeschnitten</translation>
+    </message>
+    <message>
+        <source>one too many</source>
+        <translation>eine zu viel</translation>
+    </message>
+    <message>
+        <source>{} columns where {} were expected: {}; {}</source>
+        <translation>{} Spalten, wo {} erwartet wurden: {}; {}</translation>
+    </message>
+    <message>
+        <source>{} columns, but the mapping takes column {}: is the separator {}?</source>
+        <translation>{} Spalten, aber die Zuordnung nimmt Spalte {}: ist das Trennzeichen {}?</translation>
+    </message>
+    <message>
+        <source>{} is no direction of travel: X+, X-, Y+, Y-, Z+ or Z-</source>
+        <translation>{} ist keine Antastrichtung: X+, X-, Y+, Y-, Z+ oder Z-</translation>
+    </message>
+    <message>
+        <source>{} is too large</source>
+        <translation>{} ist zu groß</translation>
+    </message>
+    <message>
+        <source>{} has a decimal comma: the mapping says decimal = {!r}</source>
+        <translation>{} hat ein Dezimalkomma: die Zuordnung sagt decimal = {!r}</translation>
+    </message>
+    <message>
+        <source>; there are {}</source>
+        <translation>; es gibt {}</translation>
+    </message>
+    <message>
+        <source>no row holds {}, which the mapping asks for{}</source>
+        <translation>keine Zeile enthält {}, wie die Zuordnung verlangt{}</translation>
+    </message>
+    <message>
+        <source>a line of {} characters is no row of numbers</source>
+        <translation>eine Zeile von {} Zeichen ist keine Zeile von Zahlen</translation>
+    </message>
+    <message>
+        <source>a mapping</source>
+        <translation>einer Zuordnung</translation>
+    </message>
+    <message>
+        <source>two columns are named {}: give their numbers in the mapping</source>
+        <translation>zwei Spalten heißen {}: geben Sie in der Zuordnung ihre Nummern an</translation>
+    </message>
+    <message>
+        <source>converted from a unit of {}</source>
+        <translation>umgerechnet aus einer Einheit von {}</translation>
+    </message>
+    <message>
+        <source>comma, semicolon, tab, blank, or one character that is no part of a number</source>
+        <translation>comma, semicolon, tab, blank oder ein Zeichen, das nicht zu einer Zahl gehört</translation>
+    </message>
+    <message>
+        <source>point or comma</source>
+        <translation>point oder comma</translation>
+    </message>
+    <message>
+        <source>the number of a line, from 1</source>
+        <translation>die Nummer einer Zeile, ab 1</translation>
+    </message>
+    <message>
+        <source>a number of lines, from 0</source>
+        <translation>eine Zahl von Zeilen, ab 0</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>a list of texts</source>
+        <translation>eine Liste von Texten</translation>
+    </message>
+    <message>
+        <source>the name of an encoding of text</source>
+        <translation>der Name einer Textkodierung</translation>
+    </message>
+    <message>
+        <source>mm or inch</source>
+        <translation>mm oder inch</translation>
+    </message>
+    <message>
+        <source>the millimetres in the unit of the file, such as 0.001</source>
+        <translation>die Millimeter in der Einheit der Datei, etwa 0.001</translation>
+    </message>
+    <message>
+        <source>one of {}</source>
+        <translation>eines von {}</translation>
+    </message>
+    <message>
+        <source>contact or centre, or axis</source>
+        <translation>contact oder centre oder axis</translation>
+    </message>
+    <message>
+        <source>the radius of the probe ball in mm, up to {:g}</source>
+        <translation>der Radius der Tasterkugel in mm, bis {:g}</translation>
+    </message>
+    <message>
+        <source>a table</source>
+        <translation>eine Tabelle</translation>
+    </message>
+    <message>
+        <source>mapping</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <source>[columns] is missing: it says at least which columns are x and y</source>
+        <translation>[columns] fehlt: es sagt zumindest, welche Spalten x und y sind</translation>
+    </message>
+    <message>
+        <source>{} is {}, not {}</source>
+        <translation>{} ist {}, nicht {}</translation>
+    </message>
+    <message>
+        <source>columns: two are the same column of the file</source>
+        <translation>columns: zwei sind dieselbe Spalte der Datei</translation>
+    </message>
+    <message>
+        <source>columns: {} and nominal_{} go together</source>
+        <translation>columns: {} und nominal_{} gehören zusammen</translation>
+    </message>
+    <message>
+        <source>units and factor say the same twice</source>
+        <translation>units und factor sagen dasselbe zweimal</translation>
+    </message>
+    <message>
+        <source>columns: directions of travel are for points = 'axis'</source>
+        <translation>columns: Antastrichtungen gehören zu points = 'axis'</translation>
+    </message>
+    <message>
+        <source>columns: travel and travel_x say the same twice</source>
+        <translation>columns: travel und travel_x sagen dasselbe zweimal</translation>
+    </message>
+    <message>
+        <source>probe_radius is for points = 'centre'; contact points need none</source>
+        <translation>probe_radius gehört zu points = 'centre'; Berührpunkte brauchen keinen</translation>
+    </message>
+    <message>
+        <source>decimal and separator cannot both be the comma</source>
+        <translation>decimal und separator können nicht beide das Komma sein</translation>
+    </message>
+    <message>
+        <source>columns: {} is none of {}</source>
+        <translation>columns: {} ist keine von {}</translation>
+    </message>
+    <message>
+        <source>columns.{} is a name in the header or a number from 1, not {}</source>
+        <translation>columns.{} ist ein Name der Kopfzeile oder eine Nummer ab 1, nicht {}</translation>
+    </message>
+    <message>
+        <source>only: {} is a text or a list of texts, not {}</source>
+        <translation>only: {} ist ein Text oder eine Liste von Texten, nicht {}</translation>
+    </message>
+    <message>
+        <source>only: {} is no column</source>
+        <translation>only: {} ist keine Spalte</translation>
+    </message>
+    <message>
+        <source>columns: {} is missing</source>
+        <translation>columns: {} fehlt</translation>
+    </message>
+    <message>
+        <source>{} must be {}</source>
+        <translation>{} muss sein: {}</translation>
+    </message>
+    <message>
+        <source>two lengths in mm</source>
+        <translation>zwei Längen in mm</translation>
+    </message>
+    <message>
+        <source>within {} of the effective radius</source>
+        <translation>innerhalb von {} um den wirksamen Radius</translation>
+    </message>
+    <message>
+        <source>as many as directions, at least three</source>
+        <translation>so viele wie Richtungen, mindestens drei</translation>
+    </message>
+    <message>
+        <source>angles that increase and stay within one turn</source>
+        <translation>steigende Winkel innerhalb einer Umdrehung</translation>
+    </message>
+    <message>
+        <source>lengths in mm within {} of the effective radius</source>
+        <translation>Längen in mm innerhalb von {} um den wirksamen Radius</translation>
+    </message>
+    <message>
+        <source>linear where the directions are not evenly spaced round the turn</source>
+        <translation>linear, wo die Richtungen nicht gleichmäßig über die Umdrehung verteilt sind</translation>
+    </message>
+    <message>
+        <source>{}:{}: a coordinate is not a finite number</source>
+        <translation>{}:{}: eine Koordinate ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>{}: ball radius {} is negative</source>
+        <translation>{}: der Kugelradius {} ist negativ</translation>
+    </message>
+    <message>
+        <source>{}: {} names for {} points</source>
+        <translation>{}: {} Namen für {} Punkte</translation>
+    </message>
+    <message>
+        <source>{}: the radii of a shift along an axis must be above 0 mm</source>
+        <translation>{}: die Radien einer Verschiebung entlang einer Achse müssen über 0 mm liegen</translation>
+    </message>
+    <message>
+        <source>a length in mm above 0</source>
+        <translation>eine Länge in mm über 0</translation>
+    </message>
+    <message>
+        <source>given together with radii</source>
+        <translation>zusammen mit radii angegeben</translation>
+    </message>
+    <message>
+        <source>{}: directions of travel are for points shifted along an axis</source>
+        <translation>{}: Antastrichtungen gehören zu Punkten, die entlang einer Achse verschoben sind</translation>
+    </message>
+    <message>
+        <source>{}: the direction of travel has not length 1</source>
+        <translation>{}: die Antastrichtung hat nicht die Länge 1</translation>
+    </message>
+    <message>
+        <source>number of the point</source>
+        <translation>Nummer des Punkts</translation>
+    </message>
+    <message>
+        <source>radius of the ball</source>
+        <translation>Radius der Kugel</translation>
+    </message>
+    <message>
+        <source>byte 0x{:02X} among the numbers: transmission has spoilt the line</source>
+        <translation>Byte 0x{:02X} unter den Zahlen: die Übertragung hat die Zeile verdorben</translation>
+    </message>
+    <message>
+        <source>G801 without its G800 line: a line was lost, send the results again</source>
+        <translation>G801 ohne seine Zeile G800: eine Zeile ging verloren, senden Sie die Ergebnisse noch einmal</translation>
+    </message>
+    <message>
+        <source>G801 of point {} follows G800 of point {} in line {}: lines were lost</source>
+        <translation>G801 des Punkts {} folgt auf G800 des Punkts {} in Zeile {}: Zeilen gingen verloren</translation>
+    </message>
+    <message>
+        <source>ball radius R{:g} is negative</source>
+        <translation>der Kugelradius R{:g} ist negativ</translation>
+    </message>
+    <message>
+        <source>N{:g} is no number of a point</source>
+        <translation>N{:g} ist keine Punktnummer</translation>
+    </message>
+    <message>
+        <source>G801 of point {} is missing after its G800 in line {}: send the results again</source>
+        <translation>G801 des Punkts {} fehlt nach seinem G800 in Zeile {}: senden Sie die Ergebnisse noch einmal</translation>
+    </message>
+    <message>
+        <source>G801 of point {} is missing: the file was cut off after this line</source>
+        <translation>G801 des Punkts {} fehlt: die Datei wurde nach dieser Zeile abgeschnitten</translation>
+    </message>
+    <message>
+        <source>, only {} features of probing cycles</source>
+        <translation>, nur {} Merkmale aus Messzyklen</translation>
+    </message>
+    <message>
+        <source>no measured points G800 and G801 in the file{}: the inspection printed none</source>
+        <translation>keine Messpunkte G800 und G801 in der Datei{}: die Messung hat keine ausgegeben</translation>
+    </message>
+    <message>
+        <source>{} features of probing cycles left out: COMPONENT, SIZE and POSN blocks</source>
+        <translation>{} Merkmale aus Messzyklen weggelassen: Blöcke COMPONENT, SIZE und POSN</translation>
+    </message>
+    <message>
+        <source>{} points have a nominal offset O, which is not applied</source>
+        <translation>{} Punkte haben einen Sollversatz O, der nicht angewandt wird</translation>
+    </message>
+    <message>
+        <source>no END: points may be missing at the end of the file</source>
+        <translation>kein END: am Ende der Datei können Punkte fehlen</translation>
+    </message>
+    <message>
+        <source>point N{} with the same nominal is there twice, first in line {}: keep one of them</source>
+        <translation>Punkt N{} mit demselben Sollpunkt kommt zweimal vor, zuerst in Zeile {}: behalten Sie einen davon</translation>
+    </message>
+    <message>
+        <source>{} points turned back by G330</source>
+        <translation>{} Punkte von G330 zurückgedreht</translation>
+    </message>
+    <message>
+        <source>{} points shifted by G330, after turning: compare with another export once</source>
+        <translation>{} Punkte von G330 nach dem Drehen verschoben: vergleichen Sie sie einmal mit einer anderen Ausgabe</translation>
+    </message>
+    <message>
+        <source>a line of {} characters: no MSR file, or damaged</source>
+        <translation>eine Zeile von {} Zeichen: keine MSR-Datei, oder beschädigt</translation>
+    </message>
+    <message>
+        <source>{}: {} is no letter with a number</source>
+        <translation>{}: {} ist kein Buchstabe mit einer Zahl</translation>
+    </message>
+    <message>
+        <source>{} has the letter {} twice: two lines ran together</source>
+        <translation>{} hat den Buchstaben {} zweimal: zwei Zeilen sind ineinandergelaufen</translation>
+    </message>
+    <message>
+        <source>{}: {}{} is no length, number or angle</source>
+        <translation>{}: {}{} ist weder Länge noch Zahl noch Winkel</translation>
+    </message>
+    <message>
+        <source>{} lacks {}, {}: the line is incomplete</source>
+        <translation>{} fehlt {}, {}: die Zeile ist unvollständig</translation>
+    </message>
+    <message>
+        <source>{} is no line of an MSR file: transmission may have spoilt it</source>
+        <translation>{} ist keine Zeile einer MSR-Datei: die Übertragung kann sie verdorben haben</translation>
+    </message>
+    <message>
+        <source>{} points in lines {} to {}</source>
+        <translation>{} Punkte in den Zeilen {} bis {}</translation>
+    </message>
+    <message>
+        <source>no points</source>
+        <translation>keine Punkte</translation>
+    </message>
+    <message>
+        <source>{} holds {} measured parts ({}): say which with {}</source>
+        <translation>{} enthält {} gemessene Teile ({}): sagen Sie, welches, mit {}</translation>
+    </message>
+    <message>
+        <source>one measured part</source>
+        <translation>ein gemessenes Teil</translation>
+    </message>
+    <message>
+        <source>{} measured parts, counted from 1</source>
+        <translation>{} gemessene Teile, gezählt ab 1</translation>
+    </message>
+    <message>
+        <source>{}: {} holds {}</source>
+        <translation>{}: {} enthält {}</translation>
+    </message>
+    <message>
+        <source>{}: {}</source>
+        <translation>{}: {}</translation>
+    </message>
+    <message>
+        <source>{} to {}: {}</source>
+        <translation>{} bis {}: {}</translation>
+    </message>
+    <message>
+        <source>first alignment</source>
+        <translation>erste Ausrichtung</translation>
+    </message>
+    <message>
+        <source>after {} in line {}</source>
+        <translation>nach {} in Zeile {}</translation>
+    </message>
+    <message>
+        <source>{} lacks {} and is no point</source>
+        <translation>{} fehlt {}, es ist kein Punkt</translation>
+    </message>
+    <message>
+        <source>{} of {}</source>
+        <translation>{} von {}</translation>
+    </message>
+    <message>
+        <source>unit {}: only MM and IN are read</source>
+        <translation>Einheit {}: nur MM und IN werden gelesen</translation>
+    </message>
+    <message>
+        <source>a row of an axis without column heads (AX NOMINAL ...) above it</source>
+        <translation>eine Achszeile ohne Spaltenköpfe (AX NOMINAL ...) darüber</translation>
+    </message>
+    <message>
+        <source>whose row of axis {} is this? {} in line {} stands between it and {} of line {}: delete what is no line of the report</source>
+        <translation>wessen Zeile der Achse {} ist das? {} in Zeile {} steht zwischen ihr und {} aus Zeile {}: löschen Sie, was keine Zeile des Protokolls ist</translation>
+    </message>
+    <message>
+        <source>{} among the values of axis {}: export the report again</source>
+        <translation>{} unter den Werten der Achse {}: geben Sie das Protokoll neu aus</translation>
+    </message>
+    <message>
+        <source>a value is no length</source>
+        <translation>ein Wert ist keine Länge</translation>
+    </message>
+    <message>
+        <source>axis {}: DEV is not MEAS - NOMINAL in any way the columns can be read: export it again</source>
+        <translation>Achse {}: DEV ist nicht MEAS - NOMINAL, wie man die Spalten auch liest: geben Sie es neu aus</translation>
+    </message>
+    <message>
+        <source>axis {} of {} is there twice</source>
+        <translation>Achse {} von {} kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>{} locations left out: {} (line {})</source>
+        <translation>{} Lagen weggelassen: {} (Zeile {})</translation>
+    </message>
+    <message>
+        <source>dimensions left out: {}</source>
+        <translation>Maße weggelassen: {}</translation>
+    </message>
+    <message>
+        <source>no LOCATION OF POINT in the report: report the points' X, Y and Z</source>
+        <translation>kein LOCATION OF POINT im Protokoll: geben Sie X, Y und Z der Punkte aus</translation>
+    </message>
+    <message>
+        <source>points in different units: export them in one</source>
+        <translation>Punkte in verschiedenen Einheiten: geben Sie sie in einer aus</translation>
+    </message>
+    <message>
+        <source>{} of {} points have no V: normals are not used</source>
+        <translation>{} von {} Punkten haben kein V: Normalen werden nicht verwendet</translation>
+    </message>
+    <message>
+        <source>whose row of axis {} is this? {} in line {} closed {} of line {}</source>
+        <translation>wessen Zeile der Achse {} ist das? {} in Zeile {} hat {} aus Zeile {} abgeschlossen</translation>
+    </message>
+    <message>
+        <source>the vector V has no three components</source>
+        <translation>der Vektor V hat nicht drei Komponenten</translation>
+    </message>
+    <message>
+        <source>no point has all its axes: {}; report X, Y and Z</source>
+        <translation>kein Punkt hat alle seine Achsen: {}; geben Sie X, Y und Z aus</translation>
+    </message>
+    <message>
+        <source>{} is no row of an axis: export the report again</source>
+        <translation>{} ist keine Achszeile: geben Sie das Protokoll neu aus</translation>
+    </message>
+    <message>
+        <source>no single column {}: print nominal, measured value and deviation</source>
+        <translation>keine eindeutige Spalte {}: geben Sie Soll, Ist und Abweichung aus</translation>
+    </message>
+    <message>
+        <source>{} lies elsewhere than in line {}: report every point once</source>
+        <translation>{} liegt anderswo als in Zeile {}: geben Sie jeden Punkt einmal aus</translation>
+    </message>
+    <message>
+        <source>X3P file</source>
+        <translation>X3P-Datei</translation>
+    </message>
+    <message>
+        <source>no points: it has {} instead of x, y, z</source>
+        <translation>keine Punkte: sie hat {} statt x, y, z</translation>
+    </message>
+    <message>
+        <source>x, y and z are no numbers</source>
+        <translation>x, y und z sind keine Zahlen</translation>
+    </message>
+    <message>
+        <source>the header tells of more elements than the file can hold: it was cut off</source>
+        <translation>der Kopf nennt mehr Elemente, als die Datei fassen kann: sie wurde abgeschnitten</translation>
+    </message>
+    <message>
+        <source>no points: it has no element named vertex</source>
+        <translation>keine Punkte: sie hat kein Element namens vertex</translation>
+    </message>
+    <message>
+        <source>the corners of a mesh are taken as points</source>
+        <translation>die Ecken eines Netzes gelten als Punkte</translation>
+    </message>
+    <message>
+        <source>the header lacks POINTS or DATA</source>
+        <translation>im Kopf fehlt POINTS oder DATA</translation>
+    </message>
+    <message>
+        <source>the header tells of more points than the file can hold: it was cut off</source>
+        <translation>der Kopf nennt mehr Punkte, als die Datei fassen kann: sie wurde abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the header tells of {} numbers a point: it is damaged</source>
+        <translation>der Kopf nennt {} Zahlen je Punkt: er ist beschädigt</translation>
+    </message>
+    <message>
+        <source>{} points where the header says {}: the file was cut off</source>
+        <translation>{} Punkte, wo der Kopf {} nennt: die Datei wurde abgeschnitten</translation>
+    </message>
+    <message>
+        <source>{} scans put together</source>
+        <translation>{} Scans zusammengefügt</translation>
+    </message>
+    <message>
+        <source>{} layers put together</source>
+        <translation>{} Schichten zusammengefügt</translation>
+    </message>
+    <message>
+        <source>a profile: its X and Z are the contour's X and Y</source>
+        <translation>ein Profilschnitt: sein X und Z sind X und Y der Kontur</translation>
+    </message>
+    <message>
+        <source>no {} file</source>
+        <translation>keine {}-Datei</translation>
+    </message>
+    <message>
+        <source>{} points without a place left out</source>
+        <translation>{} Punkte ohne Ort weggelassen</translation>
+    </message>
+    <message>
+        <source>coordinates are stored in steps of {}, at {}</source>
+        <translation>Koordinaten sind in Schritten von {} gespeichert, bei {}</translation>
+    </message>
+    <message>
+        <source>the compressed data are damaged or cut off</source>
+        <translation>die komprimierten Daten sind beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>{} files are read by the Python package {}, which is not installed: pip install {}</source>
+        <translation>{}-Dateien liest das Python-Paket {}, das nicht installiert ist: pip install {}</translation>
+    </message>
+    <message>
+        <source>{} cannot read it, {}: the file is damaged or cut off</source>
+        <translation>{} kann sie nicht lesen, {}: die Datei ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>the normals are no numbers</source>
+        <translation>die Normalen sind keine Zahlen</translation>
+    </message>
+    <message>
+        <source>a scan tells of more points than the file can hold</source>
+        <translation>ein Scan nennt mehr Punkte, als die Datei fassen kann</translation>
+    </message>
+    <message>
+        <source>probe</source>
+        <translation>Taster</translation>
+    </message>
+    <message>
+        <source>{} from {:g} to {:g}</source>
+        <translation>{} von {:g} bis {:g}</translation>
+    </message>
+    <message>
+        <source>name is a text, not {}</source>
+        <translation>name ist ein Text, nicht {}</translation>
+    </message>
+    <message>
+        <source>{} is missing: the two go together</source>
+        <translation>{} fehlt: die beiden gehören zusammen</translation>
+    </message>
+    <message>
+        <source>interpolation is {}, not {}</source>
+        <translation>interpolation ist {}, nicht {}</translation>
+    </message>
+    <message>
+        <source>radius is missing: the effective radius of the ball in mm</source>
+        <translation>radius fehlt: der wirksame Radius der Kugel in mm</translation>
+    </message>
+    <message>
+        <source>a list of at least 3 numbers</source>
+        <translation>eine Liste von mindestens 3 Zahlen</translation>
+    </message>
+    <message>
+        <source>a list of {} numbers</source>
+        <translation>eine Liste von {} Zahlen</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a number is too large</source>
+        <translation>eine Zahl ist zu groß</translation>
+    </message>
+    <message>
+        <source>{} rays that met nothing left out</source>
+        <translation>{} Strahlen, die nichts trafen, weggelassen</translation>
+    </message>
+    <message>
+        <source>no measured points in the file</source>
+        <translation>keine Messpunkte in der Datei</translation>
+    </message>
+    <message>
+        <source>the head of a scan is not whole: four lines of three numbers, four of four</source>
+        <translation>der Kopf eines Scans ist nicht vollständig: vier Zeilen mit drei Zahlen, vier mit vier</translation>
+    </message>
+    <message>
+        <source>the matrix of a scan is no turn and shift</source>
+        <translation>die Matrix eines Scans ist keine Drehung mit Verschiebung</translation>
+    </message>
+    <message>
+        <source>{} points where {} are announced: the file was cut off</source>
+        <translation>{} Punkte, wo {} angekündigt sind: die Datei wurde abgeschnitten</translation>
+    </message>
+    <message>
+        <source>{} is no number of points: lines are missing or too many</source>
+        <translation>{} ist keine Anzahl von Punkten: Zeilen fehlen oder sind zu viel</translation>
+    </message>
+    <message>
+        <source>{} numbers are no point: {}</source>
+        <translation>{} Zahlen sind kein Punkt: {}</translation>
+    </message>
+    <message>
+        <source>{} is neither a K field nor a line of values</source>
+        <translation>{} ist weder ein K-Feld noch eine Zeile von Werten</translation>
+    </message>
+    <message>
+        <source>a value of characteristic {}, which no K2 field describes</source>
+        <translation>ein Wert des Merkmals {}, das kein K2-Feld beschreibt</translation>
+    </message>
+    <message>
+        <source>{} values for {} characteristics: the line is incomplete, or this is no line of values</source>
+        <translation>{} Werte für {} Merkmale: die Zeile ist unvollständig, oder das ist keine Zeile von Werten</translation>
+    </message>
+    <message>
+        <source>K0100 says {} characteristics, there are {}: the file was cut off or put together</source>
+        <translation>K0100 nennt {} Merkmale, es sind {}: die Datei wurde abgeschnitten oder zusammengesetzt</translation>
+    </message>
+    <message>
+        <source>none of the points was measured on this part</source>
+        <translation>keiner der Punkte wurde an diesem Teil gemessen</translation>
+    </message>
+    <message>
+        <source>{} characteristics are no coordinate of a point</source>
+        <translation>{} Merkmale sind keine Koordinate eines Punkts</translation>
+    </message>
+    <message>
+        <source>{} points were not measured on this part</source>
+        <translation>{} Punkte wurden an diesem Teil nicht gemessen</translation>
+    </message>
+    <message>
+        <source>no points: name the characteristics of a point alike with X, Y and Z, such as P1.X, P1.Y, P1.Z</source>
+        <translation>keine Punkte: benennen Sie die Merkmale eines Punkts gleich, mit X, Y und Z, etwa P1.X, P1.Y, P1.Z</translation>
+    </message>
+    <message>
+        <source>no values: the file describes characteristics and holds no results</source>
+        <translation>keine Werte: die Datei beschreibt Merkmale und enthält keine Ergebnisse</translation>
+    </message>
+    <message>
+        <source>{} of point {} has {} of {} values: the file was cut off, or K0002 256 is missing for a point that was not measured</source>
+        <translation>{} des Punkts {} hat {} von {} Werten: die Datei wurde abgeschnitten, oder K0002 256 fehlt für einen Punkt, der nicht gemessen wurde</translation>
+    </message>
+    <message>
+        <source>coordinates in mm and in inch in one file</source>
+        <translation>Koordinaten in mm und in Zoll in einer Datei</translation>
+    </message>
+    <message>
+        <source>point {} has no Z, others have</source>
+        <translation>Punkt {} hat kein Z, andere schon</translation>
+    </message>
+    <message>
+        <source>K0100 {} is no number of characteristics</source>
+        <translation>K0100 {} ist keine Anzahl von Merkmalen</translation>
+    </message>
+    <message>
+        <source>K{}/{} is there twice with different contents</source>
+        <translation>K{}/{} kommt zweimal mit verschiedenem Inhalt vor</translation>
+    </message>
+    <message>
+        <source>{} of point {} is there twice, first in line {}</source>
+        <translation>{} des Punkts {} kommt zweimal vor, zuerst in Zeile {}</translation>
+    </message>
+    <message>
+        <source>part {}</source>
+        <translation>Teil {}</translation>
+    </message>
+    <message>
+        <source>the profile values stored in the file</source>
+        <translation>die in der Datei gespeicherten Profilwerte</translation>
+    </message>
+    <message>
+        <source>the file's other points</source>
+        <translation>die anderen Punkte der Datei</translation>
+    </message>
+    <message>
+        <source>result {} in line {}</source>
+        <translation>Ergebnis {} in Zeile {}</translation>
+    </message>
+    <message>
+        <source>more than one primary unit of length</source>
+        <translation>mehr als eine Haupteinheit der Länge</translation>
+    </message>
+    <message>
+        <source>{} names no unit of length</source>
+        <translation>{} nennt keine Längeneinheit</translation>
+    </message>
+    <message>
+        <source>unit {} is not among the file's units</source>
+        <translation>die Einheit {} ist nicht unter den Einheiten der Datei</translation>
+    </message>
+    <message>
+        <source>no measured points; {} measured features without any</source>
+        <translation>keine Messpunkte; {} gemessene Merkmale ohne solche</translation>
+    </message>
+    <message>
+        <source>points left out: {}</source>
+        <translation>Punkte weggelassen: {}</translation>
+    </message>
+    <message>
+        <source>points {} to {} are wanted of point set {}, which has {}</source>
+        <translation>die Punkte {} bis {} des Punktsatzes {} werden verlangt, der {} hat</translation>
+    </message>
+    <message>
+        <source>measured point {} refers to feature item {}, which is not in the file</source>
+        <translation>Messpunkt {} verweist auf das Merkmal {}, das nicht in der Datei ist</translation>
+    </message>
+    <message>
+        <source>feature item {} refers to nominal {}, which is not in the file</source>
+        <translation>das Merkmal {} verweist auf das Sollmerkmal {}, das nicht in der Datei ist</translation>
+    </message>
+    <message>
+        <source>{} locations are taken for what the file's others are</source>
+        <translation>{} Orte gelten als das, was die anderen der Datei sind</translation>
+    </message>
+    <message>
+        <source>stored profile values differ from (P - N) . n - r by up to {}</source>
+        <translation>gespeicherte Profilwerte weichen um bis zu {} von (P - N) . n - r ab</translation>
+    </message>
+    <message>
+        <source>{} contradicts {}: {} points are ball centres</source>
+        <translation>{} widerspricht {}: {} Punkte sind Kugelmittelpunkte</translation>
+    </message>
+    <message>
+        <source>{} contradicts {}: {} are contact points</source>
+        <translation>{} widerspricht {}: {} sind Berührpunkte</translation>
+    </message>
+    <message>
+        <source>the unit named {} has the factor {:g} to metres, not {:g}: one of them is wrong, export the file again</source>
+        <translation>die Einheit namens {} hat den Faktor {:g} zum Meter, nicht {:g}: eines davon ist falsch, geben Sie die Datei neu aus</translation>
+    </message>
+    <message>
+        <source>{} of {} features</source>
+        <translation>{} von {} Merkmalen</translation>
+    </message>
+    <message>
+        <source>measured point {} has no Location</source>
+        <translation>Messpunkt {} hat keine Location</translation>
+    </message>
+    <message>
+        <source>of feature {}</source>
+        <translation>des Merkmals {}</translation>
+    </message>
+    <message>
+        <source>point set {}: </source>
+        <translation>Punktsatz {}: </translation>
+    </message>
+    <message>
+        <source>element {}: </source>
+        <translation>Element {}: </translation>
+    </message>
+    <message>
+        <source>{:g} m is no unit of length</source>
+        <translation>{:g} m ist keine Längeneinheit</translation>
+    </message>
+    <message>
+        <source>a feature or point set has no id</source>
+        <translation>ein Merkmal oder Punktsatz hat keine id</translation>
+    </message>
+    <message>
+        <source>id {} is there twice, first in line {}</source>
+        <translation>id {} kommt zweimal vor, zuerst in Zeile {}</translation>
+    </message>
+    <message>
+        <source>{} is no range of points of set {}</source>
+        <translation>{} ist kein Bereich von Punkten des Satzes {}</translation>
+    </message>
+    <message>
+        <source>feature {}: Compensated {} is not true or false</source>
+        <translation>Merkmal {}: Compensated {} ist weder true noch false</translation>
+    </message>
+    <message>
+        <source>point set {} has no count</source>
+        <translation>Punktsatz {} hat keine Anzahl</translation>
+    </message>
+    <message>
+        <source>point set {} has no Points</source>
+        <translation>Punktsatz {} hat keine Points</translation>
+    </message>
+    <message>
+        <source>point set {} has its own {}: export the points in the common frame and unit</source>
+        <translation>Punktsatz {} hat ein eigenes {}: geben Sie die Punkte im gemeinsamen System und in der gemeinsamen Einheit aus</translation>
+    </message>
+    <message>
+        <source>point set {}: {} has {} bytes for {} points</source>
+        <translation>Punktsatz {}: {} hat {} Bytes für {} Punkte</translation>
+    </message>
+    <message>
+        <source>{}{} numbers where {} were expected</source>
+        <translation>{}{} Zahlen, wo {} erwartet wurden</translation>
+    </message>
+    <message>
+        <source>{}{:g} is no length that a machine can travel</source>
+        <translation>{}{:g} ist keine Länge, die eine Maschine fahren kann</translation>
+    </message>
+    <message>
+        <source>a MeasurePoint of feature {} has no Point</source>
+        <translation>ein MeasurePoint des Merkmals {} hat keinen Point</translation>
+    </message>
+    <message>
+        <source>a MeasurePoint of feature {} lacks Compensated, or all others do</source>
+        <translation>einem MeasurePoint des Merkmals {} fehlt Compensated, oder allen anderen</translation>
+    </message>
+    <message>
+        <source>point set {}: {} {} is not true or false</source>
+        <translation>Punktsatz {}: {} {} ist weder true noch false</translation>
+    </message>
+    <message>
+        <source>point set {}: {} is no base64</source>
+        <translation>Punktsatz {}: {} ist kein base64</translation>
+    </message>
+    <message>
+        <source>{}{} is no number</source>
+        <translation>{}{} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>point set {}: its ProbeRadius is not positive</source>
+        <translation>Punktsatz {}: sein ProbeRadius ist nicht positiv</translation>
+    </message>
+    <message>
+        <source>the measurement</source>
+        <translation>die Messung</translation>
+    </message>
+    <message>
+        <source>{} says nothing of how to read a file; known are {}</source>
+        <translation>{} sagt nichts darüber, wie eine Datei zu lesen ist; bekannt sind {}</translation>
+    </message>
+    <message>
+        <source>component {}, {}</source>
+        <translation>Bauteil {}, {}</translation>
+    </message>
+    <message>
+        <source>{} is no whole POSN line: print the results again</source>
+        <translation>{} ist keine ganze POSN-Zeile: geben Sie die Ergebnisse neu aus</translation>
+    </message>
+    <message>
+        <source>a POSN line without COMPONENT NO and FEATURE NO above it</source>
+        <translation>eine POSN-Zeile ohne COMPONENT NO und FEATURE NO darüber</translation>
+    </message>
+    <message>
+        <source>a value is no length that a machine can travel</source>
+        <translation>ein Wert ist keine Länge, die eine Maschine fahren kann</translation>
+    </message>
+    <message>
+        <source>axis {}: DEV is not ACTUAL less nominal, the line is damaged</source>
+        <translation>Achse {}: DEV ist nicht ACTUAL minus Soll, die Zeile ist beschädigt</translation>
+    </message>
+    <message>
+        <source>axis {} of feature {} is there twice</source>
+        <translation>Achse {} des Merkmals {} kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>none of {} features has POSN X and POSN Y without SIZE: measure the contour by points</source>
+        <translation>keines von {} Merkmalen hat POSN X und POSN Y ohne SIZE: messen Sie die Kontur punktweise</translation>
+    </message>
+    <message>
+        <source>feature {} has no POSN Z, others have</source>
+        <translation>Merkmal {} hat kein POSN Z, andere schon</translation>
+    </message>
+    <message>
+        <source>component and feature {} are there twice: keep one print-out</source>
+        <translation>Bauteil und Merkmal {} kommen zweimal vor: behalten Sie einen Ausdruck</translation>
+    </message>
+    <message>
+        <source>{} features left out: measured along one axis only, as feature {} (line {}); print where the ball stood</source>
+        <translation>{} Merkmale weggelassen: nur entlang einer Achse gemessen, wie Merkmal {} (Zeile {}); geben Sie aus, wo die Kugel stand</translation>
+    </message>
+    <message>
+        <source>{} features with a size left out</source>
+        <translation>{} Merkmale mit einer Größe weggelassen</translation>
+    </message>
+    <message>
+        <source>{} features have an axis that was not measured (ACTUAL NaN)</source>
+        <translation>{} Merkmale haben eine Achse, die nicht gemessen wurde (ACTUAL NaN)</translation>
+    </message>
+    <message>
+        <source>{} features without POSN of X and Y left out</source>
+        <translation>{} Merkmale ohne POSN von X und Y weggelassen</translation>
+    </message>
+    <message>
+        <source>contact points</source>
+        <translation>Berührpunkte</translation>
+    </message>
+    <message>
+        <source>centres of the probe ball</source>
+        <translation>Mittelpunkte der Tasterkugel</translation>
+    </message>
+    <message>
+        <source>shifted along an axis</source>
+        <translation>entlang einer Achse verschoben</translation>
+    </message>
+    <message>
+        <source>normal i,j,k</source>
+        <translation>Normale i,j,k</translation>
+    </message>
+    <message>
+        <source>a line of {} characters: not a measurement file, or damaged</source>
+        <translation>eine Zeile von {} Zeichen: keine Messdatei, oder beschädigt</translation>
+    </message>
+    <message>
+        <source>coordinate</source>
+        <translation>Koordinate</translation>
+    </message>
+    <message>
+        <source>{} points of another probe ball moved along their normals to {}</source>
+        <translation>{} Punkte einer anderen Tasterkugel entlang ihrer Normalen auf {} verschoben</translation>
+    </message>
+    <message>
+        <source>the {} has length {}, not 1: export unit vectors or leave the columns out</source>
+        <translation>{}: Länge {}, nicht 1: geben Sie Einheitsvektoren aus, oder lassen Sie die Spalten weg</translation>
+    </message>
+    <message>
+        <source>{} contradicts {}, which says {}</source>
+        <translation>{} widerspricht {}: dort steht {}</translation>
+    </message>
+    <message>
+        <source>{} contradicts {}, whose points are {}: leave {} out</source>
+        <translation>{} widerspricht {}, deren Punkte {} sind: lassen Sie {} weg</translation>
+    </message>
+    <message>
+        <source>the file does not say whether its coordinates are contact points or centres of the probe ball</source>
+        <translation>die Datei sagt nicht, ob ihre Koordinaten Berührpunkte oder Mittelpunkte der Tasterkugel sind</translation>
+    </message>
+    <message>
+        <source>ball centres need {}, the radius of the probe ball: {} does not say it</source>
+        <translation>Kugelmittelpunkte brauchen {}, den Radius der Tasterkugel: {} sagt ihn nicht</translation>
+    </message>
+    <message>
+        <source>{} contradicts control_radius in the probe's file: leave one of them out</source>
+        <translation>{} widerspricht control_radius in der Datei des Tasters: lassen Sie eines davon weg</translation>
+    </message>
+    <message>
+        <source>{} contradicts {}, which says {}: leave {} out</source>
+        <translation>{} widerspricht {}: dort steht {}: lassen Sie {} weg</translation>
+    </message>
+    <message>
+        <source>a probe radius of {} contradicts {}, which says {}: they differ by more than a calibration can</source>
+        <translation>ein Tasterradius von {} widerspricht {}: dort steht {}: mehr Unterschied, als eine Kalibrierung ergeben kann</translation>
+    </message>
+    <message>
+        <source>radii by direction do not say by which one the control shifted: add {}</source>
+        <translation>Radien je Richtung sagen nicht, um welchen die Steuerung verschoben hat: geben Sie {} dazu an</translation>
+    </message>
+    <message>
+        <source>nominal coordinate</source>
+        <translation>Sollkoordinate</translation>
+    </message>
+    <message>
+        <source>a {} is no length that a machine can travel</source>
+        <translation>{}: keine Länge, die eine Maschine fahren kann</translation>
+    </message>
+    <message>
+        <source>{} is no radius of a probe ball</source>
+        <translation>{} ist kein Radius einer Tasterkugel</translation>
+    </message>
+    <message>
+        <source>probe balls of {} and {} radius and no normals: give one file a ball</source>
+        <translation>Tasterkugeln von {} und {} Radius und keine Normalen: geben Sie je Datei eine Kugel</translation>
+    </message>
+    <message>
+        <source> (or axis)</source>
+        <translation> (oder Achse)</translation>
+    </message>
+    <message>
+        <source>points shifted along an axis need {}, the radius by which the control shifted them</source>
+        <translation>entlang einer Achse verschobene Punkte brauchen {}, den Radius, um den die Steuerung sie verschoben hat</translation>
+    </message>
+    <message>
+        <source>the file does not say</source>
+        <translation>die Datei sagt es nicht</translation>
+    </message>
+    <message>
+        <source>the probe</source>
+        <translation>dem Taster</translation>
+    </message>
+    <message>
+        <source>the {} corners of a mesh of {} facets are taken as points, with its normals</source>
+        <translation>die {} Ecken eines Netzes von {} Facetten gelten als Punkte, mit seinen Normalen</translation>
+    </message>
+    <message>
+        <source>{} corners without a normal left out</source>
+        <translation>{} Ecken ohne Normale weggelassen</translation>
+    </message>
+    <message>
+        <source>coordinates are stored in steps of {:.2g} {}, at the farthest</source>
+        <translation>Koordinaten sind in Schritten von {:.2g} {} gespeichert, am weitesten außen</translation>
+    </message>
+    <message>
+        <source>a corner is no place</source>
+        <translation>eine Ecke ist kein Ort</translation>
+    </message>
+    <message>
+        <source>{} is no whole facet: damaged or cut off</source>
+        <translation>{} ist keine ganze Facette: beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>no STL file, or one that was cut off: its size does not fit its count of facets</source>
+        <translation>keine STL-Datei, oder eine abgeschnittene: ihre Größe passt nicht zur Zahl ihrer Facetten</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>das Ende</translation>
+    </message>
+    <message>
+        <source>{} columns where {} were expected</source>
+        <translation>{} Spalten, wo {} erwartet wurden</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>radii by direction</source>
+        <translation>Radien je Richtung</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> und </translation>
+    </message>
+    <message>
+        <source>{}: decimal commas between commas? Export with decimal points, or semicolons between</source>
+        <translation>{}: Dezimalkommas zwischen Kommas? Geben Sie Dezimalpunkte aus, oder Strichpunkte dazwischen</translation>
+    </message>
+    <message>
+        <source>{}: the row is incomplete or the file was cut off; {}</source>
+        <translation>{}: die Zeile ist unvollständig, oder die Datei wurde abgeschnitten; {}</translation>
+    </message>
+    <message>
+        <source>{} contradicts {}, whose header says {}</source>
+        <translation>{} widerspricht {}, deren Kopfzeile {} sagt</translation>
+    </message>
+    <message>
+        <source>a coordinate is too large</source>
+        <translation>eine Koordinate ist zu groß</translation>
+    </message>
+    <message>
+        <source>points shifted along an axis are kept in the file they came from: leave {} out</source>
+        <translation>entlang einer Achse verschobene Punkte bleiben in ihrer Datei: lassen Sie {} weg</translation>
+    </message>
+    <message>
+        <source>a text file cannot keep the {} of {}, and the points are wrong without: say {} in its place here, and {} with the written file</source>
+        <translation>eine Textdatei kann {} von {} nicht bewahren, und ohne das sind die Punkte falsch: geben Sie hier stattdessen {} an, und {} bei der geschriebenen Datei</translation>
+    </message>
+    <message>
+        <source>{} can be a decimal comma or a thousands separator: export with decimal points, or with semicolons between the columns</source>
+        <translation>{} kann ein Dezimalkomma oder ein Tausendertrennzeichen sein: geben Sie Dezimalpunkte aus, oder Strichpunkte zwischen den Spalten</translation>
+    </message>
+    <message>
+        <source>expected a header x,y,z or x,y,z,i,j,k above the numbers (or say {})</source>
+        <translation>erwartet wurde eine Kopfzeile x,y,z oder x,y,z,i,j,k über den Zahlen (oder geben Sie {} an)</translation>
+    </message>
+    <message>
+        <source>{}, found {}</source>
+        <translation>{}, gefunden wurde {}</translation>
+    </message>
+    <message>
+        <source>no header: the first column {}, then {}; a header says otherwise</source>
+        <translation>keine Kopfzeile: die erste Spalte {}, dann {}; eine Kopfzeile sagt es anders</translation>
+    </message>
+    <message>
+        <source>counts up from {}: the points' numbers</source>
+        <translation>zählt von {} aufwärts: die Nummern der Punkte</translation>
+    </message>
+    <message>
+        <source>{} columns without a header: {}; a mapping for it: {}</source>
+        <translation>{} Spalten ohne Kopfzeile: {}; eine Zuordnung dafür: {}</translation>
+    </message>
+    <message>
+        <source>no points: the file holds only comments</source>
+        <translation>keine Punkte: die Datei enthält nur Kommentare</translation>
+    </message>
+    <message>
+        <source>{}; a mapping for it: {}</source>
+        <translation>{}; eine Zuordnung dafür: {}</translation>
+    </message>
+    <message>
+        <source>unit {}: only mm and inch are read, convert the file</source>
+        <translation>Einheit {}: nur mm und Zoll werden gelesen, rechnen Sie die Datei um</translation>
+    </message>
+    <message>
+        <source>column {} is missing: a normal needs i,j,k</source>
+        <translation>Spalte {} fehlt: eine Normale braucht i,j,k</translation>
+    </message>
+    <message>
+        <source>columns i and j are missing: a normal needs i,j,k</source>
+        <translation>die Spalten i und j fehlen: eine Normale braucht i,j,k</translation>
+    </message>
+    <message>
+        <source>the header gives the columns different units</source>
+        <translation>die Kopfzeile gibt den Spalten verschiedene Einheiten</translation>
+    </message>
+    <message>
+        <source>commas without a header can be decimal commas or separators: export with decimal points, or put a header x,y,z above the numbers</source>
+        <translation>Kommas ohne Kopfzeile können Dezimalkommas oder Trennzeichen sein: geben Sie Dezimalpunkte aus, oder setzen Sie eine Kopfzeile x,y,z über die Zahlen</translation>
+    </message>
+    <message>
+        <source>a line of {} characters: {}</source>
+        <translation>eine Zeile von {} Zeichen: {}</translation>
+    </message>
+    <message>
+        <source>holds words: the points' names</source>
+        <translation>enthält Wörter: die Namen der Punkte</translation>
+    </message>
+    <message>
+        <source>column {} appears twice: rename the one that was not measured</source>
+        <translation>Spalte {} kommt zweimal vor: benennen Sie die nicht gemessene um</translation>
+    </message>
+    <message>
+        <source>too large for a {}</source>
+        <translation>{}: Datei zu groß</translation>
+    </message>
+    <message>
+        <source>the {} cannot be read: {}</source>
+        <translation>{}: nicht lesbar: {}</translation>
+    </message>
+    <message>
+        <source>the {} is no text in UTF-8</source>
+        <translation>{}: kein Text in UTF-8</translation>
+    </message>
+    <message>
+        <source>no TOML: {}</source>
+        <translation>kein TOML: {}</translation>
+    </message>
+    <message>
+        <source>no TOML that describes a {}</source>
+        <translation>kein TOML, das eine(n) {} beschreibt</translation>
+    </message>
+    <message>
+        <source>did you mean {}?</source>
+        <translation>meinten Sie {}?</translation>
+    </message>
+    <message>
+        <source>a {} has {}</source>
+        <translation>zu {} gehören {}</translation>
+    </message>
+    <message>
+        <source>{} is no key of a {}: {}</source>
+        <translation>{} ist kein Schlüssel für {}: {}</translation>
+    </message>
+    <message>
+        <source>{} places touched twice: the second touch of each counts, the slow one</source>
+        <translation>{} Orte zweimal angetastet: die zweite, langsame Antastung zählt</translation>
+    </message>
+    <message>
+        <source>{}: the points are shifted along an axis of the machine and are to be turned by {:g} degrees: give the direction of travel of each point, and one radius</source>
+        <translation>{}: die Punkte sind entlang einer Achse der Maschine verschoben und sollen um {:g} Grad gedreht werden: geben Sie die Antastrichtung jedes Punkts an, und einen Radius</translation>
+    </message>
+    <message>
+        <source>the file ends within a number: it was cut off, or a spreadsheet dropped the last zeros; export it again, or end the last line</source>
+        <translation>die Datei endet in einer Zahl: sie wurde abgeschnitten, oder eine Tabellenkalkulation hat die letzten Nullen gestrichen; geben Sie sie neu aus, oder beenden Sie die letzte Zeile</translation>
+    </message>
+    <message>
+        <source>laid into the work frame at X{:g} Y{:g} Z{:g}{} of the file's frame, as given</source>
+        <translation>ins Werkstücksystem bei X{:g} Y{:g} Z{:g}{} des Dateisystems gelegt, wie angegeben</translation>
+    </message>
+    <message>
+        <source>, turned by {:g} deg</source>
+        <translation>, um {:g} Grad gedreht</translation>
+    </message>
+    <message>
+        <source>, the one shown of {}</source>
+        <translation>, das angezeigte von {}</translation>
+    </message>
+    <message>
+        <source>sheet {} of the workbook{}</source>
+        <translation>Blatt {} der Arbeitsmappe{}</translation>
+    </message>
+    <message>
+        <source>no workbook</source>
+        <translation>keine Arbeitsmappe</translation>
+    </message>
+    <message>
+        <source>sheet {} is empty: save the workbook with the sheet of the points shown</source>
+        <translation>Blatt {} ist leer: speichern Sie die Arbeitsmappe, während das Blatt der Punkte angezeigt wird</translation>
+    </message>
+    <message>
+        <source>{} workbooks are read by the Python package {}, which is not installed: pip install {}, or save the points as CSV</source>
+        <translation>{}-Arbeitsmappen liest das Python-Paket {}, das nicht installiert ist: pip install {}, oder speichern Sie die Punkte als CSV</translation>
+    </message>
+    <message>
+        <source>{} cannot read it, {}: the workbook is damaged or cut off</source>
+        <translation>{} kann sie nicht lesen, {}: die Arbeitsmappe ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the {} is damaged or cut off: save it again</source>
+        <translation>{}: beschädigt oder abgeschnitten: speichern Sie noch einmal</translation>
+    </message>
+    <message>
+        <source>the {} unpacks to absurd sizes: not one of points</source>
+        <translation>{}: entpackt sich auf unsinnige Größen: enthält keine Punkte</translation>
+    </message>
+    <message>
+        <source>the {}'s XML declares a document type: save it again</source>
+        <translation>{}: das XML enthält eine Dokumenttypdeklaration: speichern Sie noch einmal</translation>
+    </message>
+    <message>
+        <source>the XML declares a document type or an entity, which measurement files do not need: remove it</source>
+        <translation>das XML enthält eine Dokumenttypdeklaration oder eine Entität, die Messdateien nicht brauchen: entfernen Sie sie</translation>
+    </message>
+    <message>
+        <source>damaged</source>
+        <translation>beschädigt</translation>
+    </message>
+    <message>
+        <source>not well-formed XML ({}): the file is damaged or cut off</source>
+        <translation>kein wohlgeformtes XML ({}): die Datei ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>XML in an unknown encoding ({}): save it as UTF-8</source>
+        <translation>XML in unbekannter Kodierung ({}): speichern Sie es als UTF-8</translation>
+    </message>
+    <message>
+        <source>the XML is {}, not {}</source>
+        <translation>das XML ist {}, nicht {}</translation>
+    </message>
+    <message>
+        <source>{} stands where the text of an element was expected</source>
+        <translation>{} steht, wo der Text eines Elements erwartet wurde</translation>
+    </message>
+    <message>
+        <source>elements nested deeper than {}: not a measurement file</source>
+        <translation>Elemente tiefer geschachtelt als {}: keine Messdatei</translation>
+    </message>
+    <message>
+        <source>the first line does not begin with XYZIJK</source>
+        <translation>die erste Zeile beginnt nicht mit XYZIJK</translation>
+    </message>
+    <message>
+        <source>{} circles left out: rows of 4 or 7 numbers are no points</source>
+        <translation>{} Kreise weggelassen: Zeilen von 4 oder 7 Zahlen sind keine Punkte</translation>
+    </message>
+    <message>
+        <source>no METRIC in the first line: taken for inch, as PC-DMIS does; {} says otherwise</source>
+        <translation>kein METRIC in der ersten Zeile: als Zoll gelesen, wie PC-DMIS es tut; {} sagt es anders</translation>
+    </message>
+    <message>
+        <source>no points in the file{}</source>
+        <translation>keine Punkte in der Datei{}</translation>
+    </message>
+    <message>
+        <source>no METRIC in the first line, which PC-DMIS takes for inch</source>
+        <translation>kein METRIC in der ersten Zeile, was PC-DMIS als Zoll versteht</translation>
+    </message>
+    <message>
+        <source>{} behind XYZIJK: only METRIC may stand there, in columns 11 to 16</source>
+        <translation>{} hinter XYZIJK: nur METRIC darf dort stehen, in den Spalten 11 bis 16</translation>
+    </message>
+    <message>
+        <source>METRIC stands in column {} of {}, not 11, where PC-DMIS takes the file for inch</source>
+        <translation>METRIC steht in Spalte {} von {}, nicht 11, und PC-DMIS liest die Datei dann in Zoll</translation>
+    </message>
+    <message>
+        <source>{} numbers: a point has 3, or 6 with its normal</source>
+        <translation>{} Zahlen: ein Punkt hat 3, oder 6 mit seiner Normale</translation>
+    </message>
+    <message>
+        <source>, only circles</source>
+        <translation>, nur Kreise</translation>
+    </message>
+    <message>
+        <source>{} needs measured points: what is predicted is no result of an inspection</source>
+        <translation>{} braucht Messpunkte: Vorhergesagtes ist kein Prüfergebnis</translation>
+    </message>
+    <message>
+        <source>magnification {:g}: must be from 1 to {:.0f}</source>
+        <translation>Vergrößerung {:g}: muss zwischen 1 und {:.0f} liegen</translation>
     </message>
     <message>
         <source>on the profile</source>
@@ -3284,6 +6788,14 @@ In einem Terminal tut dies dasselbe:
         <translation>Unterschnitt</translation>
     </message>
     <message>
+        <source>limits {:g} and {:g}: must be from -10 to 10 mm, the upper one above the lower</source>
+        <translation>Grenzen {:g} und {:g}: müssen zwischen -10 und 10 mm liegen, die obere über der unteren</translation>
+    </message>
+    <message>
+        <source>material left {}: must be {}</source>
+        <translation>stehendes Material {}: muss {} sein</translation>
+    </message>
+    <message>
         <source>nothing is to be corrected, the program stays as it is</source>
         <translation>nichts ist zu korrigieren, das Programm bleibt, wie es ist</translation>
     </message>
@@ -3308,10 +6820,6 @@ In einem Terminal tut dies dasselbe:
         <translation>nur der eigene Fehler der Bahn ändert sich</translation>
     </message>
     <message>
-        <source>the contour moves by up to {}, most at {}</source>
-        <translation>die Kontur rückt um bis zu {}, am meisten bei {}</translation>
-    </message>
-    <message>
         <source>use it, and measure the first part</source>
         <translation>Verwenden und das erste Teil messen</translation>
     </message>
@@ -3334,6 +6842,14 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>{} do not repeat, only {} do</source>
         <translation>{} wiederholen sich nicht, nur {} tun es</translation>
+    </message>
+    <message>
+        <source>the cut moves up to {} into the material, most at {}</source>
+        <translation>der Schnitt rückt um bis zu {} ins Material, am meisten bei {}</translation>
+    </message>
+    <message>
+        <source>the cut moves up to {} away from the part, most at {}</source>
+        <translation>der Schnitt rückt um bis zu {} vom Teil weg, am meisten bei {}</translation>
     </message>
     <message>
         <source>legal filters: none, mean:5, mean:1,2,3,2,1 (odd number of weights), gauss:MM, robust:MM, auto</source>
@@ -3502,6 +7018,30 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>{}: a cutter of {} takes no more than its width off; the depth is meant along the contour's normal, from the stock to the surface, in mm</source>
         <translation>{}: ein Fräser von {} nimmt nicht mehr als seine Breite ab; gemeint ist die Tiefe entlang der Normalen der Kontur, vom Rohteil zur Fläche, in mm</translation>
+    </message>
+    <message>
+        <source>{} is a file; name a directory</source>
+        <translation>{} ist eine Datei; nennen Sie ein Verzeichnis</translation>
+    </message>
+    <message>
+        <source>{}: the report needs a directory, this is a file</source>
+        <translation>{}: der Bericht braucht ein Verzeichnis, das ist eine Datei</translation>
+    </message>
+    <message>
+        <source>{} is the {} itself; the original must stay untouched</source>
+        <translation>{} ist selbst die Datei „{}“; das Original muss unberührt bleiben</translation>
+    </message>
+    <message>
+        <source>{} is a directory; name the file to write</source>
+        <translation>{} ist ein Verzeichnis; nennen Sie die zu schreibende Datei</translation>
+    </message>
+    <message>
+        <source>{} would replace the {}, {}: name another directory</source>
+        <translation>{} würde „{}“, {}, ersetzen: nennen Sie ein anderes Verzeichnis</translation>
+    </message>
+    <message>
+        <source>{}: cannot be written: {}</source>
+        <translation>{}: nicht schreibbar: {}</translation>
     </message>
 </context>
 </TS>

@@ -230,7 +230,7 @@ def test_operation_contour_for_a_measuring_program(part_files):
     points = arcs.position(np.linspace(0, 1, 17))[:, :, :2].reshape(-1, 2)
     off = np.abs(FootPointSearch(profile, margin=7.0).find(points).distance - 5.0)
     assert 0.01 < np.median(np.sort(off)[-50:]) < 0.04
-    with pytest.raises(UsageError, match="no operation called None"):
+    with pytest.raises(UsageError, match="no operations called None"):
         process.operation_contour(str(part_files[0]), "None", False)
 
 

@@ -7,7 +7,7 @@ import FreeCAD
 import pytest
 
 from millcorr.app import batch, compat
-from millcorr.errors import InputError, LimitError
+from millcorr.errors import InputError
 
 pytestmark = pytest.mark.skipif(FreeCAD.Version()[0] != "0", reason="these are the posts of FreeCAD 0.20")
 
@@ -18,10 +18,10 @@ FAILING = {
     "jtech": "post processor jtech fails .*pythonopen",
     "philips": "post processor philips fails",
     "comparams": "post processor comparams fails",
-    "opensbp": "FreeCAD's post opensbp:1: cannot read",
-    "nccad": "FreeCAD's post nccad: the numbers",
-    "rml": "FreeCAD's post rml:1: ",
-    "dxf": "FreeCAD's post dxf:1: cannot read",
+    "opensbp": "post processor opensbp makes is no G-code .* .its line 1: .* as linuxcnc or grbl",
+    "nccad": "post processor nccad makes is no G-code .* .the numbers .* as linuxcnc or grbl",
+    "rml": "post processor rml makes is no G-code .* .its line 1: .* as linuxcnc or grbl",
+    "dxf": "post processor dxf makes is no G-code .* .its line 1: .* as linuxcnc or grbl",
 }
 
 
@@ -61,6 +61,9 @@ def test_an_argument_that_a_post_does_not_know_is_said(part_files, measured_file
         posted("marlin", "--inches", part_files, measured_file, tmp_path / "out.nc")
 
 
-def test_uccnc_in_inches_leaves_the_path(part_files, measured_file, tmp_path):
-    with pytest.raises(LimitError, match="the posted program lacks the move"):
-        posted("uccnc", "--inches", part_files, measured_file, tmp_path / "out.nc")
+def test_uccnc_in_inches_is_read_as_its_comment_says(part_files, measured_file, tmp_path):
+    """It states no G20: the control's profile has the unit. It is asked for four decimals."""
+    result = posted("uccnc", "--inches", part_files, measured_file, tmp_path / "out.nc")
+    assert "G20" not in (tmp_path / "out.nc").read_text()
+    assert 0 < result.verification.path_error_max <= 0.0028
+    assert "states no unit" in result.advice[-1] and "no finer than" in result.advice[-2]

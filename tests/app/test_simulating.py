@@ -10,7 +10,7 @@ import pytest
 
 from millcorr import freecad_process, nc
 from millcorr.app import batch, demonstration, documents, process, simulating
-from millcorr.cli import session
+from millcorr.cli import verbs
 from millcorr.correction.settings import Settings
 from millcorr.errors import UsageError
 from millcorr.process import setup_file
@@ -61,15 +61,15 @@ def test_an_operation_is_simulated_from_the_command_line(part_files, setup, here
     report = tmp_path / "simulated"
     wanted = Settings(method="predicted")
     common = {"setup": setup, "report": report, "settings": wanted}
-    said = session.simulate_program(document=part_files[0], operation="Profile", **common)
+    said = verbs.simulate_program(document=part_files[0], operation="Profile", **common)
     figures = json.loads((report / "simulation.json").read_text(encoding="utf-8"))
     assert figures["predicted_error_mm"]["max"] == pytest.approx(as_cut.deviation.value.max(), rel=1e-9)
     assert figures["predicted_error_after_mm"] < 0.5 * as_cut.largest
     assert "warning     cutting coefficients" in said
     with pytest.raises(UsageError, match="--slowed belongs to --program"):
-        session.simulate_program(document=part_files[0], asked=session.Asked(slowed=tmp_path / "slow.nc"), **common)
-    with pytest.raises(UsageError, match="operation called Nothing"):
-        session.simulate_program(document=part_files[0], operation="Nothing", **common)
+        verbs.simulate_program(document=part_files[0], asked=verbs.Asked(slowed=tmp_path / "slow.nc"), **common)
+    with pytest.raises(UsageError, match="operations called Nothing"):
+        verbs.simulate_program(document=part_files[0], operation="Nothing", **common)
 
 
 def test_combined_control_of_a_document(part_files, setup, as_cut, tmp_path):
@@ -84,8 +84,8 @@ def test_combined_control_of_a_document(part_files, setup, as_cut, tmp_path):
         part_files[0], measured=touches, points="contact", method="combined", setup=str(setup),
         output=tmp_path / "out.FCStd", gcode=out, report=report,
     )  # fmt: skip
-    assert result.foreseen is not None and result.foreseen.axes is not None and result.foreseen.axes.separate
-    machine = result.foreseen.machine
+    assert result.prediction is not None and result.prediction.axes is not None and result.prediction.axes.separate
+    machine = result.prediction.machine
     assert machine is not None
     assert (machine.kx, machine.ky) == pytest.approx((6000.0, 4000.0), rel=0.05)
     summary = json.loads((report / "report.json").read_text(encoding="utf-8"))["foreseen"]

@@ -133,8 +133,31 @@ def plain_language(contour: Contour) -> list[str]:
     return [*lines, f"L X{number(contour.outside[0])} Y{number(contour.outside[1])} R0"]
 
 
+def din_iso(contour: Contour) -> list[str]:
+    """Blocks of HEIDENHAIN's ISO code, from where the tool stands outside, around the contour and back."""
+    lines = [f"G01 G41 X{number(contour.start[0])} Y{number(contour.start[1])} F400"]
+    for edge in contour.edges:
+        end = f"X{number(edge.end[0])} Y{number(edge.end[1])}"
+        if edge.centre is None:
+            lines.append(f"G01 {end}")
+        else:
+            lines += [f"I{number(edge.centre[0])} J{number(edge.centre[1])}", f"G0{2 if edge.clockwise else 3} {end}"]
+        if edge.corner:
+            kind, size = edge.corner
+            lines.append(f"G2{5 if kind == 'R' else 4} R{number(size)}")
+    return [*lines, f"G01 G40 X{number(contour.outside[0])} Y{number(contour.outside[1])}"]
+
+
 def written(contour: Contour, family: str) -> str:
     """The program of one family."""
+    if family == "Heidenhain ISO":
+        at = f"X{number(contour.outside[0])} Y{number(contour.outside[1])}"
+        blocks = [
+            "T1 G17 S3000", f"G00 G40 G90 {at}", "Z0.", "G98 L1", "G01 G91 Z-2. F200", "G90",
+            *din_iso(contour), f"L1,{len(DEPTHS) - 1}", "G00 Z50. M30",
+        ]  # fmt: skip
+        whole = ["%PART G71 *", *(f"N{10 * i + 10} {block} *" for i, block in enumerate(blocks))]
+        return "\n".join([*whole, "N99999999 %PART G71 *"]) + "\n"
     if family == "Heidenhain":
         at = f"X{number(contour.outside[0])} Y{number(contour.outside[1])}"
         blocks = [
@@ -162,4 +185,4 @@ def written(contour: Contour, family: str) -> str:
     return "\n".join(lines) + "\n"
 
 
-FAMILIES = ("Fanuc", "Haas", "Mazak", "Okuma", "LinuxCNC", "Siemens", "Heidenhain")
+FAMILIES = ("Fanuc", "Haas", "Mazak", "Okuma", "LinuxCNC", "Siemens", "Heidenhain", "Heidenhain ISO")

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Sweeps over many seeds or examples: the first of them in every run, the others only in exhaustive runs.
+"""How many cases of a sweep a run takes: few in `make test`, more in `.ci/run`, all in `make exhaustive`.
 
-`make test` leaves out what is marked slow and takes the profile "quick" of tests/core/conftest.py.
+`make test` leaves out what is marked slow or thorough and takes the profile "brief" of tests/core/conftest.py;
+`.ci/run` leaves out what is slow and takes the profile "quick".
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import pytest
 from hypothesis import settings
@@ -25,3 +27,17 @@ def seeds(count: int, *, quick: int) -> list:
 def examples(count: int) -> int:
     """So many examples of a property, fewer or more as the profile has fewer or more than the usual hundred."""
     return math.ceil(count * settings.default.max_examples / 100)
+
+
+def thin(items: Sequence[pytest.Item]) -> None:
+    """Of the cases of a test marked ``few(n)``, all but n of those that are not slow are thorough, evenly spread."""
+    cases: dict[str, list[pytest.Item]] = {}
+    for item in items:
+        if item.get_closest_marker("few") and not item.get_closest_marker("slow"):
+            cases.setdefault(item.nodeid.partition("[")[0], []).append(item)
+    for found in cases.values():
+        wanted = found[0].get_closest_marker("few").args[0]
+        kept = {(2 * k + 1) * len(found) // (2 * wanted) for k in range(wanted)}
+        for row, item in enumerate(found):
+            if len(found) > wanted and row not in kept:
+                item.add_marker(pytest.mark.thorough)

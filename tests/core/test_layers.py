@@ -202,7 +202,7 @@ ALLOWED = {
     (".ci/freecad-root", "HOME=/" + "root"),
     ("tests/freecad_root.py", '"HOME": "/' + 'root"'),
     # A made-up directory that must not get into a program.
-    ("tests/core/test_provenance.py", "/" + "home"),
+    ("tests/core/correction/test_provenance.py", "/" + "home"),
 }
 
 

@@ -12,7 +12,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from millcorr import nc, pipeline, progress
-from millcorr.cli import session
+from millcorr.cli import verbs
 from millcorr.correction.settings import Settings
 from millcorr.progress import STAGES, Stopped
 from millcorr.readers import Reading
@@ -43,18 +43,14 @@ def shop(tmp_path_factory):
 
 
 def correct(shop, *, measured="few.csv", **more):
-    return session.correct_program(
-        shop / "disc.nc",
-        measured=[shop / measured],
-        reading=Reading(points="contact"),
-        tool_diameter=10.0,
-        settings=Settings(side="left"),
-        **more,
+    asked = verbs.CorrectionAsked(
+        [shop / measured], Reading(points="contact"), tool_diameter=10.0, settings=Settings(side="left"), **more
     )
+    return verbs.correct_program(shop / "disc.nc", asked)
 
 
 def simulate(shop):
-    return session.simulate_program(
+    return verbs.simulate_program(
         shop / "part.nc", setup=SETUP, report=shop / "simulated", settings=Settings(method="predicted", side="left")
     )
 
@@ -66,6 +62,7 @@ def heard(function):
     return seen
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("work", "stages"), [(correct, {"read", "separate", "write"}), (simulate, {"simulate"})])
 def test_stages_are_named_and_the_share_never_falls(shop, work, stages):
     seen = heard(lambda: work(shop))
@@ -84,16 +81,22 @@ def test_nobody_catches_a_stop_by_mistake():
     assert not issubclass(Stopped, Exception)
 
 
+@pytest.fixture(scope="module")
+def whole(shop):
+    """A correction that nobody stops, and how many steps it has."""
+    return shop / "whole.nc", len(heard(lambda: correct(shop, output=shop / "whole.nc", report=shop / "whole")))
+
+
 @example(back=0)
 @example(back=1)
 @example(back=2)
 @given(back=st.one_of(st.integers(0, 12), st.integers(0, 1_000)))
-def test_stopped_anywhere_all_is_as_before_or_all_is_done(shop, tmp_path_factory, back):
+def test_stopped_anywhere_all_is_as_before_or_all_is_done(shop, whole, tmp_path_factory, back):
     """Stopped at any step either nothing is written and nothing said, or everything is and it is said."""
     here = tmp_path_factory.mktemp("out")
     output, report = here / "out.nc", here / "report"
     output.write_text("before", encoding="utf-8")
-    steps = len(heard(lambda: correct(shop, output=here / "first.nc", report=here / "first")))
+    program, steps = whole
     left = [max(steps - back, 0)]
 
     def hear(stage, share):
@@ -106,10 +109,10 @@ def test_stopped_anywhere_all_is_as_before_or_all_is_done(shop, tmp_path_factory
             words = correct(shop, output=output, report=report)
     except Stopped:
         assert output.read_text(encoding="utf-8") == "before" and not report.exists()
-        assert sorted(p.name for p in here.iterdir()) == ["first", "first.nc", "out.nc"]
+        assert sorted(p.name for p in here.iterdir()) == ["out.nc"]
     else:
         assert str(output) in words and (report / "report.html").is_file()
-        assert nc.read(output).toolpath.end.shape == nc.read(here / "first.nc").toolpath.end.shape
+        assert nc.read(output).toolpath.end.shape == nc.read(program).toolpath.end.shape
 
 
 def test_a_stop_is_honoured_soon(shop):

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import ast
 import importlib.util
 import re
 from importlib.machinery import SourceFileLoader
@@ -62,3 +63,46 @@ def test_the_compiled_file_has_what_the_text_file_has(tool, language):
     compiled = (tool.DIRECTORY / f"millcorr_{language}.qm").read_bytes()
     for translated in tool.read(language).values():
         assert translated.encode("utf-16-be") in compiled, translated
+
+
+def test_what_a_user_meets_is_phrases(tool):
+    """Errors of these rooms are built of phrases: a plain sentence would show in English in any language."""
+    plain = []
+    for room in ("readers", "nc", "probing", "production", "comparison", "correction", "plausibility", "stages"):
+        for file in sorted((tool.REPOSITORY / "millcorr" / room).rglob("*.py")):
+            if "heidenhain" not in file.parts:
+                plain += [f"{room}/{file.name}:{line}: {text!r}" for line, text in _plain_errors(file)]
+    # What only a caller of the code can do wrong: arrays whose shapes do not belong together.
+    assert [one for one in plain if "shape" not in one and ", not " not in one and "toolpath.py" not in one] == []
+
+
+ERRORS = {
+    "FormatError",
+    "InputError",
+    "UsageError",
+    "RefusedError",
+    "LimitError",
+    "FitError",
+    "unsaid",
+    "error",
+    "_error",
+}
+
+
+def _plain_errors(file):
+    """Line and text of words in an error's message that stand in no phrase."""
+    for call in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+        if isinstance(call, ast.Call) and getattr(call.func, "attr", getattr(call.func, "id", "")) in ERRORS:
+            for argument in call.args:
+                yield from (
+                    (call.lineno, text) for text in _outside_phrases(argument) if re.search("[a-z]{2}.* ", text)
+                )
+
+
+def _outside_phrases(node):
+    if isinstance(node, ast.Call):
+        return
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        yield node.value
+    for child in ast.iter_child_nodes(node):
+        yield from _outside_phrases(child)

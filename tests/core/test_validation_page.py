@@ -10,7 +10,7 @@ import pytest
 
 HERE = Path(__file__).resolve().parent
 PAGE = (HERE.parents[1] / "docs" / "validation.md").read_text(encoding="utf-8")
-COMMANDS = sorted(set(re.findall(r"`T/(test_\w+\.py)(?: -k (\"[^\"]+\"|\w+))?`", PAGE)))
+COMMANDS = sorted(set(re.findall(r"`T/(\w+/test_\w+\.py)(?: -k (\"[^\"]+\"|\w+))?`", PAGE)))
 PAPERS = (
     "Werner 2018", "Petrakov and Shupletsov 2018", "Petrakov 2025", "Petrakov and Romanov 2023", "Dat and Phuc 2025",
 )  # fmt: skip

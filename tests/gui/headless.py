@@ -135,7 +135,7 @@ def replay_session(directory):
 
     compat.prepare_modules()
     work = Path(directory)
-    recorded = json.loads((work / "session.json").read_text(encoding="utf-8"))
+    recorded = json.loads((work / "verbs.json").read_text(encoding="utf-8"))
     document = FreeCAD.openDocument(str(work / "corrected.FCStd"))
     FreeCAD.setActiveDocument(document.Name)
     names = {"App": FreeCAD}

@@ -145,7 +145,7 @@ def pictures(name, wanted):
     """Whether the view shows blue, green and red whiskers."""
     import numpy
 
-    from millcorr.report.scene.scale import Look, Scale
+    from millcorr.report.picture.scale import Look, Scale
 
     counted = colours(name)
     shades = Scale.of(Look(), numpy.array([0.03])).shades
@@ -220,7 +220,7 @@ def preview(document):
 
 def rimmed(name):
     """The nominal, which is nearly black, has a light rim: it stands out on any background."""
-    from millcorr.report.scene import correction as overlay
+    from millcorr.report.picture import correction as overlay
 
     counted = colours(f"rim-{name}")
     dark, light = like(counted, overlay.NOMINAL), like(counted, 0xF6F6F6FF, 3)

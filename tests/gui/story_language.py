@@ -67,7 +67,7 @@ def said_in_german(document):
     write(made.fields["Limit"].widget.lineEdit(), "0.001")
     until(lambda: not made.busy, "computing")
     check("eine Korrektur von" in made.message.text(), f"refusal in German: {made.message.text()!r}")
-    check("\u201d 0.001 mm" in made.message.text(), f"the field in German: {made.message.text()!r}")
+    check("\u201c 0.001 mm" in made.message.text(), f"the field in German: {made.message.text()!r}")
     plain_words("the panel")
     check(not made.applying.isEnabled() and made.applying.toolTip() == made.message.text(), "OK while refused")
     shot("german-refused")

@@ -108,7 +108,7 @@ def magnified(made):
 
 def coloured(made):
     """Material left blue or red, limits of their own for both directions."""
-    from millcorr.report.scene import scale
+    from millcorr.report.picture import scale
 
     top()
     for name in ("blue", "red"):
@@ -303,7 +303,7 @@ def inches(document):
     mean = float(made.values["Mean"][0].text())
     check(abs(mean * 25.4 - obj.DeviationMean.Value) < 2e-5, f"mean {mean} in, {obj.DeviationMean} mm")
     pick = made.picture.drawn.result
-    from millcorr.report.scene import correction as overlay
+    from millcorr.report.picture import correction as overlay
 
     check(" in" in overlay.whisker_text(pick, 0, INCH), "text of a whisker")
     shot("inch-panel")

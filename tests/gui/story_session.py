@@ -348,7 +348,7 @@ def story():
     off_and_on(document, obj, once, twice)
     escape(document, obj)
     twice_clicked(obj)
-    with open(path("session.json"), "w", encoding="utf-8") as stream:
+    with open(path("verbs.json"), "w", encoding="utf-8") as stream:
         json.dump({"lines": recorded, "label": obj.Label, "path": words(obj)}, stream)
     refused(document, obj)
     doubted(document, obj)

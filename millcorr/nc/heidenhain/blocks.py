@@ -37,7 +37,7 @@ _WORD = re.compile(
 )
 _PLACES = frozenset(("X", "Y", "Z", "PR", "PA"))
 _SHORT = re.compile(r"(?:I?[XYZABCUVW])[ \t]*[+-]?[ \t]*[Q\d.,]|M[ \t]*\d")
-_WITH_MORE = (101, 103, 118, 120, 128, 138, 140, 142, 143)
+WITH_MORE = (101, 103, 118, 120, 128, 138, 140, 142, 143)
 """Numbers of M codes that take words of their own behind them."""
 
 
@@ -90,6 +90,8 @@ class Block:
         Of motions only.
     odd : str
         What of a motion is no word that is known.
+    increments : bool
+        Whether coordinates that are added to it, or behind it, are increments: G91 of an ISO program is in force.
     """
 
     first: int
@@ -104,12 +106,13 @@ class Block:
     hidden: bool = False
     words: list[Word] = field(default_factory=list)
     odd: str = ""
+    increments: bool = False
 
     @property
     def rest(self) -> str:
         """What stands behind the kind, upper case, without comments and the marks of continued lines."""
         lines = self.text[self.body :].split("\n")
-        return " ".join(line[: _comment(line, 0)].rstrip(" \t\r~") for line in lines).upper().strip()
+        return " ".join(line[: comment_of(line, 0)].rstrip(" \t\r~") for line in lines).upper().strip()
 
     @property
     def names(self) -> list[str]:
@@ -191,7 +194,7 @@ def read_block(whole: str, first: int, last: int, name: str) -> Block:
     number = opening.span(1) if opening.group(1) else (0, 0)
     head = opening.end()
     newline = text.rfind("\n") + 1
-    stop = _comment(text, max(head, newline))
+    stop = comment_of(text, max(head, newline))
     hidden = "/" in opening.group()
     bare = upper[head:stop].strip(" \t\x1a")
     if not bare:
@@ -221,7 +224,7 @@ def read_block(whole: str, first: int, last: int, name: str) -> Block:
     return block
 
 
-def _comment(text: str, place: int) -> int:
+def comment_of(text: str, place: int) -> int:
     """Where the comment begins; the end of the text without one."""
     if ";" not in text:
         return len(text.rstrip(" \t\x1a"))
@@ -251,6 +254,6 @@ def _read_words(block: Block, upper: str) -> None:
             value = (value or "").replace(" ", "").replace("\t", "").replace(",", ".")
             incremental = word[0] == "I"
             block.words.append(Word(word[1:] if incremental else word, value, start, stop, incremental))
-            if word == "M" and value.isdigit() and int(value) in _WITH_MORE:
+            if word == "M" and value.isdigit() and int(value) in WITH_MORE:
                 return
     block.odd = next(iter(upper[place : block.stop].replace("~", " ").replace("\x1a", " ").split()), "")[:20]

@@ -11,6 +11,7 @@ from millcorr.nc.style import Style
 from .blocks import Block
 
 _RANK = {name: rank for rank, name in enumerate("X Y Z A B C U V W PR PA LEN R CCA DR COMP F M".split())}
+_PLACES = frozenset(("X", "Y", "Z", "PR", "PA"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,18 +76,25 @@ class Draft:
         Number and blanks before the block's first word.
     kind : str
         L, C, CR and so on.
+    increments : bool
+        Whether coordinates that are put into it are increments.
+
+    `own` tells the draft of a block of the program from one that is inserted.
     """
 
-    def __init__(self, opening: str, kind: str) -> None:
+    def __init__(self, opening: str, kind: str, increments: bool = False) -> None:
         self.opening = opening
         self.kind = kind
+        self.increments = increments
+        self.own = False
         self.pieces: list[_Piece] = []
         self.end = ""
 
     @staticmethod
     def of(block: Block) -> Draft:
         """The draft of a block as it stands."""
-        out = Draft(block.text[: block.head], block.text[block.head : block.body])
+        out = Draft(block.text[: block.head], block.text[block.head : block.body], block.increments)
+        out.own = True
         place = block.body
         for word in block.words:
             text = block.text[word.start : word.stop]
@@ -99,7 +107,8 @@ class Draft:
 
     def copy(self) -> Draft:
         """Another draft of the same words."""
-        out = Draft(self.opening, self.kind)
+        out = Draft(self.opening, self.kind, self.increments)
+        out.own = self.own
         out.pieces = [replace(piece) for piece in self.pieces]
         out.end = self.end
         return out
@@ -125,9 +134,15 @@ class Draft:
             if _RANK.get(other.name, len(_RANK)) <= rank:
                 place = i + 1
         gap = " " if self.kind or place else ""
-        self.pieces.insert(place, _Piece(gap, name, name + number, value, False))
+        more = self.increments and name in _PLACES
+        self.pieces.insert(place, _Piece(gap, name, ("I" if more else "") + name + number, value, more))
         if not gap and len(self.pieces) > 1 and not self.pieces[1].gap:
             self.pieces[1].gap = " "
+
+    def counts_on(self, name: str) -> bool:
+        """Whether the number of a word, or of one that would be put, is an increment."""
+        piece = self.find(name)
+        return self.increments and name in _PLACES if piece is None else piece.incremental
 
     def remove(self, *names: str) -> None:
         """Take words away."""

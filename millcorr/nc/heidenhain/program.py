@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import gc
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import ClassVar
+from typing import ClassVar, TypedDict
 
 import numpy as np
 
@@ -46,6 +46,28 @@ def recognises(data: bytes) -> bool:
         _BEGIN.match(data)
         or (_PLAIN.search(data[:_BEFORE]) and not re.search(rb"(?im)^N?\d*[ \t]*G\d", data[:_BEFORE]))
     )
+
+
+@dataclass(frozen=True, slots=True)
+class Course:
+    """The blocks of a program and how they run.
+
+    Parameters
+    ----------
+    text : list of Block
+        As they stand in the text.
+    blocks : list of Block
+        As they run.
+    at : list of int
+        Index of each run, as moves are filed under.
+    owner : list of int
+        Which block of the text each of them is.
+    """
+
+    text: list[Block]
+    blocks: list[Block]
+    at: list[int]
+    owner: list[int]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -89,14 +111,19 @@ class KlartextProgram(Program):
                     out.append((i, line[place + 1 :].decode("latin-1").strip()))
         return out
 
+    def as_they_run(self) -> Course:
+        """The blocks of the text, and in the order in which they run."""
+        text = list(blocks_of(self.data, self.line_start, self.name))
+        by_line = {block.first: k for k, block in enumerate(text)}
+        at = [i for i in range(self.run.blocks) if self.line_of(i) in by_line]
+        owner = [by_line[self.line_of(i)] for i in at]
+        return Course(text, [text[k] for k in owner], at, owner)
+
     def words(self) -> Words:
         """M codes and dwells (cycle 9) as words of ISO code, by the block that runs."""
-        blocks = {block.first: block for block in blocks_of(self.data, self.line_start, self.name)}
         letters, values, lines, decimals = [], [], [], []
-        for at in range(self.run.blocks):
-            block = blocks.get(self.line_of(at))
-            if block is None:
-                continue
+        course = self.as_they_run()
+        for at, block in zip(course.at, course.blocks, strict=True):
             found = [("M", float(w.value)) for w in block.words if w.name == "M" and w.value.isdigit()]
             dwell = re.match(r"9\.1[ \t]+\D*([\d.,]+)", block.rest) if block.kind == "CYCL DEF" else None
             if dwell is not None:
@@ -147,10 +174,15 @@ def parse(data: bytes, name: str) -> KlartextProgram:
         message = "a plain-language program without BEGIN PGM: its first block names it and states MM or INCH"
         raise FormatError(message, name, 1)
     starts = line_starts(data)
-    with _nothing_collected():
+    with nothing_collected():
         blocks = list(blocks_of(data, starts, name))
         followed = Follower(blocks, name, len(starts) - 1)
-        toolpath = toolpath_of(followed.rows)
+        parts = parts_of(followed)
+    return KlartextProgram(name, data, starts, style=style_of(data, blocks), **parts)
+
+
+def parts_of(followed: Follower) -> Parts:
+    """What a program holds of one run of it."""
     count, lines = len(followed.feed_words), followed.lines()
     modal = Modal(
         motion=np.full(count, UNSTATED),
@@ -161,23 +193,19 @@ def parse(data: bytes, name: str) -> KlartextProgram:
         feed_word=np.array(followed.feed_words),
         shift=np.zeros((count, 3)),
     )
-    return KlartextProgram(
-        name,
-        data,
-        starts,
-        toolpath.with_lines(lines),
-        modal,
-        style_of(data, blocks),
-        tuple(followed.stretches),
-        Run(lines, NO_WORDS, (), count, {}, {}),
-        np.array(followed.corners, np.int64),
+    return Parts(
+        toolpath=toolpath_of(followed.rows).with_lines(lines),
+        modal=modal,
+        opaque=tuple(followed.stretches),
+        run=Run(lines, NO_WORDS, (), count, {}, {}),
+        leaning=np.array(followed.corners, np.int64),
         led=np.array(followed.led, np.int64),
         tangents=np.array(followed.tangents, np.int64),
     )
 
 
 @contextmanager
-def _nothing_collected() -> Iterator[None]:
+def nothing_collected() -> Iterator[None]:
     """Keep the search for garbage away: what is read all stays, and to look through it again and again took 40 %."""
     collects = gc.isenabled()
     gc.disable()
@@ -186,6 +214,18 @@ def _nothing_collected() -> Iterator[None]:
     finally:
         if collects:
             gc.enable()
+
+
+class Parts(TypedDict):
+    """Fields of a program that come from its run."""
+
+    toolpath: Toolpath
+    modal: Modal
+    opaque: tuple[Stretch, ...]
+    run: Run
+    leaning: Ints
+    led: Ints
+    tangents: Ints
 
 
 class _Lost(Exception):
@@ -197,14 +237,14 @@ class Follower:
 
     Parameters
     ----------
-    blocks : list of Block
+    blocks : sequence of Block
     name : str
         Of the program, for messages.
     lines : int
         Number of lines.
     """
 
-    def __init__(self, blocks: list[Block], name: str, lines: int) -> None:
+    def __init__(self, blocks: Sequence[Block], name: str, lines: int) -> None:
         self.blocks = blocks
         self.machine = Machine(name)
         self.rows: list[Row] = []
@@ -233,6 +273,7 @@ class Follower:
     def _run(self) -> None:
         k, lost, ended = 0, -1, False
         while k < len(self.blocks) and not ended:
+            self.prepare(k)
             block = self.blocks[k]
             at = self._enter(k)
             self._execute(k, at)
@@ -253,11 +294,14 @@ class Follower:
             # Nothing is out of the order of the text: what stands behind the end is listed, too.
             for j in range(k, len(self.blocks)):
                 self._enter(j)
-            if any(block.kind in MOTIONS for block in self.blocks[k:]):
+            if any(block.kind in MOTIONS for block in list(self.blocks)[k:]):
                 self.stretches.append(Stretch(behind, len(self.feed_words) - 1, "behind the end of the program"))
         self.stretches = [s if s.last >= 0 else Stretch(s.first, behind - 1, s.reason) for s in self.stretches]
         for since, reason in self.machine.frames.values():
             self.stretches.append(Stretch(since, behind - 1, reason))
+
+    def prepare(self, k: int) -> None:
+        """What there is to do before a block runs."""
 
     def _enter(self, k: int) -> int:
         """List a block as one that runs; return the index of this run."""

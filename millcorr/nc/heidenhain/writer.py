@@ -23,7 +23,7 @@ from millcorr.nc.codes import INCH
 from millcorr.nc.repeated import agreed
 from millcorr.nc.toolpath import Kind, Plane, Toolpath
 
-from .blocks import APPROACHES, CORNERS, DEPARTURES, SILENT, Block, blocks_of, read_block
+from .blocks import APPROACHES, CORNERS, DEPARTURES, SILENT, Block, read_block
 from .contour import SAME, Element, Impossible, angle_between, by_radius, chamfered, rounded
 from .draft import Draft, Numbers
 from .machine import AXES, Machine, Row
@@ -52,7 +52,7 @@ def write(
     program.require_fits(toolpath)
     if program.run.line is not None and toolpath is not program.toolpath:
         toolpath = agreed(program, toolpath, tolerance)
-    lines = _Writer(program, toolpath, decimals, tolerance).lines()
+    lines = [line for lines in Writer(program, toolpath, decimals, tolerance).lines() for line in lines]
     if header:
         lines = _with_header(lines, program, header)
     elif all(line.as_read for line in lines):
@@ -61,13 +61,14 @@ def write(
 
 
 @dataclass(slots=True)
-class _Line:
-    """Text of a block, its ending, and where its number stands; as it was read, or not."""
+class Line:
+    """Text of a block, its ending, and where its number stands; as it was read, or not; its own, or one inserted."""
 
     text: str
     ending: str
     number: tuple[int, int]
     as_read: bool = True
+    own: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,14 +89,14 @@ class _OpenPole:
     position: list[float]
 
 
-class _Writer:
+class Writer:
     """Walks the blocks with the state that the control will have."""
 
     def __init__(self, program: KlartextProgram, toolpath: Toolpath, decimals: int | None, tolerance: float) -> None:
         self.program, self.old, self.new = program, program.toolpath, toolpath
         self.tolerance = tolerance
-        self.text = list(blocks_of(program.data, program.line_start, program.name))
-        self.blocks, self.at, self.owner = self._as_they_run()
+        self.course = course = program.as_they_run()
+        self.text, self.blocks, self.at, self.owner = course.text, course.blocks, course.at, course.owner
         inch = bool((program.modal.unit == 20).any())
         scale = INCH if inch else 1.0
         if decimals is None:
@@ -106,7 +107,7 @@ class _Writer:
         self.numbers = Numbers(program.style, scale, decimals, mark)
         self.machine = Machine(program.name)
         self.machine.scale = scale
-        self.out: list[list[_Line]] = []
+        self.out: list[list[Line]] = []
         """What stands for every block that runs."""
         self.pole: _OpenPole | None = None
         lines = np.arange(program.run.blocks + 1)
@@ -117,18 +118,11 @@ class _Writer:
         self.loose = False
         """The control computes where the tool is: behind a departure, until the place is stated."""
 
-    def _as_they_run(self) -> tuple[list[Block], list[int], list[int]]:
-        """Blocks in the order in which they run, the index of each run, and which block of the text it is."""
-        by_line = {block.first: k for k, block in enumerate(self.text)}
-        at = [i for i in range(self.program.run.blocks) if self.program.line_of(i) in by_line]
-        owner = [by_line[self.program.line_of(i)] for i in at]
-        return [self.text[k] for k in owner], at, owner
-
-    def lines(self) -> list[_Line]:
-        """What stands for every block of the text."""
-        as_read = [[_Line(block.text, block.ending, block.number)] for block in self.text]
+    def lines(self) -> list[list[Line]]:
+        """What stands for every block of the text, for each of them."""
+        as_read = [[Line(block.text, block.ending, block.number)] for block in self.text]
         if not self.changed:
-            return [line for lines in as_read for line in lines]
+            return as_read
         k = 0
         while k < len(self.blocks):
             k = self._from(k)
@@ -137,9 +131,9 @@ class _Writer:
             if owner not in first:
                 first[owner] = k
                 as_read[owner] = self.out[k]
-            elif [line.text for line in self.out[k]] != [line.text for line in as_read[owner]]:
+            elif not _alike(self.out[k], as_read[owner]):
                 self._refuse_runs(first[owner], k)
-        return [line for lines in as_read for line in lines]
+        return as_read
 
     def _refuse_runs(self, a: int, b: int) -> NoReturn:
         runs = [k for k, owner in enumerate(self.owner) if owner == self.owner[a]]
@@ -219,7 +213,7 @@ class _Writer:
         return k + 1
 
     def _keep(self, block: Block) -> None:
-        self.out.append([_Line(block.text, block.ending, block.number)])
+        self.out.append([Line(block.text, block.ending, block.number)])
 
     def _chain(self, k: int) -> int:
         """Last block that corners (RND, CHF) join to a contour element."""
@@ -467,7 +461,7 @@ class _Writer:
                 self.out[-1][-1].ending = between
             ending = block.ending
             span = read_block(text, block.first, block.last, self.program.name).number
-            self.out[-1].append(_Line(text, ending, span, as_read=False))
+            self.out[-1].append(Line(text, ending, span, as_read=False, own=draft.own))
 
     def _explicit(self, k: int, corner: _Corner | None = None) -> None:
         """Write the moves of a block as lines and arcs of its own, the last one up to the corner behind it."""
@@ -483,7 +477,7 @@ class _Writer:
             parts[-1] = _up_to(parts[-1], corner.place)
         late = [w for w in block.words if w.name == "M" and w.value.isdigit() and int(w.value) in _ACTS_AT_END]
         for i, part in enumerate(parts):
-            draft = Draft.of(block) if i == 0 else Draft(self._opening(block), "")
+            draft = Draft.of(block) if i == 0 else Draft(self._opening(block), "", block.increments)
             if i == 0 and len(parts) > 1 and late:
                 kept = draft.take("M")
                 ending = [p for p in kept if p.value.isdigit() and int(p.value) in _ACTS_AT_END]
@@ -637,7 +631,7 @@ class _Writer:
             piece = draft.find(axis)
             if math.isnan(wanted):
                 continue
-            base = at[k] if piece is not None and piece.incremental else 0.0
+            base = at[k] if draft.counts_on(axis) else 0.0
             if piece is not None:
                 stated = self.machine.parameters.number(piece.value) * self.numbers.scale + base
                 if abs(stated - wanted) <= SAME:
@@ -674,19 +668,20 @@ class _Writer:
         return abs(way) * math.radians(0.5 * 10.0**-_ANGLE_DECIMALS) <= self.tolerance / 4
 
     def _put_polar(self, draft: Draft, move: Row) -> None:
+        # What is written about a pole holds it where it is.
+        self.pole = None
         a, b, c = move.plane.axes
         pole = complex(self.machine.pole[a], self.machine.pole[b])
         here = complex(self.machine.position[a], self.machine.position[b])
         way = complex(move.end[a], move.end[b]) - pole
         radius, angle = abs(way), math.degrees(cmath.phase(way))
-        piece = draft.find("PR")
-        base = abs(here - pole) if piece is not None and piece.incremental else 0.0
+        base = abs(here - pole) if draft.counts_on("PR") else 0.0
         value = self.numbers.round(radius - base)
         draft.put("PR", self.numbers.text(value), repr(value))
         piece = draft.find("PA")
+        angle -= math.degrees(cmath.phase(here - pole)) if draft.counts_on("PA") else 0.0
         if piece is not None:
             was = self.machine.parameters.number(piece.value)
-            angle -= math.degrees(cmath.phase(here - pole)) if piece.incremental else 0.0
             # The turn that the program counts from stays.
             angle += 360.0 * round((was - angle) / 360.0)
         digits = max(_ANGLE_DECIMALS, self.numbers.decimals)
@@ -696,7 +691,7 @@ class _Writer:
     def _put_height(self, draft: Draft, move: Row, c: int) -> None:
         axis, piece = AXES[c], draft.find(AXES[c])
         at = self.machine.position[c]
-        base = at if piece is not None and piece.incremental else 0.0
+        base = at if draft.counts_on(axis) else 0.0
         if math.isnan(move.end[c]):
             return
         if (
@@ -719,7 +714,7 @@ class _Writer:
         exact = start + math.degrees(angle_between(here, there, pole, move.sweep > 0))
         exact += 360.0 * round((start + turns - exact) / 360.0)
         piece = draft.find("PA")
-        angle = exact - (start if piece is not None and piece.incremental else 0.0)
+        angle = exact - (start if draft.counts_on("PA") else 0.0)
         if piece is not None and not piece.incremental:
             angle += 360.0 * round((self.machine.parameters.number(piece.value) - angle) / 360.0)
         digits = max(_ANGLE_DECIMALS, self.numbers.decimals)
@@ -779,10 +774,10 @@ class _Writer:
             draft = Draft.of(self.pole.block)
             position, place = self.pole.position, self.pole.run
         else:
-            draft, position, place = Draft(self._opening(block), "CC"), self.machine.position, -1
+            draft, position, place = Draft(self._opening(block), "CC", block.increments), self.machine.position, -1
         for k, value in ((a, centre.real), (b, centre.imag)):
             piece = draft.find(AXES[k])
-            base = position[k] if piece is not None and piece.incremental else 0.0
+            base = position[k] if draft.counts_on(AXES[k]) else 0.0
             number = self.numbers.round(value - base)
             if piece is None or self.machine.parameters.number(piece.value) != number:
                 self._free(draft, AXES[k])
@@ -791,7 +786,7 @@ class _Writer:
             self.machine.pole[k] = value
         if place >= 0 and self.pole is not None:
             old = self.out[place][0]
-            self.out[place] = [_Line(draft.text(), old.ending, self.pole.block.number, as_read=False)]
+            self.out[place] = [Line(draft.text(), old.ending, self.pole.block.number, as_read=False)]
         else:
             self._add(block, [draft])
         self.machine.polar_radius = math.nan
@@ -931,6 +926,12 @@ def _same_feed(a: float, b: float) -> bool:
     return (math.isnan(a) and math.isnan(b)) or abs(a - b) <= 1e-9 * abs(b)
 
 
+def _alike(run: list[Line], other: list[Line]) -> bool:
+    """Whether two runs of a block come to the same text."""
+    kept = all(line.as_read for line in (*run, *other))
+    return kept or [line.text for line in run] == [line.text for line in other]
+
+
 def _states_place(block: Block) -> bool:
     return (block.find("X") is not None and block.find("Y") is not None) or block.find("PR") is not None
 
@@ -939,7 +940,7 @@ def _close(a: Sequence[float], b: Sequence[float], within: float, loose: float =
     return all(abs(x - y) <= max(within, loose) or (math.isnan(x) and math.isnan(y)) for x, y in zip(a, b, strict=True))
 
 
-def _numbered(lines: list[_Line], program: KlartextProgram) -> str:
+def _numbered(lines: list[Line], program: KlartextProgram) -> str:
     """The text; block numbers that followed one another do so again."""
     if program.style.number_step != 1:
         return "".join(line.text + line.ending for line in lines)
@@ -957,25 +958,26 @@ def _numbered(lines: list[_Line], program: KlartextProgram) -> str:
     return "".join(out)
 
 
-def _with_header(lines: list[_Line], program: KlartextProgram, header: Sequence[str]) -> list[_Line]:
+def _with_header(lines: list[Line], program: KlartextProgram, header: Sequence[str]) -> list[Line]:
     """Lines with comment blocks behind BEGIN PGM."""
     top = next((i + 1 for i, line in enumerate(lines) if "BEGIN" in line.text.upper()), 0)
     numbered = program.style.number_step == 1
     added = []
+    for text in comments_of(header):
+        body = f"; {text}"
+        number = (0, 1) if numbered else (0, 0)
+        added.append(Line(f"0 {body}" if numbered else body, program.style.ending.decode(), number, False))
+    return [*lines[:top], *added, *lines[top:]]
+
+
+def comments_of(header: Sequence[str]) -> list[str]:
+    """Texts of comments as a control can show them."""
+    out = []
     for text in header:
         plain = text.replace("\N{MICRO SIGN}", "u").replace("\N{GREEK SMALL LETTER MU}", "u")
         plain = re.sub(r"[\x00-\x1f\x7f]+", " ", plain).encode("ascii", "replace").decode()
-        for part in _wrapped(plain):
-            body = f"; {part}"
-            added.append(
-                _Line(
-                    f"0 {body}" if numbered else body,
-                    program.style.ending.decode(),
-                    (0, 1) if numbered else (0, 0),
-                    False,
-                )
-            )
-    return [*lines[:top], *added, *lines[top:]]
+        out += _wrapped(plain)
+    return out
 
 
 def _wrapped(text: str) -> list[str]:

@@ -13,7 +13,7 @@ import numpy as np
 
 from millcorr.errors import UsageError
 from millcorr.geometry.profile import Profile
-from millcorr.messages import message, option
+from millcorr.messages import at_z, option, phrase, xy
 from millcorr.nc.toolpath import Toolpath
 from millcorr.probing import Placement, TouchProbe, plan
 from millcorr.probing.heights import Cleared, Room, room_of
@@ -116,7 +116,7 @@ def measuring_program(
         If no point can be touched.
     """
     if dialect not in DIALECTS:
-        raise UsageError(option("dialect"), f" is one of {', '.join(DIALECTS)}, not {dialect!r}")
+        raise UsageError(phrase("{} is one of {}, not {!r}", option("dialect"), ", ".join(DIALECTS), dialect))
     if isinstance(cleared, tuple):
         cleared = Cleared(*cleared)
     room = _NOWHERE if cleared is None else room_of(cleared, profile, placement.contour)
@@ -135,10 +135,14 @@ def measuring_program(
     made = written(Job(touches, z, safe_z, feed, positioning, name, log, tool, source), dialect, DIALECTS[dialect])
     warnings = _length_matters(met)
     if workpiece is not None and standing is None:
-        warnings.append("the model has no wall on this contour: heights are judged by the passes only")
+        warnings.append(phrase("the model has no wall on this contour: heights are judged by the passes only"))
     if standing is None and z > room.shown(probe):
         warnings.append(
-            f"nothing shows that the wall stands as high as Z{z:g}: the highest pass beside it runs at Z{room.level:g}"
+            phrase(
+                "nothing shows that the wall stands as high as {}: the highest pass beside it runs at {}",
+                at_z(z),
+                at_z(room.level),
+            )
         )
     if cleared is not None:
         warnings += _uncleared(touches, cleared, z if not met.centre.all() else z - probe.ball_radius)
@@ -158,14 +162,19 @@ def _standing(workpiece: Workpiece | None, room: Room, at: Wanted) -> Standing |
 
 def _length_matters(met: Meets) -> list[str]:
     """Where touches are right only with the probe's length set to one end of the ball's radius."""
-    out = []
-    for needed, other in (("tip", "centre"), ("centre", "tip")):
-        count = int((getattr(met, needed) & ~getattr(met, other)).sum())
-        if count:
-            out.append(
-                f"this height is right only for a probe whose length was set to the {needed} of the ball, not to its "
-                f"{other}"
+    out: list[str] = []
+    if (met.tip & ~met.centre).any():
+        out.append(
+            phrase(
+                "this height is right only for a probe whose length was set to the tip of the ball, not to its centre"
             )
+        )
+    if (met.centre & ~met.tip).any():
+        out.append(
+            phrase(
+                "this height is right only for a probe whose length was set to the centre of the ball, not to its tip"
+            )
+        )
     return out
 
 
@@ -176,11 +185,11 @@ def _uncleared(touches: ProbingPlan, cleared: Cleared, lowest: float) -> list[st
         return []
     x, y = outside[0]
     return [
-        message(
-            f"the ball leaves the space that the program clears, first near X{x:.3f} Y{y:.3f}: make ",
-            "sure that nothing stands there, or say how far it is free with ",
+        phrase(
+            "the ball leaves the space that the program clears, first near {}: make sure that nothing stands there, "
+            "or say how far it is free with {} and lower {}",
+            xy(x, y),
             option("free_width"),
-            " and lower ",
             option("clearance"),
         )
     ]

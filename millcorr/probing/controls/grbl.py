@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from millcorr.errors import UsageError
-from millcorr.messages import option
+from millcorr.messages import option, phrase
 from millcorr.probing import Touch
 
 from .program import Job, nominal_words, number
@@ -26,13 +26,13 @@ class Grbl:
     def log_name(self, job: Job) -> str:
         """The sender's log; GRBL has no files."""
         if job.log is not None:
-            raise UsageError(option("log"), ": GRBL writes no file, save the log of the sender")
+            raise UsageError(phrase("{}: GRBL writes no file, save the log of the sender", option("log")))
         return "of the G-code sender, with its status reports"
 
     def opening(self, job: Job, head: list[str]) -> list[str]:
         """Modes in mm and the safe height."""
         if job.tool is not None:
-            raise UsageError(option("probe_tool"), ": GRBL changes no tools, leave it out")
+            raise UsageError(phrase("{}: GRBL changes no tools, leave it out", option("probe_tool")))
         return [*(f"({line})" for line in head), "G21 G90 G17 G40 G94", "M5", f"G0 Z{number(job.safe_z)}"]
 
     def over(self, job: Job, x: float, y: float) -> list[str]:

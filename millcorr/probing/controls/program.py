@@ -54,13 +54,15 @@ class Job:
     def __post_init__(self) -> None:
         for key, value in (("feed", self.feed), ("positioning_feed", self.positioning)):
             if not (isfinite(value) and 0 < value <= 50_000):
-                raise UsageError(option(key, value), " is no feed in mm/min")
+                raise UsageError(phrase("{} is no feed in mm/min", option(key, value)))
         if not (isfinite(self.z) and isfinite(self.safe_z) and abs(self.z) < 1e4 and abs(self.safe_z) < 1e4):
-            raise UsageError(option("z", self.z), " and ", option("safe_z", self.safe_z), " are no heights in mm")
+            raise UsageError(
+                phrase("{} and {} are no heights in mm", option("z", self.z), option("safe_z", self.safe_z))
+            )
         if self.safe_z <= self.z:
-            raise UsageError(option("safe_z", self.safe_z), " must lie above ", option("z", self.z))
+            raise UsageError(phrase("{} must lie above {}", option("safe_z", self.safe_z), option("z", self.z)))
         if self.tool is not None and not 1 <= self.tool <= 9999:
-            raise UsageError(option("probe_tool", self.tool), " is no tool number")
+            raise UsageError(phrase("{} is no tool number", option("probe_tool", self.tool)))
 
     @property
     def radius(self) -> float:
@@ -238,12 +240,12 @@ def file_name(job: Job, default: str, allowed: str = r"[A-Za-z0-9_.-]{1,60}") ->
     """Name of the log that the caller gave, or the default; UsageError where a control would not take it."""
     name = default if job.log is None else job.log
     if not re.fullmatch(allowed, name):
-        raise UsageError(option("log", repr(name)), f": this control takes names like {default}")
+        raise UsageError(phrase("{}: this control takes names like {}", option("log", repr(name)), default))
     return name
 
 
 def program_name(job: Job, pattern: str, example: str) -> str:
     """Name of the program; UsageError where a control would not take it."""
     if not re.fullmatch(pattern, job.name):
-        raise UsageError(f"program name {job.name!r}: this control takes names like {example}")
+        raise UsageError(phrase("program name {!r}: this control takes names like {}", job.name, example))
     return job.name

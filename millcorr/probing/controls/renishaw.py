@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from math import atan2, degrees, hypot
 
 from millcorr.errors import UsageError
-from millcorr.messages import option
+from millcorr.messages import option, phrase
 from millcorr.probing import Touch
 
 from .program import Job, nominal_words, number, program_name
@@ -78,7 +78,7 @@ class InspectionPlus:
     def log_name(self, job: Job) -> str:
         """What DPRNT writes; where it goes is set on the control."""
         if job.log is not None:
-            raise UsageError(option("log"), f": where DPRNT writes is set on the {self.control} control")
+            raise UsageError(phrase("{}: where DPRNT writes is set on the {} control", option("log"), self.control))
         return "printed by DPRNT, where the control is set to"
 
     def opening(self, job: Job, head: list[str]) -> list[str]:

@@ -22,6 +22,7 @@ from millcorr import progress
 from millcorr.arrays import Bools, Floats, Ints, ReadOnlyArrays
 from millcorr.errors import InputError, RefusedError, UsageError
 from millcorr.geometry.profile import Profile
+from millcorr.messages import joined, mm, phrase, um, xy
 from millcorr.process.cutting import chip_thickness, cutting, force_at, force_of_chip
 from millcorr.process.engagement import Engagement, engagement
 from millcorr.process.engagement.stock_region import StockRegion
@@ -166,7 +167,7 @@ class WallModel:
         forces = cutting(found, setup)
         makes = np.isfinite(forces.wall).all(axis=1) & path.short[found.move]
         if not makes.any():
-            raise InputError("wall error: the program makes no wall: it cuts only slots or air")
+            raise InputError(phrase("wall error: the program makes no wall: it cuts only slots or air"))
         left = np.stack([-np.sin(found.direction), np.cos(found.direction)], axis=1)
         to_left = np.where(makes, np.sign((forces.wall * left).sum(axis=1)), 0.0)
         down = found.exit > np.pi - _WALL
@@ -321,8 +322,12 @@ class WallModel:
             given = course.step(given, bent)
         x, y, _ = self.engagement.position[step[int(np.argmax(moving[k]))]]
         raise RefusedError(
-            f"wall error: the deflection does not settle near X{x:.3f} Y{y:.3f}, it still changes by "
-            f"{residual * 1000:.3g} um; check [tool] overhang_mm, [material] and the radial depth of cut"
+            phrase(
+                "wall error: the deflection does not settle near {}, it still changes by {}; check [tool] "
+                "overhang_mm, [material] and the radial depth of cut",
+                xy(x, y),
+                um(residual, ".3g"),
+            )
         )
 
     def _matters(self) -> Bools:
@@ -380,7 +385,10 @@ class WallModel:
         value = value - self.setup.tool.radius_error_mm
         if not np.isfinite(value).any():
             raise UsageError(
-                f"wall error: the program makes no wall {', '.join(f'{h:g}' for h in wanted)} mm above its deepest tip"
+                phrase(
+                    "wall error: the program makes no wall {} above its deepest tip",
+                    joined([mm(h, "g") for h in wanted]),
+                )
             )
         return HeightError(self, wanted, float(self.engagement.position[:, 2].min()) + wanted, value, residual)
 
@@ -435,7 +443,7 @@ class HeightError(ReadOnlyArrays):
     @property
     def caution(self) -> str:
         """What to say about forces and stiffness; empty where they were calibrated and not fitted."""
-        return "; ".join(self.model.setup.cautions)
+        return joined(self.model.setup.cautions, "; ")
 
 
 def _across(vector: Floats, normal: Floats) -> Floats:

@@ -19,7 +19,7 @@ from millcorr.errors import InputError, RefusedError
 from millcorr.geometry.correction import Correction
 from millcorr.geometry.footpoint import FootPointSearch
 from millcorr.geometry.profile import Profile, Stretch
-from millcorr.messages import option
+from millcorr.messages import mm, option, phrase, um
 
 from .height_deviation import left_standing
 from .height_error import HeightError, WallModel
@@ -81,13 +81,22 @@ class Remedy:
 
     def lines(self) -> list[str]:
         """One line of text a stretch: what to do, and what is left."""
-        out = []
+        out: list[str] = []
         for k, number in enumerate(self.number):
-            a, b, c = self.worst[k] * 1000
+            a, b, c = self.worst[k]
             out.append(
-                f"stretch {number + 1} ({self.stretches[k].length:.1f} mm): at most {a:.1f} um off over the heights; "
-                f"shift {self.offset[k] * 1000:+.1f} um: {b:.1f} um; shift and tilt {self.degrees[k]:+.4f} deg: "
-                f"{c:.1f} um, and the tilted end face digs {self.floor[k] * 1000:.0f} um below the tip"
+                phrase(
+                    "stretch {} ({}): at most {} off over the heights; shift {}: {}; shift and tilt {:+.4f} deg: {}, "
+                    "and the tilted end face digs {} below the tip",
+                    number + 1,
+                    mm(self.stretches[k].length, ".1f"),
+                    um(a),
+                    um(self.offset[k], "+.1f"),
+                    um(b),
+                    self.degrees[k],
+                    um(c),
+                    um(self.floor[k], ".0f"),
+                )
             )
         return out
 
@@ -116,13 +125,15 @@ def remedies(error: HeightError, nominal: Profile, *, near: float = NEAR) -> Rem
     """
     model, heights = error.model, error.heights
     if len(heights) < 2:
-        raise InputError("tilt: the slope of the wall needs two heights at least")
+        raise InputError(phrase("tilt: the slope of the wall needs two heights at least"))
     number, _ = on_nominal(error, nominal, near)
     made = number >= 0
     found, inverse = np.unique(number[made], return_inverse=True)
     if not len(found):
         raise InputError(
-            f"tilt: the program makes no wall within {near:g} mm of the nominal: check ", option("nominal")
+            phrase(
+                "tilt: the program makes no wall within {} of the nominal: check {}", mm(near, "g"), option("nominal")
+            )
         )
     step = np.full(len(number), -1, dtype=np.int64)
     step[made] = inverse
@@ -201,7 +212,11 @@ def mean_shift(error: HeightError, nominal: Profile, *, limit: float) -> tuple[C
     rows = np.flatnonzero(number >= 0)
     if not len(rows):
         raise InputError(
-            f"mean shift: the program makes no wall within {NEAR:g} mm of the nominal: check ", option("nominal")
+            phrase(
+                "mean shift: the program makes no wall within {} of the nominal: check {}",
+                mm(NEAR, "g"),
+                option("nominal"),
+            )
         )
     offset, value = np.zeros(len(number)), error.value
     for _ in range(ROUNDS):
@@ -237,7 +252,9 @@ def tip_shifts(error: HeightError, remedy: Remedy) -> Floats:
     """
     tip = error.model.tip[remedy.step >= 0]
     if np.ptp(tip) > _ONE_DEPTH:
-        raise RefusedError("tilt: the walls are cut in passes of several depths: only walls of one depth are tilted")
+        raise RefusedError(
+            phrase("tilt: the walls are cut in passes of several depths: only walls of one depth are tilted")
+        )
     lean, radius = remedy.lean, error.model.engagement.radius
     out: Floats = remedy.offset - (remedy.about - tip[0]) * np.tan(lean) + radius * (1 / np.cos(lean) - 1)
     return out
@@ -322,7 +339,9 @@ def _line(value: Floats, x: Floats) -> tuple[Floats, Floats]:
     known = np.isfinite(value)
     count = known.sum(axis=1)
     if (count < 2).any():
-        raise InputError("tilt: a stretch is cut at fewer than two of the heights: give heights within its depth")
+        raise InputError(
+            phrase("tilt: a stretch is cut at fewer than two of the heights: give heights within its depth")
+        )
     y = np.where(known, value, 0.0)
     xs = np.where(known, x, 0.0)
     mean_x, mean_y = xs.sum(axis=1) / count, y.sum(axis=1) / count

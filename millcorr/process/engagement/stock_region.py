@@ -59,12 +59,10 @@ class StockRegion:
     allowance: float = 0.0
     swept: tuple[Swept, ...] = ()
     _boundary: Pieces | None = field(init=False, default=None)
-    _search: FootPointSearch | None = field(init=False, default=None)
 
     def __post_init__(self) -> None:
         if self.profile is not None:
             object.__setattr__(self, "_boundary", _parallel(pieces_of_profile(self.profile), self.allowance))
-            object.__setattr__(self, "_search", FootPointSearch(self.profile, margin=20.0 + abs(self.allowance)))
 
     def outside(self, centre: Floats, direction: Floats, radius: float) -> tuple[Ints, Floats, Floats]:
         """Parts of the front of circles that lie outside the profile's stock.
@@ -85,8 +83,8 @@ class StockRegion:
             Angles from the direction of travel, within -pi/2..pi/2.
         """
         n = len(centre)
-        profile, boundary, search = self.profile, self._boundary, self._search
-        if profile is None or boundary is None or search is None:
+        profile, boundary = self.profile, self._boundary
+        if profile is None or boundary is None:
             return np.zeros(0, dtype=np.int64), np.zeros(0), np.zeros(0)
         steps, angles = [np.arange(n), np.arange(n)], [np.full(n, -np.pi / 2), np.full(n, np.pi / 2)]
         ex, ey = np.cos(direction), np.sin(direction)
@@ -114,7 +112,7 @@ class StockRegion:
         low, high, step = angle[same], angle[same + 1], step[same]
         middle = direction[step] + (low + high) / 2
         point = centre[step] + radius * np.stack([np.cos(middle), np.sin(middle)], axis=1)
-        feet = search.find(point)
+        feet = FootPointSearch(profile, margin=20.0 + abs(self.allowance)).find(point)
         # Beyond an open end the part goes on, the allowance does not: it ends with a round.
         round_ = (feet.place == Place.END) & (feet.distance > 0)
         there = np.where(round_, np.hypot(*(point - feet.foot).T), feet.distance) >= self.allowance

@@ -26,7 +26,7 @@ import numpy as np
 from millcorr.arrays import Floats, ReadOnlyArrays
 from millcorr.correction.transfer_function import LEAST_REMOVED
 from millcorr.errors import InputError, RefusedError
-from millcorr.messages import option, remedy
+from millcorr.messages import mm, option, phrase, remedy, xy
 from millcorr.process.setup_file import Setup
 
 APART = 0.1
@@ -134,17 +134,23 @@ def identify(
     if (bad := np.flatnonzero(~(area > 0))).size:
         x, y = place[bad[0]]
         raise InputError(
-            f"at X{x:.3f} Y{y:.3f} a point was touched where the program takes nothing off the stock of ",
-            "the setup: check [stock] and ",
-            option("program"),
+            phrase(
+                "at {} a point was touched where the program takes nothing off the stock of the setup: "
+                "check [stock] and {}",
+                xy(x, y),
+                option("program"),
+            ),
         )
     if (bad := np.flatnonzero(~((removed > 0) & (removed - value >= LEAST_REMOVED * removed)))).size:
         x, y = place[bad[0]]
         raise RefusedError(
-            f"at X{x:.3f} Y{y:.3f} {value[bad[0]]:.4f} mm of a depth of {removed[bad[0]]:.4f} mm ",
-            "stayed: MS = delta/(h - delta) has no meaning there; check ",
-            option("depth"),
-            " or [stock]",
+            phrase(
+                "at {} {} of a depth of {} stayed: MS = delta/(h - delta) has no meaning there; check {} or [stock]",
+                xy(x, y),
+                mm(value[bad[0]], ".4f"),
+                mm(removed[bad[0]], ".4f"),
+                option("depth"),
+            ),
         )
     whole = value * depth / (removed - value)
     rows = area[:, None] * normal**2
@@ -256,7 +262,7 @@ def identify_machine(
         design = np.einsum("na,nka->nk", forces * normal, unit)
         size = np.abs(design).max()
         if not size > 0:
-            raise RefusedError("combined control: the model has no force across the walls that were touched")
+            raise RefusedError(phrase("combined control: the model has no force across the walls that were touched"))
         singular = np.linalg.svd(design / size, compute_uv=False)
         unknown = len(compliance)
         separate = len(value) >= unknown and bool(singular[-1] >= APART * singular[0])
@@ -265,11 +271,14 @@ def identify_machine(
         compliance = compliance + change
         if not (compliance > 0).all():
             raise RefusedError(
-                "combined control: the touches show the cutter moved against the force of the model (mean ",
-                f"deviation {value.mean():+.4f} mm): check [tool] rotation, the cutter's side and ",
-                option("points"),
-                "; or take the deviations as they are: ",
-                remedy("method", "mirror"),
+                phrase(
+                    "combined control: the touches show the cutter moved against the force of the model (mean "
+                    "deviation {}): check [tool] rotation, the cutter's side and {}; or take the deviations as "
+                    "they are: {}",
+                    mm(value.mean(), "+.4f"),
+                    option("points"),
+                    remedy("method", "mirror"),
+                ),
             )
         machine = Machine.found(compliance, table, separate)
         left, forces = force(machine)
@@ -278,8 +287,10 @@ def identify_machine(
         if misfit <= enough or (len(value) > 1 and abs(best - misfit) <= 0.1 * enough):
             return replace(machine, misfit=misfit)
     raise RefusedError(
-        f"combined control: no stiffness makes the model leave what was touched, {misfit:.4f} mm are ",
-        "still missing: check ",
-        option("depth"),
-        ", [stock] and [material]",
+        phrase(
+            "combined control: no stiffness makes the model leave what was touched, {} are still "
+            "missing: check {}, [stock] and [material]",
+            mm(misfit, ".4f"),
+            option("depth"),
+        ),
     )

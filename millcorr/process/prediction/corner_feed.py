@@ -16,6 +16,7 @@ import numpy as np
 from millcorr import progress
 from millcorr.arrays import Bools, Floats, Ints, ReadOnlyArrays
 from millcorr.errors import LimitError, UsageError
+from millcorr.messages import mm, phrase, um
 from millcorr.nc import Program, parse, write
 from millcorr.nc.toolpath import Kind, Toolpath
 from millcorr.process.kinematics import Control, Halts, corner_errors, halts_of, schedule
@@ -117,7 +118,7 @@ def slow_corners(
         As `schedule` and `write`.
     """
     if not bound > 0:
-        raise UsageError(f"corner bound {bound:g} mm: state a length above 0")
+        raise UsageError(phrase("corner bound {}: state a length above 0", mm(bound, "g")))
     halts = halts_of(program, dwell_unit)
     path = program.toolpath
     found = corner_errors(path, control, halts=halts, least_turn=least_turn, name=program.name)
@@ -133,8 +134,14 @@ def slow_corners(
     if plan.untreated and not partial:
         first = plan.untreated[0]
         raise LimitError(
-            f"{program.name}:{first.line}: the corner is off by {first.error * 1000:.1f} um and cannot be slowed: "
-            f"{first.reason}; lower the feed there, raise the bound, or accept it as it is"
+            phrase(
+                "{}:{}: the corner is off by {} and cannot be slowed: {}; lower the feed there, raise the "
+                "bound, or accept it as it is",
+                program.name,
+                first.line,
+                um(first.error, ".1f"),
+                first.reason,
+            )
         )
     kept = plan.active
     if not kept.any():
@@ -151,8 +158,13 @@ def slow_corners(
     if (after > bound).any():
         worst = int(np.argmax(after))
         raise LimitError(
-            f"{program.name}:{path.line(plan.move[kept][worst])}: the slowed corner is still off by "
-            f"{after[worst] * 1000:.2f} um, more than {bound * 1000:g} um"
+            phrase(
+                "{}:{}: the slowed corner is still off by {}, more than {}",
+                program.name,
+                path.line(plan.move[kept][worst]),
+                um(after[worst], ".2f"),
+                um(bound, "g"),
+            )
         )
     move = plan.move[kept]
     return CornerFeeds(
@@ -187,8 +199,8 @@ class _Plan:
         # A corner between unequal feeds is off by less than one between two of the higher: the first try is high.
         self.feed = self._rounded(feed.max(axis=1) * np.minimum(_AIM * bound / error, 1.0))
         spline = (self.path.kind[self.move] == Kind.CUBIC) | (self.path.kind[self.behind] == Kind.CUBIC)
-        self._drop(spline, "one of its blocks is a spline")
-        self._drop(self.feed <= 0, "the feed would be below the smallest step of a feed")
+        self._drop(spline, phrase("one of its blocks is a spline"))
+        self._drop(self.feed <= 0, phrase("the feed would be below the smallest step of a feed"))
         self._check_room()
 
     def _following(self, move: Ints) -> Ints:
@@ -233,7 +245,7 @@ class _Plan:
             wrong = self.active & (short[self.move] & (bc > 0) | short[self.behind] & (cd > 0))
             if not wrong.any():
                 return
-            self._drop(wrong, "its blocks are too short for the control to change the feed in them")
+            self._drop(wrong, phrase("its blocks are too short for the control to change the feed in them"))
 
     def slower(self, after: Floats) -> bool:
         """Lower the feeds of corners that are still too far off; whether there were any."""
@@ -246,12 +258,12 @@ class _Plan:
         if self.rounds > _ROUNDS:
             wrong = np.zeros(len(self.move), np.bool_)
             wrong[these] = True
-            self._drop(wrong, "its error does not fall with the feed")
+            self._drop(wrong, phrase("its error does not fall with the feed"))
             return True
         wanted = self.feed.copy()
         wanted[these] *= _AIM * self.bound / after[still]
         self.feed[these] = np.minimum(self._rounded(wanted)[these], self.feed[these] - self.step[these])
-        self._drop(self.feed <= self.step * 0.5, "the feed would be below the smallest step of a feed")
+        self._drop(self.feed <= self.step * 0.5, phrase("the feed would be below the smallest step of a feed"))
         self._check_room()
         return True
 
@@ -296,7 +308,7 @@ class _Plan:
         found = corner_errors(toolpath, self.control, halts=halts, least_turn=least_turn / 2, name=self.program.name)
         place = np.searchsorted(found.move, corner)
         if (place >= len(found)).any() or (found.move[np.minimum(place, len(found) - 1)] != corner).any():
-            raise LimitError(f"{self.program.name}: a corner is lost in the slowed program; raise the bound")
+            raise LimitError(phrase("{}: a corner is lost in the slowed program; raise the bound", self.program.name))
         out: Floats = found.error[place]
         return out
 
@@ -311,4 +323,6 @@ def _same_moves(back: Program, wanted: Toolpath, tolerance: float) -> None:
         feed = np.abs(got.feed - wanted.feed) > 1e-6 * np.abs(wanted.feed)
         same = not ((off > tolerance).any() or feed.any())
     if not same:
-        raise LimitError(f"{back.name}: the slowed program does not read back as it was meant; raise the bound")
+        raise LimitError(
+            phrase("{}: the slowed program does not read back as it was meant; raise the bound", back.name)
+        )

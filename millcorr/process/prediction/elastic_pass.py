@@ -19,6 +19,7 @@ from millcorr.errors import RefusedError, UsageError
 from millcorr.geometry.footpoint import FootPointSearch, Place
 from millcorr.geometry.nurbs import NurbsCurve
 from millcorr.geometry.profile import Contour, Profile
+from millcorr.messages import at_z, mm, phrase, um, xy
 from millcorr.nc.toolpath import Toolpath
 from millcorr.process.cutting import Cutting, cutting
 from millcorr.process.engagement import STEP, CutterPath, Engagement, GivenWay, arcs_of, engaged
@@ -146,8 +147,12 @@ def elastic_pass(
     bound = cutting_stiffness(rigid, setup) / least
     if bound >= 1.0:
         raise RefusedError(
-            f"elastic loop: the cut is {bound:.2f} times as stiff as the machine ({least:g} N/mm): it need not "
-            "settle; check [machine] kx_n_per_mm and ky_n_per_mm, feed, axial depth and [material]"
+            phrase(
+                "elastic loop: the cut is {:.2f} times as stiff as the machine ({:g} N/mm): it need not "
+                "settle; check [machine] kx_n_per_mm and ky_n_per_mm, feed, axial depth and [material]",
+                bound,
+                least,
+            )
         )
     forces = cutting(rigid, setup)
     deflection = forces.force / stiffness
@@ -179,8 +184,12 @@ def elastic_pass(
             deflection = _marched(deflection, begin, end, answer, stiffness)
     x, y, _ = path.position[int(np.argmax(off))]
     raise RefusedError(
-        f"elastic loop: it does not settle near X{x:.3f} Y{y:.3f}, where force and deflection still differ by "
-        f"{residual * 1000:.3g} um; check [machine] stiffness, feed and [material]"
+        phrase(
+            "elastic loop: it does not settle near {}, where force and deflection still differ by {}; "
+            "check [machine] stiffness, feed and [material]",
+            xy(x, y),
+            um(residual, ".3g"),
+        )
     )
 
 
@@ -332,7 +341,7 @@ def deviation_along(
         As there.
     """
     if not (np.isfinite(spacing) and spacing > 0):
-        raise UsageError(f"predicted deviation: a spacing of {spacing!r} mm is not positive")
+        raise UsageError(phrase("predicted deviation: a spacing of {!r} mm is not positive", spacing))
     height = float(elastic.path.levels[0] if z is None else z)
     radius = elastic.engagement.radius
     points, normals = [], []
@@ -346,7 +355,7 @@ def deviation_along(
     wanted, found, within = surface_along(_path_through(elastic, commanded, height), radius, point, normal)
     rows = np.flatnonzero(found & within)
     if not len(rows):
-        raise UsageError("predicted deviation: the program does not cut the nominal profile: check both")
+        raise UsageError(phrase("predicted deviation: the program does not cut the nominal profile: check both"))
     point, normal = point[rows], normal[rows]
     # Where a lead or another pass crosses the contour its end is no matter of what bends.
     wanted = wanted[rows]
@@ -363,8 +372,13 @@ def deviation_along(
         if meant is None and (lost := np.flatnonzero(within & ~found & own)).size:
             px, py = point[lost[0]]
             raise RefusedError(
-                f"predicted deviation: what the cutter leaves at X{px:.3f} Y{py:.3f} is not to be found within "
-                f"{REACH + room:.3f} mm; it is up to {off:.3f} mm off its path: check [machine] stiffness and inertia"
+                phrase(
+                    "predicted deviation: what the cutter leaves at {} is not to be found within {}; it is up "
+                    "to {} off its path: check [machine] stiffness and inertia",
+                    xy(px, py),
+                    mm(REACH + room, ".3f"),
+                    mm(off, ".3f"),
+                )
             )
         return x, within & found, REACH + room
 
@@ -375,7 +389,7 @@ def deviation_along(
         out, also, reach = left(_path_through(elastic, elastic.centre, height), elastic.centre)
         cut &= also
     if not cut.any():
-        raise UsageError("predicted deviation: the program does not cut the nominal profile: check both")
+        raise UsageError(phrase("predicted deviation: the program does not cut the nominal profile: check both"))
     rows = np.flatnonzero(cut)
     xyz = np.column_stack([point[rows] + out[rows, None] * normal[rows], np.full(len(rows), height)])
     ijk = np.column_stack([normal[rows], np.zeros(len(rows))])
@@ -465,7 +479,7 @@ def _path_through(elastic: ElasticPass, centre: Floats, height: float) -> Profil
         if curves:
             contours.append(Contour(tuple(curves), False))
     if not contours:
-        raise UsageError(f"predicted deviation: nothing cuts at or below Z{height:g}")
+        raise UsageError(phrase("predicted deviation: nothing cuts at or below {}", at_z(height)))
     return Profile.from_contours(contours)
 
 

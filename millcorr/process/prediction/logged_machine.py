@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from millcorr.errors import UsageError
-from millcorr.messages import Place, option
+from millcorr.messages import Place, option, phrase
 from millcorr.nc import Program
 from millcorr.process.kinematics import AxisDynamics, Constant, Control, Trace, identify
 from millcorr.process.setup_file import Setup
@@ -94,10 +94,11 @@ def logged_machine(setup: Setup, program: Program, trace: Trace, keys: Sequence[
     wanted = tuple(dict.fromkeys(keys)) or tuple(key for key in list(KEYS)[:3] if not getattr(machine, key))
     if not wanted:
         raise UsageError(
-            Place(setup.source or "setup"),
-            ": [machine] states all that a trace can tell: name with ",
-            option("identify"),
-            " what is to be identified anew",
+            phrase(
+                "{}: [machine] states all that a trace can tell: name with {} what is to be identified anew",
+                Place(setup.source or "setup"),
+                option("identify"),
+            ),
         )
     known = control_of(setup) or Control.alike(AxisDynamics(shape=machine.acceleration_shape))
     names = [KEYS[key][0] for key in wanted]

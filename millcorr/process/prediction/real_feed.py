@@ -14,6 +14,7 @@ import shapely
 
 from millcorr.arrays import Floats, Ints, ReadOnlyArrays
 from millcorr.errors import FormatError
+from millcorr.messages import phrase
 from millcorr.nc.toolpath import Kind, Plane, Toolpath
 from millcorr.process.deflection.real_path import flat_cuts
 from millcorr.process.kinematics import AxisDynamics, ContourControl, Control, Motion
@@ -251,10 +252,12 @@ def control_of(setup: Setup) -> Control | None:
     for name in ("acceleration_time_x_ms", "acceleration_time_y_ms"):
         value = getattr(machine, name)
         if 0 < value < SHORTEST_TIME:
-            raise FormatError(f"[machine] {name} {value:g} is neither 0 nor at least 1 (ms)", setup.source or None)
+            raise FormatError(
+                phrase("[machine] {} {:g} is neither 0 nor at least 1 (ms)", name, value), setup.source or None
+            )
     kv = machine.position_gain_per_s
     if kv is not None and kv > 1000.0:
-        raise FormatError(f"[machine] position_gain_per_s {kv:g} is above 1000 (1/s)", setup.source or None)
+        raise FormatError(phrase("[machine] position_gain_per_s {:g} is above 1000 (1/s)", kv), setup.source or None)
     tx, ty = machine.acceleration_time_x_ms / 1000.0, machine.acceleration_time_y_ms / 1000.0
     gain = np.inf if kv is None else kv
     contour: ContourControl | None = None
@@ -262,8 +265,10 @@ def control_of(setup: Setup) -> Control | None:
         slope, offset = machine.contour_time_slope_ms_per_mm_min, machine.contour_time_offset_ms
         if not (slope or offset):
             raise FormatError(
-                "[machine] contour_time_offset_ms and contour_time_slope_ms_per_mm_min are both 0: contour control "
-                "takes its time",
+                phrase(
+                    "[machine] contour_time_offset_ms and contour_time_slope_ms_per_mm_min are both 0: contour "
+                    "control takes its time"
+                ),
                 setup.source or None,
             )
         change = machine.contour_speed_change_mm_min

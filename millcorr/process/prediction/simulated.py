@@ -21,7 +21,7 @@ from millcorr.errors import FormatError, LimitError, RefusedError
 from millcorr.geometry.correction import Correction
 from millcorr.geometry.footpoint import FootPointSearch
 from millcorr.geometry.profile import Profile
-from millcorr.messages import message, option
+from millcorr.messages import mm, option, phrase, xy
 from millcorr.nc.toolpath import Toolpath
 from millcorr.path.emission import Emission
 from millcorr.process.engagement import stock_of
@@ -233,7 +233,7 @@ def halts_and_notes(program: nc.Program) -> tuple[Halts, tuple[str, ...]]:
     try:
         return halts_of(program), ()
     except FormatError:
-        note = f"{program.name}: the unit of the dwells is not known, they are taken as seconds"
+        note = phrase("{}: the unit of the dwells is not known, they are taken as seconds", program.name)
         return halts_of(program, "s"), (note,)
 
 
@@ -336,7 +336,7 @@ def settle(
         if bound is None or done.largest <= bound:
             return aim, correction, notes, emission, tuple(passes)
         aim = replace(aim, value=aim.value - aim.yields * over)
-    raise RefusedError(f"{_still_left(passes, bound)}: the cutter cannot follow so quick a change; allow more")
+    raise RefusedError(phrase("{}: the cutter cannot follow so quick a change; allow more", _still_left(passes, bound)))
 
 
 def _still_left(passes: list[Simulation], bound: float | None) -> str:
@@ -345,13 +345,14 @@ def _still_left(passes: list[Simulation], bound: float | None) -> str:
     d = done.deviation
     worst = int(np.argmax(np.abs(d.value)))
     x, y = d.foot[worst]
-    rounds = "1 round" if len(passes) == 1 else f"{len(passes)} rounds"
-    text = message(
-        f"after {rounds} {d.value[worst]:+.4f} mm are still predicted at X{x:.3f} Y{y:.3f}, ",
-        "more than ",
+    rounds = phrase("1 round") if len(passes) == 1 else phrase("{} rounds", len(passes))
+    text = phrase(
+        "after {} {} are still predicted at {}, more than {}",
+        rounds,
+        mm(d.value[worst], "+.4f"),
+        xy(x, y),
         option("iterate", bound),
-        " mm",
     )
     if abs(done.kinematic[worst]) > AXES * abs(d.value[worst]):
-        text += message(", which the axes leave: lower the feed there (simulate ", option("slowed"), ")")
+        return phrase("{}, which the axes leave: lower the feed there (simulate {})", text, option("slowed"))
     return text
