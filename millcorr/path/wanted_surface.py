@@ -161,7 +161,9 @@ class WantedSurface:
         k = self._contour[end]
         if profile.contours[k].closed:
             away = np.mod(away + 1e-9, profile.total[k]) - 1e-9
-        side, away = side[away > -1e-9], away[away > -1e-9]
+        # Where a contour has no other corner, its far end is at the same place: that belongs to the other side.
+        mine = (away > 1e-9) | (side == end)
+        side, away = side[mine], away[mine]
         order = np.argsort(away, kind="stable")
         return side[order], away[order]
 

@@ -328,8 +328,10 @@ def test_a_side_without_points_loses_the_smoothed_mean_and_keeps_its_correction(
     after = outcome.result.correction
     moved = np.array([after.courses[k](np.array([x]))[0][0] - before.courses[k](np.array([x]))[0][0]
                       for k, x in zip(stretch, s, strict=True)]) / UM  # fmt: skip
-    # Some millimetres beyond the last point the form, of 6 um over 25 mm, runs on as it went there.
-    assert (np.abs(moved + 4.5) < 0.3).mean() > 0.9 and np.abs(moved + 4.5).max() < 2.0
+    # The points end at 10 mm of the third side and 40 mm of the fourth: within 25 mm of there, the length of the form,
+    # it runs on as it went, of 6 um.
+    runs_on = ((stretch == 2) & (s > 10) & (s < 35)) | ((stretch == 3) & (s > 15) & (s < 40))
+    assert np.abs(moved + 4.5)[~runs_on].max() < 0.3 and np.abs(moved + 4.5)[runs_on].max() < 2.0
 
 
 def test_a_series_of_an_older_journal_goes_on(tmp_path: Path) -> None:
