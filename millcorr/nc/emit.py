@@ -395,6 +395,8 @@ class Emitter:
         """Change the words of a line so that it gives a move, and take the state behind it."""
         form, state = self.form, self.state
         self._continuous(move)
+        # X=5 in place of AP= and RP= tells Siemens' poles from work offsets of others.
+        polar = any(letter in line.letters for letter in "hotq")
         for letter in _LEANING + ("ijk" if not self._absolute_centre(line) else ""):
             self._take_away(line, letter)
         end, values, redundant = self._axis_words(line, move)
@@ -424,7 +426,7 @@ class Emitter:
             number = str(int(value)) if turns else form.number(value)
             i = line.axis(letter)[0] if letter in "XYZ" else line.find(letter)
             if i < 0:
-                self._insert(line, letter.upper(), number)
+                self._insert(line, letter.upper(), f"={number}" if polar and letter in "XY" else number)
             elif line.value(i) != value:
                 self._free(line, line.letter(i))
                 line.set_number(i, number)

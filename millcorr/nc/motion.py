@@ -557,6 +557,10 @@ class _Follower:
             flat = (toolpath.plane == Plane.XY) & (z[0] == z[1])
             rows = np.flatnonzero((held[:-1] != 0) & flat[:-1] & flat[1:])
             found += [Corner(k, "r", float(held[k])) for k in rows.tolist() if k not in own]
+        once, modal = self.column("!")[0][source], self.column("&")
+        slowed = once | (_held(modal[0], np.where(modal[0], modal[1], 0.0), 0.0)[source] != 0)
+        for row in sorted(c.row for c in found if slowed[c.row]):
+            self._mark(np.unique(source[row : row + 2]), phrase("FRC= or FRCM= gives a corner a feed of its own"))
         toolpath, failed = rounded(toolpath, sorted(found, key=lambda c: c.row))
         for row in failed:
             lines = np.unique(source[row : row + 2])

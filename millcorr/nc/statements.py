@@ -39,8 +39,10 @@ ADDRESSES = {
     "ANG": "g",
     "AP": "h",
     "RP": "q",
+    "FRC": "!",
+    "FRCM": "&",
 }
-"""Siemens' named addresses and the letters they are words of."""
+"""Siemens' named addresses and the letters they are words of; signs, where no letter is left."""
 ANGLES = {"AC": "t", "IC": "o"}
 """Letters of AP=AC() and AP=IC()."""
 POLE_CODES = (110, 111, 112)
@@ -49,7 +51,7 @@ POLES = {"G": "b", "X": "e", "Y": "f"}
 _CORNERS = {"R": "r", "C": "c", "A": "g"}
 _MOTIONS = {"CIP": CIRCLE_BY_POINT, "CT": TANGENT_CIRCLE}
 _FRAMES = ("ROT", "AROT", "ROTS", "AROTS", "MIRROR", "AMIRROR", "SCALE", "ASCALE")
-_NO_MOVE = "FRC FRCM FB SPOS SPOSA DISR ADIS ADISPOS OVR OVRA DL STOPRE FFWON SCC S M H".split()
+_NO_MOVE = "FB SPOS SPOSA DISR ADIS ADISPOS OVR OVRA DL STOPRE FFWON SCC S M H".split()
 """Assigned names that neither move nor are variables."""
 
 _TOOL = re.compile(r'(?<![A-Z_])T(?:(?:\d*[ \t]*=)?[ \t]*"(?P<quoted>[^"]*)"|\d*[ \t]*=[ \t]*(?P<bare>[^\s"=(;]+))')

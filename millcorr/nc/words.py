@@ -52,7 +52,7 @@ _CLASS[10] = _NEWLINE
 _TO_BLANK = bytes(32 if c in (_LETTER, _NEWLINE) else i for i, c in enumerate(_CLASS))
 _BLANKS = b" \t\r\x0b\x0c\x1a"
 BYTE_ORDER_MARK = b"\xef\xbb\xbf"
-_POLAR = re.compile(rb"(?<![A-Za-z_])[AaRr][Pp][ \t]*=")
+_NAMED_PLACE = re.compile(rb"(?i)(?<![A-Z_])(?:[AR]P|[XY])[ \t]*=")
 _POLE = re.compile(rb"(?im)^[^(;\r\n]*?(?<![A-Z_])G11[012](?!\d)")
 
 
@@ -196,9 +196,9 @@ def take_apart(data: bytes, starts: Ints, name: str) -> tuple[Words, dict[int, S
 
 def _poles(data: bytes, starts: Ints) -> Ints:
     """Lines that state the pole of Siemens' polar positions; elsewhere G110 to G112 are other codes."""
-    if not _POLAR.search(data):
-        return np.zeros(0, np.int64)
     places = [found.start() for found in _POLE.finditer(data)]
+    if not places or not _NAMED_PLACE.search(COMMENT.sub(b"", data)):
+        return np.zeros(0, np.int64)
     return np.unique(np.searchsorted(starts, np.array(places, np.int64), side="right") - 1)
 
 
