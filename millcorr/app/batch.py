@@ -363,8 +363,13 @@ def proved(obj: Any, text: str, corrected: correction.Correction) -> correction.
     try:
         following = verification.following_by_place(emitted, planned.toolpath, planned.following)
     except LimitError as error:
-        message = phrase("FreeCAD's post processor {} does not write the path as it is: {}", post, message_of(error))
-        raise LimitError(phrase("{}; post with another one", message)) from error
+        raise LimitError(
+            phrase(
+                "FreeCAD's post processor {} does not write the path as it is: {}; post with another one",
+                post,
+                message_of(error),
+            )
+        ) from error
     proof = verification.verify(
         emitted, result.compensated, result.path_radius, following=following, tolerance=tolerance
     )

@@ -79,4 +79,3 @@ def _end(run: Run, name: str, block: int, following: int) -> dict[str, float] | 
 
 def _unit(degrees: float) -> Floats:
     return np.array([math.cos(math.radians(degrees)), math.sin(math.radians(degrees))])
-

@@ -39,7 +39,6 @@ from .codes import (
     PROGRAM_ENDS,
     SHIFTS,
     SIEMENS_ARCS,
-    TANGENT_CIRCLE,
     UNSTATED,
 )
 from .corners import Corner, rounded

@@ -107,7 +107,7 @@ class _Poles:
         """Take over a pole."""
         scale = self._scale(block)
         angle = numbers.get("t", numbers.get("h"))
-        if numbers.keys() & set("uvxyo") or self._in_force("plane", block) != 17:
+        if "o" in numbers or self._in_force("plane", block) != 17:
             self._move_pole(_NOWHERE, ())
             return
         if angle is not None and "q" in numbers and not numbers.keys() & {"e", "f"} and numbers["b"] != 110:

@@ -46,7 +46,7 @@ ADDRESSES = {
 ANGLES = {"AC": "t", "IC": "o"}
 """Letters of AP=AC() and AP=IC()."""
 POLE_CODES = (110, 111, 112)
-POLES = {"G": "b", "X": "e", "Y": "f"}
+POLES = {"G": "b", "X": "e", "Y": "f", "x": "e", "y": "f", "u": "e", "v": "f"}
 """Letters of what a line with G110, G111, G112 states: no code and no target of a move."""
 _CORNERS = {"R": "r", "C": "c", "A": "g"}
 _MOTIONS = {"CIP": CIRCLE_BY_POINT, "CT": TANGENT_CIRCLE}
@@ -206,9 +206,15 @@ def take_line_apart(raw: str, name: str, line: int) -> Statement:
 
 def pole_of(line: Statement) -> Statement:
     """A line that states the pole of Siemens' polar positions (G110, G111, G112), from its plain words."""
-    stays = [p.letter == "G" and p.value not in POLE_CODES for p in line.pieces]
-    letters = [p.letter if kept else POLES.get(p.letter, p.letter) for p, kept in zip(line.pieces, stays, strict=True)]
-    pieces = [replace(p, letter=letter) for p, letter in zip(line.pieces, letters, strict=True) if letter != "Z"]
+    pieces = []
+    for piece in line.pieces:
+        if piece.letter in "xyuv":
+            # X=AC(), X=IC(): a pole is relative to what its code says.
+            piece = replace(piece, value=math.nan, expression="")
+        if piece.letter in POLES and (piece.letter != "G" or piece.value in POLE_CODES):
+            piece = replace(piece, letter=POLES[piece.letter])
+        if piece.letter not in "Zzw":
+            pieces.append(piece)
     return replace(line, pieces=pieces)
 
 

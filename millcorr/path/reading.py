@@ -198,12 +198,14 @@ def _with_polar_ends(
     moved = np.cumsum(whole.having(*_OFFSETS) | (False if (frame := whole.of("FRAME")) is None else frame[0]))
     more: list[tuple[int, float, int]] = []
 
-    def all_words() -> tuple[Bytes, Floats, Ints]:
-        given = np.array(more, np.float64).reshape(-1, 3)
-        columns = zip((letter, value, line), given.T, strict=True)
-        a, b, c = (np.concatenate([old, new.astype(old.dtype)]) for old, new in columns)
-        order = np.argsort(c, kind="stable")
-        return a[order], b[order], c[order]
+    def before_block(block: int) -> tuple[Bytes, Floats, Ints]:
+        """Words of the lines before one, with those found so far."""
+        found = np.array(more, np.float64).reshape(-1, 3)
+        lines = np.concatenate([line, found[:, 2].astype(line.dtype)])
+        order = np.argsort(lines, kind="stable")
+        order = order[lines[order] < block]
+        letters = np.concatenate([letter, found[:, 0].astype(np.uint8)])
+        return letters[order], np.concatenate([value, found[:, 1]])[order], lines[order]
 
     pole, defined, radius, angle, before = 0j, False, np.nan, np.nan, 0
     for block in np.unique(line[polar]).tolist():
@@ -222,11 +224,10 @@ def _with_polar_ends(
                 way = said["RP"] * np.exp(1j * np.radians(said[by_angle[1]]))
             elif by_angle or (how == 1 and not {"PX", "PY"} <= set(said)):
                 way = complex(np.nan, np.nan)
-            if not flat[block] or {"X=AC", "X=IC", "Y=AC", "Y=IC"} & set(said):
+            if not flat[block]:
                 way = complex(np.nan, np.nan)
             if how == 0:
-                earlier = tuple(column[all_words()[2] < block] for column in all_words())
-                follower = upto(block, _with_ends_of_angles(earlier, upto))
+                follower = upto(block, _with_ends_of_angles(before_block(block), upto))
                 shift = follower.shift(np.where(inch[:block], 25.4, 1.0))
                 ends = follower.reading().moves.end
                 pole = complex(*(ends[-1, :2] - shift[-1, :2])) if len(ends) else complex(np.nan, np.nan)
@@ -245,7 +246,7 @@ def _with_polar_ends(
         if bent[block] and not {"I", "J", "K", "R", "I=AC", "J=AC", "K=AC", "AR"} & set(said):
             centre = pole / scale
             more += [(ord(ADDRESS["I=AC"]), centre.real, block), (ord(ADDRESS["J=AC"]), centre.imag, block)]
-    return all_words()
+    return before_block(blocks)
 
 
 def _with_ends_of_angles(

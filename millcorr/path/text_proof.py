@@ -49,7 +49,9 @@ _OPENING = re.compile(
 _SHOWN = 40
 _HEIGHTS = ("Z", ADDRESS["Z=IC"], ADDRESS["Z=AC"])
 _CENTRES = tuple(ADDRESS[name] for name in ("I=AC", "J=AC"))
-_PLACES = tuple(ADDRESS[name] for name in "X=IC Y=IC X=AC Y=AC RND CHR CHF RNDM ANG AR I1 J1 K1 ARC AP AP=AC AP=IC RP RP=IC".split())
+_PLACES = tuple(
+    ADDRESS[name] for name in "X=IC Y=IC X=AC Y=AC RND CHR CHF RNDM ANG AR I1 J1 K1 ARC AP AP=AC AP=IC RP RP=IC".split()
+)
 _OWN_WORDS = (ADDRESS["FRAME"], ADDRESS["POLE"])
 _NOT_THERE = "{} of a move that was not to change is not what it was"
 

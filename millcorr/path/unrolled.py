@@ -21,8 +21,8 @@ from millcorr.arrays import Ints
 ADDRESS = {
     name: bytes([0xC0 + k]).decode("latin-1")
     for k, name in enumerate(
-        "X=IC Y=IC Z=IC X=AC Y=AC Z=AC I=AC J=AC K=AC RND CHR CHF ANG AR TURN I1 J1 K1 FRAME ARC RNDM AP AP=AC AP=IC RP "
-        "RP=IC POLE PX PY".split()
+        "X=IC Y=IC Z=IC X=AC Y=AC Z=AC I=AC J=AC K=AC RND CHR CHF ANG AR TURN I1 J1 K1 FRAME ARC RNDM "
+        "AP AP=AC AP=IC RP RP=IC POLE PX PY".split()
     )
 }
 """Letters, beyond those of ASCII, that stand for addresses of several."""
@@ -324,7 +324,10 @@ def _pole(text: str) -> str:
     text = re.sub(r"(?<![A-Z_])G11([012])(?!\d)", ADDRESS["POLE"] + r"\1", text)
     for axis in "XY":
         text = re.sub(rf"(?<![A-Z_]){axis}(?=\s*[-+#.\d])", ADDRESS[f"P{axis}"], text)
-    return re.sub(r"(?<![A-Z_])Z\s*[-+#]?[\d.]*", "", text)
+        # X=AC(), X=IC(): a pole is relative to what its code says.
+        own = ADDRESS[f"{axis}=AC"] + ADDRESS[f"{axis}=IC"]
+        text = re.sub(rf"[{own}]\s*[-+#.\d]+", ADDRESS[f"P{axis}"] + "# ", text)
+    return re.sub(rf"(?:(?<![A-Z_])Z|[{ADDRESS['Z=AC']}{ADDRESS['Z=IC']}])\s*[-+#.\d]+", "", text)
 
 
 class _Machine:
@@ -347,9 +350,7 @@ class _Machine:
         self.blocks: list[int] = []
         self.plain: list[bytes] = []
         self.pairs: dict[int, list[int]] = {}
-        self.polar = any(
-            re.search(r"(?<![A-Z_])(?:[AR]P|[XY])\s*=", _bare(line)[0]) for line in lines if b"=" in line
-        )
+        self.polar = any(re.search(r"(?<![A-Z_])(?:[AR]P|[XY])\s*=", _bare(line)[0]) for line in lines if b"=" in line)
         self._take(0)
 
     def _take(self, since: int) -> None:

@@ -2508,6 +2508,10 @@ In einem Terminal tut dies dasselbe:
         <translation>eine Einstellung ist nicht möglich: {}</translation>
     </message>
     <message>
+        <source>FreeCAD's post processor {} does not write the path as it is: {}; post with another one</source>
+        <translation>FreeCADs Postprozessor {} schreibt die Bahn nicht so, wie sie ist: {}; geben Sie mit einem anderen aus</translation>
+    </message>
+    <message>
         <source>{}: the operation has no tool with a diameter; set ToolDiameter</source>
         <translation>{}: die Operation hat kein Werkzeug mit Durchmesser; geben Sie den Werkzeugdurchmesser an</translation>
     </message>
@@ -3408,8 +3412,8 @@ In einem Terminal tut dies dasselbe:
         <translation>G53 fährt im Maschinensystem</translation>
     </message>
     <message>
-        <source>RNDM rounds every corner: write RND= at each</source>
-        <translation>RNDM rundet jede Ecke: schreiben Sie RND= an jede</translation>
+        <source>FRC= or FRCM= gives a corner a feed of its own</source>
+        <translation>FRC= oder FRCM= gibt einer Ecke einen eigenen Vorschub</translation>
     </message>
     <message>
         <source>a corner rounding or chamfer that is not followed</source>
@@ -3492,6 +3496,14 @@ In einem Terminal tut dies dasselbe:
         <translation>{} wird von einem Makroausdruck berechnet: {}</translation>
     </message>
     <message>
+        <source>where this polar position is, is not known</source>
+        <translation>wo diese polare Position liegt, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>a polar position of this motion code is not followed</source>
+        <translation>eine polare Position mit diesem Bewegungscode wird nicht verfolgt</translation>
+    </message>
+    <message>
         <source>plain G0 to G3 moves</source>
         <translation>einfache Bewegungen G0 bis G3</translation>
     </message>
@@ -3536,10 +3548,6 @@ In einem Terminal tut dies dasselbe:
         <translation>Korrekturen, die um {} auseinanderliegen</translation>
     </message>
     <message>
-        <source>polar positions (AP=, RP=) are not followed</source>
-        <translation>Polarkoordinaten (AP=, RP=) werden nicht verfolgt</translation>
-    </message>
-    <message>
         <source>cannot read '{}': is this an NC program?</source>
         <translation>„{}“ ist nicht lesbar: ist das ein NC-Programm?</translation>
     </message>
@@ -3576,6 +3584,10 @@ In einem Terminal tut dies dasselbe:
         <translation>{} kann das Koordinatensystem ändern</translation>
     </message>
     <message>
+        <source>{} is not followed</source>
+        <translation>{} wird nicht verfolgt</translation>
+    </message>
+    <message>
         <source>OFFN shifts the contour</source>
         <translation>OFFN verschiebt die Kontur</translation>
     </message>
@@ -3602,10 +3614,6 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>{} is assigned with '='</source>
         <translation>{} wird mit „=“ zugewiesen</translation>
-    </message>
-    <message>
-        <source>{} is not followed</source>
-        <translation>{} wird nicht verfolgt</translation>
     </message>
     <message>
         <source>which variable it is, is computed; state the number here</source>

@@ -2508,6 +2508,10 @@ In a terminal, this does the same:
         <translation>налаштування неможливе: {}</translation>
     </message>
     <message>
+        <source>FreeCAD's post processor {} does not write the path as it is: {}; post with another one</source>
+        <translation>постпроцесор FreeCAD {} записує траєкторію не такою, якою вона є: {}; виведіть іншим</translation>
+    </message>
+    <message>
         <source>{}: the operation has no tool with a diameter; set ToolDiameter</source>
         <translation>{}: операція не має інструмента з діаметром; задайте діаметр інструмента</translation>
     </message>
@@ -3408,8 +3412,8 @@ In a terminal, this does the same:
         <translation>G53 рухає в системі верстата</translation>
     </message>
     <message>
-        <source>RNDM rounds every corner: write RND= at each</source>
-        <translation>RNDM заокруглює кожен кут: пишіть RND= біля кожного</translation>
+        <source>FRC= or FRCM= gives a corner a feed of its own</source>
+        <translation>FRC= або FRCM= задає для кута власну подачу</translation>
     </message>
     <message>
         <source>a corner rounding or chamfer that is not followed</source>
@@ -3492,6 +3496,14 @@ In a terminal, this does the same:
         <translation>{} обчислює макровираз: {}</translation>
     </message>
     <message>
+        <source>where this polar position is, is not known</source>
+        <translation>де лежить ця полярна позиція, невідомо</translation>
+    </message>
+    <message>
+        <source>a polar position of this motion code is not followed</source>
+        <translation>полярна позиція з цим кодом руху не відстежується</translation>
+    </message>
+    <message>
         <source>plain G0 to G3 moves</source>
         <translation>прості рухи G0–G3</translation>
     </message>
@@ -3536,10 +3548,6 @@ In a terminal, this does the same:
         <translation>корекцій, що різняться на {}</translation>
     </message>
     <message>
-        <source>polar positions (AP=, RP=) are not followed</source>
-        <translation>полярні координати (AP=, RP=) не відстежуються</translation>
-    </message>
-    <message>
         <source>cannot read '{}': is this an NC program?</source>
         <translation>не вдається прочитати «{}»: чи це програма ЧПК?</translation>
     </message>
@@ -3576,6 +3584,10 @@ In a terminal, this does the same:
         <translation>{} може змінити систему координат</translation>
     </message>
     <message>
+        <source>{} is not followed</source>
+        <translation>{} не відстежується</translation>
+    </message>
+    <message>
         <source>OFFN shifts the contour</source>
         <translation>OFFN зміщує контур</translation>
     </message>
@@ -3602,10 +3614,6 @@ In a terminal, this does the same:
     <message>
         <source>{} is assigned with '='</source>
         <translation>{} присвоєно через «=»</translation>
-    </message>
-    <message>
-        <source>{} is not followed</source>
-        <translation>{} не відстежується</translation>
     </message>
     <message>
         <source>which variable it is, is computed; state the number here</source>

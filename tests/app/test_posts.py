@@ -74,9 +74,7 @@ def test_inches_with_four_decimals_are_proven_as_fine_as_they_are(part_files, me
 
 
 def test_an_argument_that_a_post_does_not_know_is_said(part_files, measured_file, tmp_path):
-    with pytest.raises(
-        InputError, match="marlin fails on this job .an argument that is missing or"
-    ):
+    with pytest.raises(InputError, match="marlin fails on this job .an argument that is missing or"):
         posted("marlin", "--inches", part_files, measured_file, tmp_path / "out.nc")
 
 
