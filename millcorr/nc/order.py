@@ -502,6 +502,9 @@ class _Runner:
     def _flow(self, line: int, s: Statement) -> int:
         """Line that comes next behind a jump, a loop or a call."""
         text = s.flow
+        if self.names.get(text) == line:
+            # The head of a program (Okuma's OSUB) calls nothing.
+            return line + 1
         for pattern, action in _ACTIONS:
             if found := pattern.fullmatch(text):
                 return action(self, line, *found.groups())
@@ -523,7 +526,7 @@ class _Runner:
         return self._numbered(self._value(target), line)
 
     def label(self, line: int, name: str) -> int:
-        """Line with a Siemens label."""
+        """Line with a label of Siemens or a sequence name of Okuma."""
         first, last = self._section(line)
         there = [i for i in sorted(self.labels()) if first <= i < last and self.labels()[i] == name]
         if not there:
@@ -650,7 +653,7 @@ _ACTIONS: tuple[tuple[re.Pattern[str], Action], ...] = tuple(
     (re.compile(pattern), action)
     for pattern, action in (
         (r"IF\s*(.+?)\s*GOTO[FBC]?\s*([A-Z_0-9#\[\]+*/ -]+)", _Runner.if_goto),
-        (r"IF\s*(\[.+\])\s*(N\s*\d+)", _Runner.if_goto),
+        (r"IF\s*(\[.+\])\s*(N\s*\w+)", _Runner.if_goto),
         (r"GOTO[FBC]?\s*([A-Z_0-9#\[\]+*/ -]+)", _Runner.goto),
         (r"IF\s*(\[.+\])\s*THEN\s*(#\d+)\s*=(.+)", _Runner.if_then),
         (r"WHILE\s*(\[.+\])\s*DO\s*\d+", _Runner.loop_while),
@@ -692,7 +695,7 @@ _ROLES = (
     (re.compile(r"END(FOR)"), "close", ""),
     (re.compile(r"(REPEAT)"), "open", ""),
     (re.compile(r"UNTIL()\b.*"), "close", "REPEAT"),
-    (re.compile(r"(IF)\b(?!.*\bGOTO)(?!.*\bTHEN)(?!.*\]\s*N\d).*"), "open", ""),
+    (re.compile(r"(IF)\b(?!.*\bGOTO)(?!.*\bTHEN)(?!.*\]\s*N\w).*"), "open", ""),
     (re.compile(r"ELSE()"), "middle", "IF"),
     (re.compile(r"END(IF)"), "close", ""),
 )

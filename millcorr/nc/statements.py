@@ -78,8 +78,8 @@ _QUIET = frozenset(
 )
 _TITLE = re.compile(
     r"\s*(?:N\s*\d+\s*)?(O\s*\d+\s+)?"
-    r"(?!O\s*\d)(?!(?:IF|WHILE|GOTO\w?|FOR|REPEATB?|CALL|DEF|PROC|EXTERN|MSG|DO|LOOP|SUB|ELSE\w*|END\w+|CASE|RETURN|UNTIL|BEGIN|TOOL"
-    r"|BLK|BREAK|CONTINUE|A?TRANS|A?ROTS?|A?MIRROR|A?SCALE|WORKPIECE|CYCLE\d*|SUPA)\b)"
+    r"(?!O\s*\d)(?!(?:IF|WHILE|GOTO\w?|FOR|REPEATB?|CALL|DEF|PROC|EXTERN|MSG|DO|LOOP|SUB|ELSE\w*|END\w+|CASE|RETURN|UNTIL|BEGIN"
+    r"|TOOL[ \t]+(?:CALL|DEF)|BLK|BREAK|CONTINUE|A?TRANS|A?ROTS?|A?MIRROR|A?SCALE|WORKPIECE|CYCLE\d*|SUPA)\b)"
     r"(?=.*[A-Z]{3})([A-Z0-9][A-Z0-9 ._/:+-]*)"
 )
 """Titles that posts write without brackets: O1000 BRACKET REV B."""
@@ -129,7 +129,7 @@ class Statement:
     flow : str
         Text from the first word that steers the order of the lines, or calls; upper case, without comments.
     label : str
-        Siemens' name of the line.
+        Name of the line: Siemens' label, Okuma's sequence name.
     """
 
     pieces: list[Piece] = field(default_factory=list)

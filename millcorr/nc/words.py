@@ -38,6 +38,9 @@ _COLON = re.compile(rb"(?m)^([ \t]*):(?=[ \t]*\d)")
 """Program number as the ISO code of older controls writes it."""
 _BLOCK_DELETE = re.compile(rb"(?m)^([ \t]*(?:[nN][ \t]*\d+[ \t]*)?)/[1-9]?")
 _BLOCK_END = re.compile(rb"(?m)\*[ \t]*(?=\r?$)")
+_JUMP_TO_NAME = re.compile(rb"(?i)(?:GOTO|\])[ \t]*(N[A-Z]\w{0,3})(?!\w)")
+_SEQUENCE_NAME = re.compile(r"[ \t]*(N[A-Z]\w{0,3})(?!\w)", re.IGNORECASE)
+"""Okuma's sequence names, which stand in place of N with a number, where a jump goes to them."""
 
 _FIRST_CODE = re.compile(rb"(?im)^(?:[^(;\r\n]*[^(;\r\nA-Z_])?[GM][ \t]*\d")
 
@@ -160,12 +163,19 @@ def take_apart(data: bytes, starts: Ints, name: str) -> tuple[Words, dict[int, S
         newlines = marks[kinds == _NEWLINE]
         code = _FIRST_CODE.search(data)
         first_code = np.searchsorted(starts, code.start(), side="right") - 1 if code else len(starts)
+        names = {jump[1].decode().upper() for jump in _JUMP_TO_NAME.finditer(data)}
         for i in odd.tolist():
             blanked[(newlines[i - 1] + 1 if i else 0) : newlines[i]] = 32
             raw = data[starts[i] : starts[i + 1]].removeprefix(BYTE_ORDER_MARK)
             before = data[starts[i - 1] : starts[i]] if i else b""
             title = i < first_code and is_title(raw.decode("latin-1"), before.decode("latin-1"))
-            found[i] = title or take_line_apart(raw.decode("latin-1"), name, i)
+            text = raw.decode("latin-1")
+            label = _SEQUENCE_NAME.match(text) if names else None
+            if label is not None and label[1].upper() in names:
+                found[i] = take_line_apart(" " * label.end() + text[label.end() :], name, i)
+                found[i].label = label[1].upper()
+                continue
+            found[i] = title or take_line_apart(text, name, i)
             if i in poles:
                 found[i] = pole_of(found[i])
         keep = ~np.isin(line, odd) | (kinds == _NEWLINE)

@@ -40,8 +40,8 @@ _STEERING = re.compile(
 _CALLING = re.compile(r"M\s*0*(?:97|98|198)(?![\d.])")
 _TEXT = re.compile(rb'\([^()\r\n]*\)|;[^\r\n]*|"[^"\r\n]*"')
 _STEERS = re.compile(
-    r"(?:IF|WHILE|GOTO\w?|FOR|REPEATB?|CALL|DEF|PROC|EXTERN|MSG|DO|LOOP|SUB|ELSE\w*|END\w+|CASE|RETURN|UNTIL|BEGIN|TOOL|BLK"
-    r"|BREAK|CONTINUE|A?TRANS|A?ROTS?|A?MIRROR|A?SCALE|WORKPIECE|CYCLE\d*|SUPA)\b"
+    r"(?:IF|WHILE|GOTO\w?|FOR|REPEATB?|CALL|DEF|PROC|EXTERN|MSG|DO|LOOP|SUB|ELSE\w*|END\w+|CASE|RETURN|UNTIL|BEGIN"
+    r"|TOOL[ \t]+(?:CALL|DEF)|BLK|BREAK|CONTINUE|A?TRANS|A?ROTS?|A?MIRROR|A?SCALE|WORKPIECE|CYCLE\d*|SUPA)\b"
 )
 _HEAD = re.compile(r"\s*(?:N\s*\d+\s*)?(?:[O:]\s*(\d+)|O([A-Z]\w*)|%_N_(\w+?)_[MS]PF)\s*$")
 _ATOM = re.compile(r"[-+\s]*(?:NOT\b\s*)?(?:#\s*<[^>]*>|#+\s*\d+|#+(?=\[)|\d+\.?\d*|\.\d+|\$?[A-Z_]\w*|(?=[\[(]))\s*")
@@ -351,6 +351,9 @@ class _Machine:
         self.plain: list[bytes] = []
         self.pairs: dict[int, list[int]] = {}
         self.polar = any(re.search(r"(?<![A-Z_])(?:[AR]P|[XY])\s*=", _bare(line)[0]) for line in lines if b"=" in line)
+        jumps = rb"(?:GOTO|\])[ \t]*(N[A-Z]\w{0,3})(?!\w)"
+        self.names = {name.decode() for line in lines for name in re.findall(jumps, line.upper())}
+        """Okuma's sequence names, to which jumps go."""
         self._take(0)
 
     def _take(self, since: int) -> None:
@@ -367,6 +370,9 @@ class _Machine:
             skip = re.match(r"(\s*(?:N\s*\d+\s*)?)/[1-9]?", bare)
             if skip and self.raw[i].lstrip()[:1] in (b"/", b"N", b"n"):
                 bare, said = skip.group(1) + bare[skip.end() :], said + "/"
+            if (named := re.match(r"\s*(N[A-Z]\w{0,3})(?!\w)", bare)) and named[1] in self.names:
+                self.labels.setdefault(named[1], []).append(i)
+                bare = " " * named.end() + bare[named.end() :]
             if self.polar and re.search(r"(?<![A-Z_])G11[012](?!\d)", bare):
                 bare = _pole(bare)
             self.text.append(bare)
@@ -415,7 +421,7 @@ class _Machine:
                 elif found := re.match(r"(?:END)?(WHILE|FOR|IF)\b|(ELSE)\b|(REPEAT)$|(UNTIL)\b", flow):
                     kind = found[1] or ("IF" if found[2] else "REPEAT")
                     opens = not flow.startswith("END") and not found[2] and not found[4]
-                    if kind == "IF" and opens and re.search(r"GOTO|THEN|\]\s*N\d", flow):
+                    if kind == "IF" and opens and re.search(r"GOTO|THEN|\]\s*N\w", flow):
                         continue
                     key, verb = kind, kind if opens else "ELSE" if found[2] else "ENDIF"
                 else:
@@ -503,6 +509,9 @@ class _Machine:
         if re.search(r"G\s*6[56](?![\d.])", text):
             self.known.clear()
         code = re.findall(r"M\s*0*(2|30|99|17|97|98|198)(?![\d.=])", text)
+        if self.heads.get(text.strip()) == i:
+            # A program's head (Okuma's OSUB) calls nothing.
+            return i + 1
         flow = self._steering_text(text)
         if flow:
             return self._steer(i, flow)
@@ -617,7 +626,7 @@ class _Machine:
             if value(found[1]):
                 self.known[re.sub(r"\s", "", found[2])] = value(found[3])
             return i + 1
-        if found := re.fullmatch(r"(?:IF\s*(.+?)\s*)?GOTO[FBC]?\s*(.+)|IF\s*(\[.*\])\s*(N\s*\d+)", flow):
+        if found := re.fullmatch(r"(?:IF\s*(.+?)\s*)?GOTO[FBC]?\s*(.+)|IF\s*(\[.*\])\s*(N\s*\w+)", flow):
             test, to = found[1] or found[3], (found[2] or found[4]).strip()
             if test is not None and not value(test):
                 return i + 1

@@ -336,3 +336,8 @@ def test_samples_are_read(path: Path) -> None:
     program = read(path)
     assert len(program.toolpath)
     assert (program.toolpath.kind != Kind.RAPID).any()
+
+
+def test_a_title_without_brackets_may_name_a_tool() -> None:
+    path = parse("%\nO1000 BRACKET REV B\nTOOL 1 END MILL\nG0 X0 Y0 Z0\nG1 X5 F9\nM30\n%\n").toolpath
+    assert path.end[:, 0].tolist() == [0, 5]

@@ -26,6 +26,8 @@ DEPTHS = {
     "Fanuc macro": HEAD + "#1=0\nWHILE[#1LT3]DO1\nG91G1Z-2.F200.\n" + CONTOUR + "#1=#1+1\nEND1\nG90G0Z50.\nM30\n",
     "Mazak": HEAD + "#1=-2.\nN5G1Z#1F200.\n" + CONTOUR + "#1=#1-2.\nIF[#1GE-6.]GOTO5\nG0Z50.\nM30\n",
     "Okuma": "$O1.MIN%\nO1\n" + HEAD + "CALL O2 Q3\nG90G0Z50.\nM30\nO2\nG91G1Z-2.F200.\n" + CONTOUR + "RTS\n",
+    "Okuma, names": "$O1.MIN%\nOPART\n" + HEAD + "VC1=3\nNLOOP CALL OSB1\nVC1=VC1-1\nIF [VC1 GT 0] NLOOP\n"
+    "G90G0Z50.\nM02\nOSB1\nG91G1Z-2.F200.\n" + CONTOUR + "RTS\n",
     "LinuxCNC": "o100 sub\nG91G1Z-2.F200.\n" + CONTOUR + "o100 endsub\n" + HEAD + "o101 repeat [3]\no100 call\n"
     "o101 endrepeat\nG90G0Z50.\nM30\n",
     "Siemens": "%_N_PART_MPF\n" + HEAD + "L100 P3\nG90G0Z50.\nM30\n%_N_L100_SPF\nG91G1Z-2.F200.\n"
