@@ -16,7 +16,7 @@ from .words import HEAD, Words, line_starts, take_apart
 
 SUFFIXES = frozenset(" .nc .cnc .txt .tap .ngc .min .sub .ssb .mpf .spf .eia .iso .prg .ncc .h .i .mzk".split(" "))
 """Suffixes of NC programs, and none."""
-_NAMED = re.compile(rb"(?m)^[ \t]*(O[A-Za-z][A-Za-z0-9_]*|<[^>\r\n]+>)[ \t]*(?:\([^()\r\n]*\))?[ \t]*\r?$")
+_NAMED = re.compile(rb"(?m)^[ \t]*([Oo][A-Za-z][A-Za-z0-9_]*|<[^>\r\n]+>)[ \t]*(?:\([^()\r\n]*\))?[ \t]*\r?$")
 """Programs with a name: Okuma's OSUB1, Fanuc's <SUB>."""
 
 
