@@ -29,6 +29,8 @@ EXTENDED_OFFSETS = (541, 1540)
 OKUMA_OFFSET = 150
 OKUMA_LENGTHS = range(540, 600, 10)
 HOMING = (280, 300)
+MACHINE = (530, 1530)
+"""G53, and Siemens' G153: in the machine frame."""
 
 GROUPS: dict[str, dict[int, int]] = {
     "motion": {code: code for code in (*PATHS, *SIEMENS_ARCS, *CYCLES, CANCEL_CYCLE)},
@@ -113,7 +115,7 @@ NOT_A_TARGET = frozenset(
 )
 HARMLESS = frozenset(
     [code for group in GROUPS.values() for code in group]
-    + [*FRAME_ON, *FRAME_OFF, *OFFSETS, *LENGTH_OFFSETS, *HOMING, *CALL_CODES, *NOT_A_TARGET, 530]
+    + [*FRAME_ON, *FRAME_OFF, *OFFSETS, *LENGTH_OFFSETS, *HOMING, *CALL_CODES, *NOT_A_TARGET, *MACHINE]
     + [51, 90, 600, 601, 610, 611, 620, 630, 640, 960, 970, 1030, 1870, 4500, 4510]
     + [6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450]
 )

@@ -30,6 +30,7 @@ from .codes import (
     INITIAL,
     LENGTH_OFFSETS,
     LOCAL_SHIFT,
+    MACHINE,
     NOT_A_TARGET,
     OFFSETS,
     OKUMA_LENGTHS,
@@ -361,7 +362,7 @@ class _Follower:
 
     def _unknown_axes(self, homing: Bools, cycle: Bools, back_to_r: Bools, absolute: Bools) -> dict[str, Bools]:
         """Axes whose position is unknown behind a line although it may name them, three times (lines,)."""
-        machine = self.marked([530])
+        machine = self.marked(MACHINE)
         none_named = homing & ~self.any_of("XYZ")
         repeated = cycle & ~absolute & self.any_of("KL")
         unknown = {axis: ((homing | machine) & self.column(axis)[0]) | none_named for axis in "XYZ"}
@@ -502,7 +503,7 @@ class _Follower:
             (ordinary & (motion == CANCEL_CYCLE), phrase("axis words behind G80")),
             (ordinary & cycle, phrase("canned cycle, never rewritten")),
             (homing, phrase("G28 or G30 leaves the work frame")),
-            (self.marked([530]), phrase("G53 moves in the machine frame")),
+            (self.marked(MACHINE), phrase("G53 moves in the machine frame")),
         ):
             self._mark(np.flatnonzero(lines), reason)
 

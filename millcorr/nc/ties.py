@@ -98,6 +98,8 @@ def ties_of(words: Words, toolpath: Toolpath) -> tuple[Tie, ...]:
 def _rounded_alike(words: Words, toolpath: Toolpath) -> list[Tie]:
     """Contours whose corners are all rounded (RNDM): what one of their moves states holds only while all are."""
     modal = words.of("s")
+    if not len(modal.line):
+        return []
     ends = np.append(modal.line, np.iinfo(modal.line.dtype).max)[1:]
     moving = np.unique(toolpath.source)
     out = []

@@ -30,7 +30,7 @@ from .uses import Uses
 from .words import BYTE_ORDER_MARK, COMMENT
 
 _HEADER_WIDTH = 96
-_LEAVES_FRAME = (28, 30, 53)
+_LEAVES_FRAME = (28, 30, 53, 153)
 """G codes whose axis words are no places in the work frame."""
 PIECE = 1 << 16
 """Moves that are compared at once: their columns fit into the cache."""

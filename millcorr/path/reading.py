@@ -38,9 +38,9 @@ _NO_TARGET = (40, 71, 100, 281, 301, 500, 501, 510, 511, 520, 650, 660, 680, 682
 _LOCAL = 520
 _POLAR = ("RP", "RP=IC", "AP", "AP=AC", "AP=IC")
 _NEW_FRAME = (100, 500, 501, 510, 511, 650, 680, 681, 682, 690, 691, 920, 921, 922, 923)
-_OFFSETS = (*range(540, 600), 5000, *range(5050, 6000, 10))
+_OFFSETS = (*range(540, 600), *range(1100, 1300, 10), 5000, *range(5050, 6000, 10))
 _HOME = (280, 300)
-_MACHINE = 530
+_MACHINE = (530, 1530)
 
 _SKIPPED = re.compile(
     rb'\([^()\n]*\)|;[^\n]*|((?<![A-Z_])T(?:\d*[ \t]*=)?[ \t]*)?"([^"\n]*)"'
@@ -534,7 +534,7 @@ class _Follower:
         cycle = np.isin(motion, _CYCLES)
         offset, lost = self._frames()
         gone = self._called() | (home & ~named)
-        machine = self.having(_MACHINE)
+        machine = self.having(*_MACHINE)
         moving = np.flatnonzero(
             (target & (named | (np.isin(motion, (20, 30, _BY_POINT, _TANGENT)) & arcs_named))) | home
         )
