@@ -67,7 +67,7 @@ def together(changed: Ints, ties: Sequence[Tie]) -> Ints:
 
 def beside(blocks: Ints, toolpath: Toolpath) -> list[tuple[int, int]]:
     """The blocks that move before and behind each of some; itself where there is none."""
-    moving = np.unique(toolpath.source)
+    moving = np.unique(toolpath.source) if len(blocks) else blocks
     if not len(moving):
         return [(block, block) for block in blocks.tolist()]
     before = np.searchsorted(moving, blocks) - 1
