@@ -178,7 +178,7 @@ def take_apart(data: bytes, starts: Ints, name: str) -> tuple[Words, dict[int, S
 
 def _poles(data: bytes, starts: Ints) -> Ints:
     """Lines that state the pole of Siemens' polar positions; elsewhere G110 to G112 are other codes."""
-    if not _POLAR.search(data):
+    if b"=" not in data or not _POLAR.search(data):
         return np.zeros(0, np.int64)
     places = [found.start() for found in _POLE.finditer(data)]
     return np.unique(np.searchsorted(starts, np.array(places, np.int64), side="right") - 1)

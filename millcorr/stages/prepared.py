@@ -41,9 +41,9 @@ from millcorr.tolerances import EXACT
 from .request import Request
 
 OTHER_FRAMES = re.compile(
-    rb"[Gg](5[5-9]|54\.1|52|92|68|10)(?![0-9])|(?i:CYCL[ \t]+DEF[ \t]+(7|247)\b|TRANS[ \t]+DATUM)"
+    rb"G(?:5[5-9]|54\.1|52|92|68|10)(?![0-9])|CYCL[ \t]+DEF[ \t]+(?:7|247)\b|TRANS[ \t]+DATUM"
 )
-"""Codes that put what follows into another frame than G54."""
+"""Codes, in capitals, that put what follows into another frame than G54."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -504,7 +504,7 @@ def _other_parts(
     """Moves under another work offset than those that made the points, or in a frame that is turned or moved; (n,)."""
     toolpath = program.toolpath
     out = np.zeros(len(toolpath), dtype=bool)
-    if not OTHER_FRAMES.search(program.data):
+    if not OTHER_FRAMES.search(program.data.upper()):
         return out
     out |= program.opaque_moves()
     moves = moves_of(program.data, program.beside)
