@@ -101,8 +101,8 @@ def _counts(source: Source, numbers: Sequence[float], line: int) -> tuple[int, i
 
 def _rows(source: Source) -> tuple[Floats, Ints, int]:
     """Points (n, 3), their lines, and how many places bCNC's head announces."""
-    whole = decimal_columns(source.text(), None, 3, (0, 1, 2))
-    if whole is not None and not (np.abs(whole[0]) >= _LARGEST).any():
+    whole = decimal_columns(source.plain(), None, 3, (0, 1, 2))
+    if whole is not None and max(whole[0].max(), -whole[0].min()) < _LARGEST:
         return _on_grid(source, *whole)
     values, lines = array("d"), array("q")
     for number, line in source.lines():
