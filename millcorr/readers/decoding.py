@@ -81,8 +81,7 @@ def decode(data: bytes, name: str, drop: bytes = b"") -> str:
     _refuse_markup(text[:_START], name)
     if text.endswith(("\x1a", "\x00")):
         text = text.rstrip("\x1a\x00")
-    if "\r" in text:
-        text = text.replace("\r\n", "\n").replace("\r", "\n")
+    text = _with_newlines(text)
     # The bytes of UTF-16 hold zeros: only the text shows whether there is a control character.
     found = _CONTROL.search(text) if _has_controls(data) else None
     if found:
@@ -104,7 +103,7 @@ def lines_of(text: str, begin: int = 0) -> Iterator[str]:
         begin = end + 1
 
 
-def pieces(data: bytes, name: str, drop: bytes = b"") -> Iterator[str]:
+def pieces(data: bytes, name: str, drop: bytes = b"", table: bytes | None = None) -> Iterator[str]:
     r"""Text of a file as `decode` gives it, some thousand whole lines at a time.
 
     Of a file in ASCII, which most are, there is never a second copy. All that `decode` refuses is refused before the
@@ -114,6 +113,8 @@ def pieces(data: bytes, name: str, drop: bytes = b"") -> Iterator[str]:
     ----------
     data, name, drop
         As in `decode`.
+    table : bytes, optional
+        What stands for each byte, as `bytes.translate` takes it; line ends, blanks and letters stand for themselves.
 
     Returns
     -------
@@ -124,11 +125,12 @@ def pieces(data: bytes, name: str, drop: bytes = b"") -> Iterator[str]:
     while end and data[end - 1] in b"\x1a\x00" + drop:
         end -= 1
     # What `decode` would refuse, or take for UTF-16, is left to it.
-    if not data.isascii() or b"\x00" in data[:_SAMPLE] or _has_controls(data[: len(data) if drop else end], drop):
-        return _cut(decode(data, name, drop))
+    controlled = _has_controls(data[: len(data) if drop else end], drop, table)
+    if not data.isascii() or b"\x00" in data[:_SAMPLE] or controlled:
+        return _cut(decode(data if table is None else data.translate(table), name, drop))
     _refuse_other_kinds(data, name)
-    _refuse_markup(data[: 8 * _START].translate(None, drop)[:_START].decode("ascii"), name)
-    return _ascii_pieces(data, end, drop)
+    _refuse_markup(data[: 8 * _START].translate(table, drop)[:_START].decode("ascii"), name)
+    return _ascii_pieces(data, end, drop, table)
 
 
 def plain(data: bytes, name: str) -> bytes:
@@ -160,7 +162,7 @@ def _cut(text: str) -> Iterator[str]:
         begin = end
 
 
-def _ascii_pieces(data: bytes, stop: int, drop: bytes) -> Iterator[str]:
+def _ascii_pieces(data: bytes, stop: int, drop: bytes, table: bytes | None) -> Iterator[str]:
     """Pieces of the first `stop` bytes; those of `drop` may stand anywhere, also within a line's end."""
     begin = 0
     while begin < stop:
@@ -173,9 +175,12 @@ def _ascii_pieces(data: bytes, stop: int, drop: bytes) -> Iterator[str]:
             while end < stop and data[end] in drop:
                 end += 1
             end += data[end : end + 1] == b"\n"
-        text = data[begin:end].translate(None, drop).decode("ascii")
-        yield text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
+        yield _with_newlines(data[begin:end].translate(table, drop).decode("ascii"))
         begin = end
+
+
+def _with_newlines(text: str) -> str:
+    return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
 
 
 def _refuse_other_kinds(data: bytes, name: str) -> None:
@@ -198,10 +203,10 @@ def _refuse_markup(beginning: str, name: str) -> None:
         raise FormatError(phrase("the file is XML or HTML: export the points as text with a header x,y,z"), name)
 
 
-def _has_controls(data: bytes, drop: bytes = b"") -> bool:
-    """Whether any of `_CONTROL_CODES` but `drop` is among the bytes; by the block, faster than a search in the text."""
+def _has_controls(data: bytes, drop: bytes = b"", table: bytes | None = None) -> bool:
+    """Whether any of `_CONTROL_CODES` is among the translated bytes; by the block, faster than a search in the text."""
     for begin in range(0, len(data), _BLOCK):
-        block = np.frombuffer(data[begin : begin + _BLOCK].translate(None, drop), dtype=np.uint8)
+        block = np.frombuffer(data[begin : begin + _BLOCK].translate(table, drop), dtype=np.uint8)
         # Below blank: tab to carriage return are left, and what str.split takes for blanks.
         if ((block < 0x09) | (block - 0x0E < 0x0E) | (block == 0x7F)).any():
             return True

@@ -121,17 +121,19 @@ class Source:
                     raise self.too_long(len(line), number)
                 yield number, line
 
-    def pieces(self, *, drop: bytes = b"") -> Iterator[tuple[int, str]]:
+    def pieces(self, *, drop: bytes = b"", table: bytes | None = None) -> Iterator[tuple[int, str]]:
         """Some thousand lines at a time, without the end of the last one, and the number of the first, from 1.
 
-        FormatError as in `text`, before the first of them.
+        `table` says what stands for each byte. FormatError as in `text`, before the first of them.
         """
-        number = 1
-        piece = ""
-        for piece in pieces(self.data, self.name, drop):
-            yield number, piece.removesuffix("\n")
+        number, ended = 1, False
+        for piece in pieces(self.data, self.name, drop, table):
+            begun, ended = number, piece.endswith("\n")
             number += piece.count("\n")
-        if piece.endswith("\n"):
+            # A line may be as long as the file: nobody keeps it but who takes it.
+            piece = piece.removesuffix("\n")
+            yield begun, piece
+        if ended:
             # The text goes on behind its last line end, with nothing.
             yield number, ""
 

@@ -25,8 +25,8 @@ def slow_touches(points: Floats) -> Bools:
     Notes
     -----
     A log has such pairs if there are three, and at least half of its places were touched twice, none more often, and
-    any two places that follow each other lie farther apart than `millcorr.readers.parts.SAME_PLACE`. Then it cannot be a contour touched in
-    short steps, whose points would all be near the next one.
+    any two places that follow each other lie farther apart than `millcorr.readers.parts.SAME_PLACE`. Then it cannot be
+    a contour touched in short steps, whose points would all be near the next one.
     """
     # Touches that the next one repeats.
     again = np.append(near(points[1:], points[:-1]), False)

@@ -143,4 +143,3 @@ def test_a_name_a_point_is_as_a_tuple_of_them():
     for beyond in (5, -6):
         with pytest.raises(IndexError):
             names[beyond]
-
