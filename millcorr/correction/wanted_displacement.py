@@ -566,13 +566,14 @@ def correction_through(
 
         def mirrored(at: Floats, k: int = k, base: Course | None = base) -> Floats:
             own = np.zeros(len(at)) if base is None else base(at)[0]
-            mean, std = systematic.at(np.full(len(at), k), at)
+            of = np.full(len(at), k)
+            mean, _ = systematic.at(of, at)
             out = own - settings.gain * dead_band(own + mean, settings.dead_band)
             if base is None:
                 return out
             # Far from any point what the program carries stays, but for the mean of what is left.
-            stays = own - settings.gain * left_over
-            return out + (stays - out) * unknown_share(std, separated.sizes.form)
+            as_it_is = own - settings.gain * left_over
+            return out + (as_it_is - out) * staying_share(systematic.unknown(of, at))
 
         value = mirrored(places)
         if rows.any():
@@ -594,18 +595,12 @@ def correction_through(
     return in_order(Correction(stretches, tuple(courses)), nominal), (said,) if left else ()
 
 
-def unknown_share(std: Floats, form: float) -> Floats:
-    """How little is known of the form at places: 0 where less than half of its variance is open, 1 where all is.
+def staying_share(unknown: Floats) -> Floats:
+    """How much of what a program carries stays at places, by the share of the form's variance that is open there.
 
-    Parameters
-    ----------
-    std : (n,) float64
-        Standard uncertainty of the systematic part, mm; NaN where nothing is known of it.
-    form : float
-        Standard deviation of the form, mm.
+    0 where less than half of it is, 1 where all is; (n,).
     """
-    progress.step()
-    x = np.clip(2.0 * (np.nan_to_num(std, nan=np.inf) / form) ** 2 - 1.0, 0.0, 1.0)
+    x = np.clip(2.0 * unknown - 1.0, 0.0, 1.0)
     out: Floats = x * x * (3.0 - 2.0 * x)
     return out
 
