@@ -206,6 +206,8 @@ def take_apart(data: bytes, starts: Ints, name: str) -> tuple[Words, dict[int, S
 
 def _poles(data: bytes, starts: Ints) -> Ints:
     """Lines that state the pole of Siemens' polar positions; elsewhere G110 to G112 are other codes."""
+    if b"=" not in data:
+        return np.zeros(0, np.int64)
     places = [found.start() for found in _POLE.finditer(data)]
     if not places or not _NAMED_PLACE.search(COMMENT.sub(b"", data)):
         return np.zeros(0, np.int64)

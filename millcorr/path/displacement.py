@@ -97,6 +97,15 @@ class DisplacedPath:
         speed = np.maximum(np.hypot(*ahead.T), 1e-12)
         return self.at(piece, u), np.stack([ahead[:, 1], -ahead[:, 0]], axis=1) / speed[:, None], speed
 
+    def bends(self, piece: Ints, sigma0: Floats, sigma1: Floats) -> tuple[Ints, Floats]:
+        """Nodes between two lengths along moves: index into these, rising, and length, mm."""
+        length = self.length[piece]
+        first = np.searchsorted(self._key, 2.0 * piece + sigma0 / length, side="right")
+        count = np.maximum(np.searchsorted(self._key, 2.0 * piece + sigma1 / length, side="left") - first, 0)
+        owner = np.repeat(np.arange(len(piece)), count)
+        node = np.arange(len(owner)) + np.repeat(first - (np.cumsum(count) - count), count)
+        return owner, (self._key[node] - 2.0 * piece[owner]) * length[owner]
+
 
 def _turns(path: DisplacedPath, given: Bools) -> tuple[Floats, Floats]:
     """By how much, in rad, the path turns at the starts and at the ends of its moves that others lead to; (n,) each."""
