@@ -15,7 +15,16 @@ from millcorr.errors import FormatError
 from millcorr.messages import phrase
 from millcorr.nc.toolpath import named_tool
 
-from .codes import CIRCLE_BY_POINT, NEW_FRAME, OTHER_FRAME, SHIFT, SHIFT_MORE, TANGENT_CIRCLE
+from .codes import (
+    CIRCLE_BY_POINT,
+    MODAL_CALL,
+    MODAL_CALL_OFF,
+    NEW_FRAME,
+    OTHER_FRAME,
+    SHIFT,
+    SHIFT_MORE,
+    TANGENT_CIRCLE,
+)
 from .expressions import UnknownValue, evaluate, evaluate_factor, variable
 
 LARGEST = 1e9
@@ -432,6 +441,10 @@ class _Line:
             bare = not text[found.end() :].strip() and not token.startswith("A")
             out.pieces.append(Piece("G", NEW_FRAME if bare else OTHER_FRAME, place, found.end(), token))
             return found.end() if bare else len(text)
+        if token == "MCALL":
+            code = MODAL_CALL if text[found.end() :].strip() else MODAL_CALL_OFF
+            out.pieces.append(Piece("G", code, place, found.end(), token))
+            return len(text)
         if token in ("SUPA", "G153"):
             # Siemens' ways to say G53.
             out.pieces.append(Piece("G", 53.0, place, found.end(), token))

@@ -26,7 +26,18 @@ ADDRESS = {
     )
 }
 """Letters, beyond those of ASCII, that stand for addresses of several."""
-_FRAMES = {"TRANS": 0, "ATRANS": 1, "ROT": 2, "AROT": 2, "MIRROR": 2, "AMIRROR": 2, "SCALE": 2, "ASCALE": 2, "ROTS": 2}
+_FRAMES = {
+    "TRANS": 0,
+    "ATRANS": 1,
+    "ROT": 2,
+    "AROT": 2,
+    "MIRROR": 2,
+    "AMIRROR": 2,
+    "SCALE": 2,
+    "ASCALE": 2,
+    "ROTS": 2,
+    "MCALL": 2,
+}
 _FAR = 5_000_000
 _FUNCTIONSS = 500_000
 _DEEP = 32
@@ -303,7 +314,7 @@ _NAMED = re.compile(
     r"(?<![A-Z_#$])(?:(?P<mode>[XYZIJK]1?|[CAR]R|[AR]P)\s*=\s*(?P<how>AC|IC|DC|ACP|ACN)\s*\("
     r"|(?P<name>CR|AR|AP|RP|TURN|RNDM|RND|CHR|CHF|ANG|[IJK]1|[XYZIJKFPQL])\s*=(?!=)"
     r"|,\s*(?P<corner>[RCA])\s*=?"
-    r"|(?P<word>CIP|CT|A?TRANS|A?ROTS?|A?MIRROR|A?SCALE|SUPA|G153)(?![A-Z_=])"
+    r"|(?P<word>CIP|CT|MCALL|A?TRANS|A?ROTS?|A?MIRROR|A?SCALE|SUPA|G153)(?![A-Z_=])"
     r"|(?P<letter>[A-Z])(?=\s*[-+]?\s*(?:[\[#]|VC?\d|Q[LRS]?\d)))"
 )
 _PUSHED_ASIDE = re.compile(
@@ -827,7 +838,8 @@ class _Machine:
             if word in ("CIP", "CT"):
                 return f"{ADDRESS['ARC']}{int(word == 'CT')} ", found.end()
             bare = not text[found.end() :].strip()
-            kind = 3 if bare and _FRAMES[word] == 2 and not word.startswith("A") else _FRAMES[word]
+            ends = bare and _FRAMES[word] == 2 and not word.startswith("A") and word != "MCALL"
+            kind = 3 if ends else _FRAMES[word]
             return f"{ADDRESS['FRAME']}{kind} ", len(text) if kind == 2 else found.end()
         if mode := found["mode"]:
             end = _expression(text, found.end())

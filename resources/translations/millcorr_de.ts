@@ -3032,12 +3032,12 @@ In einem Terminal tut dies dasselbe:
         <translation>{} Teile, {} mm tief geschnitten: die Übertragungsfunktion folgt aus dem Unterschied, der gleichbleibende Versatz getrennt; Abweichungen stehen wie bei der Tiefe des ersten</translation>
     </message>
     <message>
-        <source>the parts were cut at different depths: say with {} what the next one takes off</source>
-        <translation>die Teile wurden verschieden tief geschnitten: sagen Sie mit {}, was der nächste Schnitt abnimmt</translation>
-    </message>
-    <message>
         <source>{} stretches of contours without a measured point are left as they are</source>
         <translation>{} Strecken von Konturen ohne gemessenen Punkt bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>the parts were cut at different depths: say with {} what the next one takes off</source>
+        <translation>die Teile wurden verschieden tief geschnitten: sagen Sie mit {}, was der nächste Schnitt abnimmt</translation>
     </message>
     <message>
         <source>gain {:g} leaves {:.0f} % of what the next part would show on purpose</source>
@@ -3242,6 +3242,10 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>ROT, MIRROR or SCALE changes the frame</source>
         <translation>ROT, MIRROR oder SCALE ändert das Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>MCALL calls a cycle behind every move</source>
+        <translation>MCALL ruft hinter jeder Bewegung einen Zyklus auf</translation>
     </message>
     <message>
         <source>G65 calls a macro</source>
@@ -5188,12 +5192,12 @@ In einem Terminal tut dies dasselbe:
         <translation>geben Sie die Messpunkte an, nicht das Modell</translation>
     </message>
     <message>
-        <source>the file is XML or HTML: export the points as text with a header x,y,z</source>
-        <translation>die Datei ist XML oder HTML: geben Sie die Punkte als Text mit der Kopfzeile x,y,z aus</translation>
-    </message>
-    <message>
         <source>binary data (control character {}): not a text file</source>
         <translation>Binärdaten (Steuerzeichen {}): keine Textdatei</translation>
+    </message>
+    <message>
+        <source>the file is XML or HTML: export the points as text with a header x,y,z</source>
+        <translation>die Datei ist XML oder HTML: geben Sie die Punkte als Text mit der Kopfzeile x,y,z aus</translation>
     </message>
     <message>
         <source>the file holds nothing but blanks</source>
@@ -5328,12 +5332,12 @@ In einem Terminal tut dies dasselbe:
         <translation>{}{} ist keine Koordinate</translation>
     </message>
     <message>
-        <source>{} is missing: the line is incomplete</source>
-        <translation>{} fehlt: die Zeile ist unvollständig</translation>
-    </message>
-    <message>
         <source>a line of {} characters: no print-out, or damaged</source>
         <translation>eine Zeile von {} Zeichen: kein Ausdruck, oder beschädigt</translation>
+    </message>
+    <message>
+        <source>{} is missing: the line is incomplete</source>
+        <translation>{} fehlt: die Zeile ist unvollständig</translation>
     </message>
     <message>
         <source>{}: decimal points and decimal commas in one file; a spreadsheet may have spoilt it, export again with decimal points</source>
@@ -6108,6 +6112,10 @@ In einem Terminal tut dies dasselbe:
         <translation>{} ist weder ein K-Feld noch eine Zeile von Werten</translation>
     </message>
     <message>
+        <source>K{}/{} is there twice with different contents</source>
+        <translation>K{}/{} kommt zweimal mit verschiedenem Inhalt vor</translation>
+    </message>
+    <message>
         <source>a value of characteristic {}, which no K2 field describes</source>
         <translation>ein Wert des Merkmals {}, das kein K2-Feld beschreibt</translation>
     </message>
@@ -6154,10 +6162,6 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>K0100 {} is no number of characteristics</source>
         <translation>K0100 {} ist keine Anzahl von Merkmalen</translation>
-    </message>
-    <message>
-        <source>K{}/{} is there twice with different contents</source>
-        <translation>K{}/{} kommt zweimal mit verschiedenem Inhalt vor</translation>
     </message>
     <message>
         <source>{} of point {} is there twice, first in line {}</source>
@@ -6448,10 +6452,6 @@ In einem Terminal tut dies dasselbe:
         <translation>Sollkoordinate</translation>
     </message>
     <message>
-        <source>a {} is no length that a machine can travel</source>
-        <translation>{}: keine Länge, die eine Maschine fahren kann</translation>
-    </message>
-    <message>
         <source>{} is no radius of a probe ball</source>
         <translation>{} ist kein Radius einer Tasterkugel</translation>
     </message>
@@ -6466,6 +6466,10 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>points shifted along an axis need {}, the radius by which the control shifted them</source>
         <translation>entlang einer Achse verschobene Punkte brauchen {}, den Radius, um den die Steuerung sie verschoben hat</translation>
+    </message>
+    <message>
+        <source>a {} is no length that a machine can travel</source>
+        <translation>{}: keine Länge, die eine Maschine fahren kann</translation>
     </message>
     <message>
         <source>the file does not say</source>
@@ -6956,12 +6960,12 @@ In einem Terminal tut dies dasselbe:
         <translation>{}: die Punkte liegen {} neben dem Profil und nicht {} darüber: prüfen Sie {}; es gehört zu einem Teil mit stehendem Aufmaß, und {} ist dann das Programm, das es fertigstellt</translation>
     </message>
     <message>
-        <source>the diameter of {} is not known</source>
-        <translation>der Durchmesser von {} ist nicht bekannt</translation>
-    </message>
-    <message>
         <source>what is cut under {} is another part than the measured one, cut under {}: it stays as it is</source>
         <translation>was unter {} geschnitten wird, ist ein anderes Teil als das gemessene, geschnitten unter {}: es bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>the diameter of {} is not known</source>
+        <translation>der Durchmesser von {} ist nicht bekannt</translation>
     </message>
     <message>
         <source>the tool diameter {} must be a length above 0</source>

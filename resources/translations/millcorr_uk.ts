@@ -3032,12 +3032,12 @@ In a terminal, this does the same:
         <translation>{} деталі, вирізані на глибину {} мм: передавальна функція взята з різниці, сталий зсув окремо; відхилення показано як на глибині першої</translation>
     </message>
     <message>
-        <source>the parts were cut at different depths: say with {} what the next one takes off</source>
-        <translation>деталі різали на різну глибину: скажіть через {}, скільки знімає наступний прохід</translation>
-    </message>
-    <message>
         <source>{} stretches of contours without a measured point are left as they are</source>
         <translation>ділянок контурів без виміряної точки, що лишаються як є: {}</translation>
+    </message>
+    <message>
+        <source>the parts were cut at different depths: say with {} what the next one takes off</source>
+        <translation>деталі різали на різну глибину: скажіть через {}, скільки знімає наступний прохід</translation>
     </message>
     <message>
         <source>gain {:g} leaves {:.0f} % of what the next part would show on purpose</source>
@@ -3242,6 +3242,10 @@ In a terminal, this does the same:
     <message>
         <source>ROT, MIRROR or SCALE changes the frame</source>
         <translation>ROT, MIRROR або SCALE змінює систему координат</translation>
+    </message>
+    <message>
+        <source>MCALL calls a cycle behind every move</source>
+        <translation>MCALL викликає цикл після кожного переміщення</translation>
     </message>
     <message>
         <source>G65 calls a macro</source>
@@ -5188,12 +5192,12 @@ In a terminal, this does the same:
         <translation>вкажіть виміряні точки, а не модель</translation>
     </message>
     <message>
-        <source>the file is XML or HTML: export the points as text with a header x,y,z</source>
-        <translation>файл є XML або HTML: експортуйте точки як текст із заголовком x,y,z</translation>
-    </message>
-    <message>
         <source>binary data (control character {}): not a text file</source>
         <translation>двійкові дані (керівний символ {}): не текстовий файл</translation>
+    </message>
+    <message>
+        <source>the file is XML or HTML: export the points as text with a header x,y,z</source>
+        <translation>файл є XML або HTML: експортуйте точки як текст із заголовком x,y,z</translation>
     </message>
     <message>
         <source>the file holds nothing but blanks</source>
@@ -5328,12 +5332,12 @@ In a terminal, this does the same:
         <translation>{}{} не є координатою</translation>
     </message>
     <message>
-        <source>{} is missing: the line is incomplete</source>
-        <translation>бракує {}: рядок неповний</translation>
-    </message>
-    <message>
         <source>a line of {} characters: no print-out, or damaged</source>
         <translation>рядок із {} символів: не роздруківка або пошкоджено</translation>
+    </message>
+    <message>
+        <source>{} is missing: the line is incomplete</source>
+        <translation>бракує {}: рядок неповний</translation>
     </message>
     <message>
         <source>{}: decimal points and decimal commas in one file; a spreadsheet may have spoilt it, export again with decimal points</source>
@@ -6108,6 +6112,10 @@ In a terminal, this does the same:
         <translation>{} не є ні полем K, ні рядком значень</translation>
     </message>
     <message>
+        <source>K{}/{} is there twice with different contents</source>
+        <translation>K{}/{} є двічі з різним вмістом</translation>
+    </message>
+    <message>
         <source>a value of characteristic {}, which no K2 field describes</source>
         <translation>значення характеристики {}, якої не описує жодне поле K2</translation>
     </message>
@@ -6154,10 +6162,6 @@ In a terminal, this does the same:
     <message>
         <source>K0100 {} is no number of characteristics</source>
         <translation>K0100 {} не є кількістю характеристик</translation>
-    </message>
-    <message>
-        <source>K{}/{} is there twice with different contents</source>
-        <translation>K{}/{} є двічі з різним вмістом</translation>
     </message>
     <message>
         <source>{} of point {} is there twice, first in line {}</source>
@@ -6448,10 +6452,6 @@ In a terminal, this does the same:
         <translation>номінальна координата</translation>
     </message>
     <message>
-        <source>a {} is no length that a machine can travel</source>
-        <translation>{}: не довжина, яку може пройти верстат</translation>
-    </message>
-    <message>
         <source>{} is no radius of a probe ball</source>
         <translation>{} не є радіусом кульки щупа</translation>
     </message>
@@ -6466,6 +6466,10 @@ In a terminal, this does the same:
     <message>
         <source>points shifted along an axis need {}, the radius by which the control shifted them</source>
         <translation>точки, зміщені вздовж осі, потребують {}, радіуса, на який їх змістила система ЧПК</translation>
+    </message>
+    <message>
+        <source>a {} is no length that a machine can travel</source>
+        <translation>{}: не довжина, яку може пройти верстат</translation>
     </message>
     <message>
         <source>the file does not say</source>
@@ -6956,12 +6960,12 @@ In a terminal, this does the same:
         <translation>{}: точки лежать на {} від профілю, а не на {} над ним: перевірте {}; воно належить до деталі з лишеним припуском, і тоді {} є програмою, що її закінчує</translation>
     </message>
     <message>
-        <source>the diameter of {} is not known</source>
-        <translation>діаметр {} невідомий</translation>
-    </message>
-    <message>
         <source>what is cut under {} is another part than the measured one, cut under {}: it stays as it is</source>
         <translation>те, що ріжеться під {}, є іншою деталлю, ніж виміряна, різана під {}: воно лишається як є</translation>
+    </message>
+    <message>
+        <source>the diameter of {} is not known</source>
+        <translation>діаметр {} невідомий</translation>
     </message>
     <message>
         <source>the tool diameter {} must be a length above 0</source>

@@ -13,8 +13,10 @@ import numpy as np
 import pytest
 
 from millcorr import nc
+from millcorr.errors import LimitError
 from millcorr.nc.toolpath import Kind
 from millcorr.path.second_reader import moves_of
+from millcorr.path.text_proof import prove_text
 from tests.core.nc.test_controls import same_moves
 from tests.core.nc.test_gcode_write import moved
 from tests.core.path.test_second_reader import check
@@ -176,3 +178,19 @@ def test_a_pole_is_told_from_a_work_offset_and_from_polar_interpolation() -> Non
     assert haas.toolpath.end[1, :2].tolist() == [1, 2]
     fanuc = nc.parse(HEAD + "G112\nG1 X3 Y5 F9\nG113\nM30\n")
     assert "G112" in fanuc.opaque[0].reason
+
+
+def test_the_proof_holds_poles_and_the_rounding_of_lines_that_stay() -> None:
+    text = HEAD + "G111 X1 Y2\nG1 AP=0 RP=9 F9\nX9 Y9\nG112 AP=90 RP=4\nAP=0 RP=3\nX40 RNDM=2\nY30\nRNDM=0\nX0\nM30\n"
+    written = text.replace("G1 AP=0 RP=9", "G1 X=10.02 Y=2")
+    prove_text(text.encode(), written.encode(), [3, 4])
+    for old, new in (
+        ("G111 X1", "G111 X2"),
+        ("G111", "G110"),
+        ("G112 AP=90", "G112 AP=80"),
+        ("AP=0 RP=3", "AP=0 RP=4"),
+        ("RNDM=2", "RNDM=3"),
+        ("RNDM=0", "RNDM=1"),
+    ):
+        with pytest.raises(LimitError):
+            prove_text(text.encode(), written.replace(old, new).encode(), [3, 4])
