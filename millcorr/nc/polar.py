@@ -17,14 +17,25 @@ import numpy as np
 from millcorr.messages import phrase
 
 from .angles import straightened
-from .codes import FRAME_OFF, FRAME_ON, GROUPS, INCH, INITIAL, LOCAL_SHIFT, OFFSETS, PATHS, SHIFTS, TANGENT_CIRCLE
+from .codes import (
+    GROUPS,
+    INCH,
+    INITIAL,
+    MODAL_CALL,
+    MODAL_CALL_OFF,
+    OFFSETS,
+    OTHER_FRAME,
+    PATHS,
+    SHIFTS,
+    TANGENT_CIRCLE,
+)
 from .motion import follow
 from .order import OddBlock, Run
 from .ties import Tie
 
 _NOWHERE = complex(math.nan, math.nan)
 _POSITION = "hotq"
-_FRAMES = (*FRAME_ON, *FRAME_OFF, *OFFSETS, *SHIFTS, LOCAL_SHIFT)
+_FRAMES = (*OFFSETS, *SHIFTS, *(round(10 * code) for code in (OTHER_FRAME, MODAL_CALL, MODAL_CALL_OFF)))
 
 
 def placed(run: Run, name: str) -> tuple[Run, tuple[Tie, ...]]:
@@ -56,7 +67,14 @@ class _Poles:
         self.run, self.name = run, name
         g = run.words.of("G")
         known = np.isfinite(g.value)
-        self.code, self.code_line = np.rint(g.value[known] * 10).astype(np.int64), g.line[known]
+        code, line = np.rint(g.value[known] * 10).astype(np.int64), g.line[known]
+        self.frames = np.unique(line[np.isin(code, _FRAMES)])
+        self.stated = {
+            group: (line[here], [GROUPS[group][c] for c in code[here].tolist()])
+            for group in ("unit", "plane", "distance", "motion")
+            for here in [np.isin(code, list(GROUPS[group]))]
+        }
+        """Lines that state a modal group, and what."""
         self.more: list[tuple[int, str, float]] = []
         self.odd: list[OddBlock] = []
         self.ties: list[Tie] = []
@@ -71,10 +89,10 @@ class _Poles:
     def result(self) -> tuple[Run, tuple[Tie, ...]]:
         words = self.run.words
         polar = np.unique(words.line[np.isin(words.letter, [ord(c) for c in "b" + _POSITION])]).tolist()
-        frames = np.unique(self.code_line[np.isin(self.code, _FRAMES)])
         done = -1
         for block in polar:
-            if self._defined() and np.searchsorted(frames, done, "right") < np.searchsorted(frames, block, "right"):
+            moved = np.searchsorted(self.frames, block, "right") > np.searchsorted(self.frames, done, "right")
+            if moved and self._defined():
                 self._move_pole(_NOWHERE, ())
             done = block
             numbers = words.numbers(block)
@@ -90,10 +108,9 @@ class _Poles:
 
     def _in_force(self, group: str, block: int) -> int:
         """Code of a modal group that holds in a block."""
-        members = GROUPS[group]
-        before = self.code[: int(np.searchsorted(self.code_line, block, side="right"))]
-        stated = before[np.isin(before, list(members))]
-        return int(members[int(stated[-1])]) if len(stated) else INITIAL[group]
+        line, values = self.stated[group]
+        last = int(np.searchsorted(line, block, side="right")) - 1
+        return int(values[last]) if last >= 0 else INITIAL[group]
 
     def _scale(self, block: int) -> float:
         return INCH if self._in_force("unit", block) == 20 else 1.0

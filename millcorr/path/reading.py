@@ -209,7 +209,7 @@ def _with_polar_ends(
 
     pole, defined, radius, angle, before = 0j, False, np.nan, np.nan, 0
     for block in np.unique(line[polar]).tolist():
-        here = line == block
+        here = slice(*np.searchsorted(line, [block, block + 1]).tolist())
         said = {
             names.get(c, chr(c)): float(v) for c, v in zip(letter[here].tolist(), value[here].tolist(), strict=True)
         }
