@@ -8,6 +8,7 @@ computed by Python's own parser. Where either is not known the lines go on as th
 from __future__ import annotations
 
 import ast
+import bisect
 import math
 import operator
 import re
@@ -463,7 +464,7 @@ class _Machine:
             if len(self.text) != known_lines:
                 steer = [i for i, t in enumerate(self.text) if _STEERING.search(t)]
                 known_lines = len(self.text)
-            place = int(np.searchsorted(steer, at))
+            place = bisect.bisect_left(steer, at)
             stop = steer[place] if place < len(steer) else len(self.text)
             for i in range(at, stop):
                 self._put(i, self.text[i])
