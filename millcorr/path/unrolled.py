@@ -347,9 +347,7 @@ class _Machine:
         self.blocks: list[int] = []
         self.plain: list[bytes] = []
         self.pairs: dict[int, list[int]] = {}
-        self.polar = any(
-            re.search(r"(?<![A-Z_])(?:[AR]P|[XY])\s*=", _bare(line)[0]) for line in lines if b"=" in line
-        )
+        self.polar = any(re.search(r"(?<![A-Z_])(?:[AR]P|[XY])\s*=", _bare(line)[0]) for line in lines if b"=" in line)
         self._take(0)
 
     def _take(self, since: int) -> None:
