@@ -12,6 +12,7 @@ from millcorr.arrays import Bools, Floats, Ints
 from millcorr.errors import FitError
 from millcorr.messages import mm, phrase, xy
 from millcorr.nc.toolpath import Kind, Plane, Toolpath
+from millcorr.path.path_following import length_in_plane
 
 PROBES = (np.arange(15) + 1) / 16
 """Shares of an interval at which a move is compared with the path, beside where the path bends."""
@@ -120,7 +121,27 @@ def fit_moves(intervals: Intervals, path: ExactPath, tolerance: float) -> tuple[
     owner = np.concatenate([m[0] for m in moves])
     place = np.concatenate([m[1] for m in moves])
     order = np.lexsort((place, owner))
-    return Toolpath.concatenate([m[2] for m in moves]).take(order), owner[order], largest
+    return _risen_evenly(Toolpath.concatenate([m[2] for m in moves]).take(order), owner[order]), owner[order], largest
+
+
+def _risen_evenly(moves: Toolpath, owner: Ints) -> Toolpath:
+    """Moves of which those of one owner rise by their share of its way: the path was displaced since it was divided."""
+    first = np.flatnonzero(np.diff(owner, prepend=-1))
+    group = np.cumsum(np.diff(owner, prepend=-1) != 0) - 1
+    low, high = moves.start[first, 2], moves.end[np.append(first[1:], len(owner)) - 1, 2]
+    if not (low != high).any():
+        return moves
+    gone = np.cumsum(length_in_plane(moves))
+    before = np.concatenate([[0.0], gone])[first]
+    total = np.maximum(np.append(before[1:], gone[-1]) - before, 1e-12)
+    share = (gone - before[group]) / total[group]
+    last = np.append(group[1:] != group[:-1], True)
+    start, end = moves.start.copy(), moves.end.copy()
+    end[:, 2] = np.where(last, high[group], low[group] + (high - low)[group] * share)
+    start[1:, 2] = np.where(group[1:] != group[:-1], start[1:, 2], end[:-1, 2])
+    centre = moves.centre.copy()
+    centre[:, 2] = np.where(np.isfinite(centre[:, 0]), start[:, 2], centre[:, 2])
+    return moves.with_moves(start=start, end=end, centre=centre)
 
 
 def _moves(start: Floats, end: Floats, z0: Floats, z1: Floats, kind: Kind, **more: Floats) -> Toolpath:

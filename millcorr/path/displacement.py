@@ -21,7 +21,7 @@ from millcorr.geometry.profile import Profile
 from millcorr.nc.toolpath import Kind, Toolpath
 from millcorr.path.curve_moves import Intervals, fit_moves
 from millcorr.path.leads import carry_along, own_work
-from millcorr.path.moves import FIT_SHARE, KEEP_SHARE, Regeneration, put_together, wanted_kind
+from millcorr.path.moves import BAND, FIT_SHARE, KEEP_SHARE, Regeneration, put_together, wanted_kind
 from millcorr.path.path_following import length_in_plane
 from millcorr.tolerances import EXACT
 
@@ -320,6 +320,10 @@ def _nodes(
                 _, _, of_side, still = _along_normals(inside, feet, before, after, nominal, radius)
                 amount[passing[~still]] = own[passing[~still]] = of_side[~still]
         touching = across >= np.where(corner, least[row], np.cos(ALIGNED))
+        if made is not None and radius > 0:
+            # A move past a corner, as a ramp from pass to pass across it, may be square to the way there by chance.
+            past = np.flatnonzero(corner & touching)
+            touching[past] = made.distance(place[past]) < radius + BAND
         found = _Nodes(row, u, way, amount, own, side[row, None] * right, touching, corner)
         return _out_of_the_way(found, place, after, radius)
 

@@ -652,7 +652,6 @@ class _Prover:
     def _even_ramps(self) -> None:
         """Where a rising move has become several, each has risen by its share of the way."""
         m = self.new.moves
-        shift = self.largest_shift()[0] if self.rising.any() else 0.0
         for first, last in _runs(self.rising):
             rows = np.arange(self.new.first[first], self.new.first[last + 1])
             radius = np.hypot(*(m.start[rows, :2] - m.centre[rows]).T)
@@ -663,8 +662,7 @@ class _Prover:
             if not gone[-1] > 0:
                 continue
             slope = (height[-1] - start) / gone[-1]
-            # Shares are those of the way before the correction, which moved both ends.
-            off = np.abs(height - start - slope * gone) - abs(slope) * 2 * shift
+            off = np.abs(height - start - slope * gone)
             worst = int(np.argmax(off))
             if off[worst] > self.tolerance:
                 line, at = int(m.line[rows[worst]]), start + slope * gone[worst]
