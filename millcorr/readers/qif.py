@@ -367,7 +367,8 @@ class _Joined:
         # All points of the only set are not copied.
         which = slice(None) if n == len(rows.lines) else of
         columns = (rows.points[which], nothing, rows.normals[which], rows.radii[which], nothing[:, 0])
-        return columns, rows.lines[which], (f"{s.id}.{k}" for k in range(1, n + 1))
+        name = s.name
+        return columns, rows.lines[which], (f"{name}.{k}" for k in range(1, n + 1))
 
     def _ball(self, radii: Floats) -> float | Floats:
         """Radius in mm, one for all or one a point, with what the caller says about rows the file leaves open."""

@@ -33,6 +33,8 @@ _SAID = {
 }
 """Children of a point set, by what they say."""
 _FLAGS = {"true": 1.0, "1": 1.0, "false": 0.0, "0": 0.0}
+_OWN = " "
+"""No id begins so, but those under which the touches that stand in a feature are kept."""
 _UNSAID = array("d", [math.nan])
 _FOREIGN_FRAMES = ("CoordinateSystemId", "TransformId", "TranformId", "Units")
 """Children of a point set that give it a frame or unit of its own; the schema of 3.0 has the third, misspelt."""
@@ -82,6 +84,11 @@ class PointSet:
     unit: str
     result: int
     first: int
+
+    @property
+    def name(self) -> str:
+        """What to call it: its id, or the feature whose own touches it holds."""
+        return phrase("of feature {}", self.id.removeprefix(_OWN)) if self.id.startswith(_OWN) else self.id
 
 
 class Touches:
@@ -326,7 +333,7 @@ class Document:
 
     def _add_touches(self, feature: Feature) -> None:
         """Put the touches that stand in a feature among the point sets, and refer to them."""
-        own, label = self.own, phrase("of feature {}", feature.id)
+        own, label = self.own, _OWN + feature.id
         self.set = PointSet(label, feature.line, len(own), feature.unit, feature.result, len(self.touches))
         unsaid = [math.isnan(flag) for flag in own.compensated]
         for x, line, flagless in zip(own.points[::3], own.lines, unsaid, strict=True):
@@ -365,7 +372,7 @@ class Document:
         if not all(compensated) or compensated is _UNSAID:
             for r in radius:
                 if r <= 0:
-                    self._refuse(phrase("point set {}: its ProbeRadius is not positive", found.id), found.line)
+                    self._refuse(phrase("point set {}: its ProbeRadius is not positive", found.name), found.line)
         table, n = self.touches, found.count
         if len(table.points):
             table.points.extend(said.pop("Points"))
