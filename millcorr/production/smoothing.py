@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from millcorr.arrays import Floats
-from millcorr.correction.wanted_displacement import unknown_share
+from millcorr.correction.wanted_displacement import staying_share
 from millcorr.geometry.profile import Profile
 from millcorr.separation import Filter
 from millcorr.separation.steps import Systematic
@@ -107,10 +107,10 @@ def over_parts(
     machine, std = found.at(stretch, s)
     shown = np.nan_to_num(commanded) + machine
     # Far from any point the program stays as it is, but for the mean of what is left.
-    unknown = np.where(np.isnan(commanded), 1.0, unknown_share(std, found.separated.sizes.form))
+    unknown = np.where(np.isnan(commanded), 1.0, found.unknown(stretch, s))
     near = 1.0 - unknown
     mean = float(near @ shown / near.sum()) if near.sum() > 0 else float(np.mean(shown[np.isfinite(commanded)]))
-    deviation = shown + unknown * (mean - shown)
+    deviation = shown + staying_share(unknown) * (mean - shown)
     measured = np.isfinite(std)
     begun = former[len(former) - len(known) - 1].state if len(former) > len(known) else np.zeros(len(places))
     if uncorrected:
@@ -148,7 +148,7 @@ def form_that_stays(
     found = together([*known, points], np.ones(len(known) + 1), nominal, filter)
     stretch, s = places.along()
     machine, std = found.at(stretch, s)
-    near = unknown_share(std, found.separated.sizes.form) < 1.0
+    near = staying_share(found.unknown(stretch, s)) < 1.0
     if not near.any():
         return None
     band, scatter = found.separated.band, found.separated.random_std

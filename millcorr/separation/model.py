@@ -653,6 +653,27 @@ class Lean:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
+class Grid:
+    """Places where it is worked out how well the systematic part is known.
+
+    Parameters
+    ----------
+    stretch : (m,) int64
+    s : (m,) float64
+        mm.
+    std : (m,) float64
+        Standard uncertainty, mm.
+    unknown : (m,) float64
+        Share of the form's variance that is open.
+    """
+
+    stretch: Ints
+    s: Floats
+    std: Floats
+    unknown: Floats
+
+
+@dataclass(frozen=True, eq=False, slots=True)
 class Separated:
     """What repeats along the contour, and what does not.
 
@@ -687,7 +708,7 @@ class Separated:
     _bound: Bound
     _solved: Solved
     _contours: Ints
-    _grid: tuple[Floats, Ints, Floats]
+    _grid: Grid
     _more: tuple[tuple[Floats, Floats] | None, ...]
 
     @property
@@ -729,17 +750,28 @@ class Separated:
         stretch, s = np.asarray(stretch, dtype=np.int64), np.asarray(s, dtype=np.float64)
         column, known = _columns(self.stretches, self._contours, stretch)
         mean = np.where(known, self._bound.mean(self._solved, stretch, s, column), 0.0)
-        first, of, std = self._grid
-        out = np.full(len(s), math.nan)
         for k in np.unique(stretch):
             rows = stretch == k
-            here = of == k
-            if here.any():
-                out[rows] = _interpolated(s[rows], (first[here], std[here]), self._period(k))
             more = self._more[k] if self._more else None
             if more is not None:
                 mean[rows] += _interpolated(s[rows], more, self._period(k))
-        return mean, out
+        return mean, self._from_grid(self._grid.std, stretch, s)
+
+    def unknown(self, stretch: Ints, s: Floats) -> Floats:
+        """Share of the form's variance that the points leave open at any place, 0 to 1; (m,).
+
+        It is of the form alone: how well its constant is known, and the offsets of parts and heights, is no matter of
+        the place. NaN on a contour without points.
+        """
+        return self._from_grid(self._grid.unknown, np.asarray(stretch, dtype=np.int64), np.asarray(s, dtype=np.float64))
+
+    def _from_grid(self, value: Floats, stretch: Ints, s: Floats) -> Floats:
+        out = np.full(len(s), math.nan)
+        for k in np.unique(stretch):
+            rows, here = stretch == k, self._grid.stretch == k
+            if here.any():
+                out[rows] = _interpolated(s[rows], (self._grid.s[here], value[here]), self._period(k))
+        return out
 
     def _period(self, k: int) -> float | None:
         return float(self.stretches.lengths[k]) if self.stretches.closed[k] else None
@@ -844,13 +876,14 @@ def separate(
     of, at = _places(stretches, gathered.contours, sizes.form_length)
     column, _ = _columns(stretches, gathered.contours, of)
     variance, along = bound.variance(solved, of, at, column)
+    unknown = bound.open_share(solved, of, at, column, variance)
     band = _whole_band(_path(variance, along, of))
     variance = _over_sizes(coarse, drawn, bound.mean(solved, of, at, column), variance, of, at, column)
     out = Separated(
         observed, stretches, filter, np.zeros(0), np.zeros(0), fit.weight, sizes, band,
         _level_differences(observed, gathered, bound, solved), _lean(observed, gathered, bound, solved, of, at), (),
         bound, solved, gathered.contours,
-        (at, of, np.sqrt(np.maximum(variance, 0.0))), (),
+        Grid(of, at, np.sqrt(np.maximum(variance, 0.0)), unknown), (),
     )  # fmt: skip
     mean, std = out.at(observed.stretch, observed.s)
     if filter.kind == "auto":
@@ -878,10 +911,10 @@ class Peak:
 
 def _peak(likelihood: Likelihood, x: Floats) -> Peak:
     """Curvature of the likelihood, and with it the last steps to its maximum."""
-    n = sum(name not in ("part", "level") for name in likelihood.free)
+    n = len(x)
     bound = likelihood.bound(math.exp(x[likelihood.free.index("form_length")]))
     step = 0.1
-    unit = step * np.eye(n, len(x))
+    unit = step * np.eye(n)
     here = likelihood(x, bound)
     plus = np.array([likelihood(x + unit[i], bound) for i in range(n)])
     minus = np.array([likelihood(x - unit[i], bound) for i in range(n)])
@@ -891,22 +924,24 @@ def _peak(likelihood: Likelihood, x: Floats) -> Peak:
         for j in range(i):
             both = likelihood(x + unit[i] + unit[j], bound) + likelihood(x - unit[i] - unit[j], bound)
             curve[i, j] = curve[j, i] = 0.5 * (both - plus[i] - plus[j] - minus[i] - minus[j]) + here
-    value, axes = np.linalg.eigh(curve / (2.0 * step**2))
+    curve /= step**2
+    form_and_noise = np.flatnonzero([name not in ("part", "level") for name in likelihood.free])
+    value, axes = np.linalg.eigh(0.5 * curve[np.ix_(form_and_noise, form_and_noise)])
     # The priors know a logarithm to 1.5: no direction is known worse.
     value = np.maximum(value, 1.0 / 1.5**2)
-    x = _nearer(likelihood, bound, x, curve / step**2, (plus - minus) / (2.0 * step))
-    return Peak(x, axes, 1.0 / np.sqrt(value))
+    return Peak(_nearer(likelihood, bound, x, curve), axes, 1.0 / np.sqrt(value))
 
 
-def _nearer(likelihood: Likelihood, bound: Bound, x: Floats, curve: Floats, slope: Floats) -> Floats:
-    """Newton's steps to the maximum, from curvature and slope of -2 log likelihood by the first of the sizes.
+def _nearer(likelihood: Likelihood, bound: Bound, x: Floats, curve: Floats) -> Floats:
+    """Newton's steps to the maximum, from the curvature of -2 log likelihood near it, (k, k).
 
     A size at its bound that would be beyond it stays there, and the others go where the likelihood is largest for that.
     """
     low, high = np.array(likelihood.limits()).T
-    n, here = len(slope), likelihood(x, bound)
     for _ in range(_ROUNDS):
-        free = np.flatnonzero(np.where(slope > 0.0, x[:n] > low[:n], x[:n] < high[:n]))
+        # By a small step: over that of the curvature the slope is off by more than is left of it.
+        here, slope = likelihood.gradient(x, bound)
+        free = np.flatnonzero(np.where(slope > 0.0, x > low, x < high))
         value, axes = np.linalg.eigh(curve[np.ix_(free, free)])
         step = np.zeros(len(x))
         step[free] = axes @ (axes.T @ slope[free] / np.maximum(value, 2.0 / 1.5**2))
@@ -917,10 +952,9 @@ def _nearer(likelihood: Likelihood, bound: Bound, x: Floats, curve: Floats, slop
                 break
         else:
             return x
-        gained, x, here = here - there, moved, there
-        if gained < 0.01 * _FLAT:
+        x = moved
+        if here - there < 0.01 * _FLAT:
             return x
-        slope = likelihood.gradient(x, bound)[1][:n]
     return x
 
 
@@ -1075,9 +1109,8 @@ def _prescribed(out: Separated, model: Floats, count: Floats | None) -> Separate
             # From point to point the model's error stays, what the filter adds changes.
             along = float(np.mean(std**2) + np.mean(course[1][1:] * course[1][:-1]))
             turned += len(course[1]) * _turned(np.array(along), np.array(np.mean(uncertainty[here] ** 2)))
-    at, of, std = out._grid
     wider = np.array([0.0 if c is None else float(np.mean(c[1] ** 2)) for c in more])
-    grid = (at, of, np.sqrt(std**2 + wider[of]))
+    grid = replace(out._grid, std=np.sqrt(out._grid.std**2 + wider[out._grid.stretch]))
     band = max(out.band, _whole_band(turned))
     return replace(out, systematic=value, uncertainty=uncertainty, band=band, _grid=grid, _more=tuple(more))
 

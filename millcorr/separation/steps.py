@@ -171,3 +171,12 @@ class Systematic:
             On a contour without points, and on steps that are not known, 0 and NaN.
         """
         return self._of_step(*self.separated.at(*self.places.of(stretch, s)), stretch)
+
+    def unknown(self, stretch: Ints, s: Floats) -> Floats:
+        """Share of the form's variance that the points leave open at any place, 0 to 1; (m,).
+
+        1 on a contour without points, and on steps that are not known.
+        """
+        open_ = self.separated.unknown(*self.places.of(stretch, s))
+        out: Floats = np.where(self.known[self.places.contour[stretch]] & np.isfinite(open_), open_, 1.0)
+        return out
