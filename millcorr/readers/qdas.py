@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from millcorr.arrays import Bools, Floats, Ints
+from millcorr.arrays import Floats, Ints
 from millcorr.messages import phrase
 from millcorr.readers.measurement import Measurement
 
@@ -331,7 +331,7 @@ class _Reading:
         used = 0
         for part in list(rows):
             own, grouped = rows.pop(part), np.array(tables.pop(part), dtype=np.int64).reshape(-1, 3)
-            whole: Bools = (grouped[:, :2] >= 0).all(axis=1)
+            whole = (grouped[:, 0] >= 0) & (grouped[:, 1] >= 0)
             if whole.any():
                 points[part] = _Groups(
                     Names(name for name, kept in zip(own, whole.tolist(), strict=True) if kept), grouped[whole]
