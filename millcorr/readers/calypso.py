@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 import re
 import sys
+from array import array
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
@@ -151,7 +152,7 @@ def _of_part(source: Source, parts: dict[str, dict[str, int]]) -> str:
 def _features(source: Source, rows: _Rows) -> Measurement:
     """Points of a table of features."""
     parts: dict[str, dict[str, int]] = {}
-    found: dict[str, list[list[float]]] = {}
+    found: dict[str, array[float]] = {}
     others: dict[str, dict[str, int]] = {}
     unmeasured: dict[str, int] = {}
     for number, (part, name, kind, *texts) in rows:
@@ -168,14 +169,14 @@ def _features(source: Source, rows: _Rows) -> Measurement:
         lines[name] = number
         place = _vector(source, number, texts[:3])
         others_of = [_vector(source, number, own) if all(own) else _UNKNOWN for own in (texts[3:6], texts[6:])]
-        found.setdefault(part, []).append([*place, *others_of[0], *others_of[1]])
+        found.setdefault(part, array("d")).extend([*place, *others_of[0], *others_of[1]])
     if not found:
         kinds = sorted({shown(kind) for left in others.values() for kind in left})
         raise source.error(
             phrase("no row of the kind Point or SpacePoint, only {}", ", ".join(kinds[:5]) or phrase("a header"))
         )
     part = _of_part(source, {part: parts[part] for part in found})
-    points, nominal, normals = np.array(found[part]).reshape(-1, 3, 3).swapaxes(0, 1)
+    points, nominal, normals = np.frombuffer(found[part]).reshape(-1, 3, 3).swapaxes(0, 1)
     # A direction that the table does not know is written as zeros.
     without = int((np.isnan(normals).any(axis=1) | ~normals.any(axis=1)).sum())
     notes = [phrase("{} points were not measured", unmeasured[part])] if part in unmeasured else []
@@ -187,7 +188,7 @@ def _features(source: Source, rows: _Rows) -> Measurement:
     return source.measurement(
         "calypso", points, list(parts[part].values()), ball_radius=source.ball_radius(), unit=source.unit(None),
         nominal=None if np.isnan(nominal).all() else nominal, normals=None if without else normals,
-        elements=list(parts[part]), notes=notes,
+        elements=parts[part], notes=notes,
     )  # fmt: skip
 
 

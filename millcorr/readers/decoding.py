@@ -87,10 +87,7 @@ def decode(data: bytes, name: str, drop: bytes = b"") -> str:
     if found:
         line = text.count("\n", 0, found.start()) + 1
         raise FormatError(phrase("binary data (control character {}): not a text file", ord(found[0])), name, line)
-    if not text.isascii():
-        for character, plain in _ALIKE.items():
-            text = text.replace(character, plain)
-    return text
+    return _plainly(text)
 
 
 def lines_of(text: str, begin: int = 0) -> Iterator[str]:
@@ -106,8 +103,8 @@ def lines_of(text: str, begin: int = 0) -> Iterator[str]:
 def pieces(data: bytes, name: str, drop: bytes = b"", table: bytes | None = None) -> Iterator[str]:
     r"""Text of a file as `decode` gives it, some thousand whole lines at a time.
 
-    Of a file in ASCII, which most are, there is never a second copy. All that `decode` refuses is refused before the
-    first piece.
+    Of a file without byte order mark, as most are, there is never a second copy. All that `decode` refuses is refused
+    before the first piece.
 
     Parameters
     ----------
@@ -125,12 +122,12 @@ def pieces(data: bytes, name: str, drop: bytes = b"", table: bytes | None = None
     while end and data[end - 1] in b"\x1a\x00" + drop:
         end -= 1
     # What `decode` would refuse, or take for UTF-16, is left to it.
-    controlled = _has_controls(data[: len(data) if drop else end], drop, table)
-    if not data.isascii() or b"\x00" in data[:_SAMPLE] or controlled:
+    encoding = _encoding(data)
+    if not encoding or _has_controls(data[: len(data) if drop else end], drop, table):
         return _cut(decode(data if table is None else data.translate(table), name, drop))
     _refuse_other_kinds(data, name)
-    _refuse_markup(data[: 8 * _START].translate(table, drop)[:_START].decode("ascii"), name)
-    return _ascii_pieces(data, end, drop, table)
+    _refuse_markup(data[: 8 * _START].translate(table, drop).decode(encoding, "ignore")[:_START], name)
+    return _pieces_in(encoding, data, end, drop, table)
 
 
 def plain(data: bytes, name: str) -> bytes:
@@ -162,7 +159,7 @@ def _cut(text: str) -> Iterator[str]:
         begin = end
 
 
-def _ascii_pieces(data: bytes, stop: int, drop: bytes, table: bytes | None) -> Iterator[str]:
+def _pieces_in(encoding: str, data: bytes, stop: int, drop: bytes, table: bytes | None) -> Iterator[str]:
     """Pieces of the first `stop` bytes; those of `drop` may stand anywhere, also within a line's end."""
     begin = 0
     while begin < stop:
@@ -175,8 +172,15 @@ def _ascii_pieces(data: bytes, stop: int, drop: bytes, table: bytes | None) -> I
             while end < stop and data[end] in drop:
                 end += 1
             end += data[end : end + 1] == b"\n"
-        yield _with_newlines(data[begin:end].translate(table, drop).decode("ascii"))
+        yield _plainly(_with_newlines(data[begin:end].translate(table, drop).decode(encoding)))
         begin = end
+
+
+def _plainly(text: str) -> str:
+    if not text.isascii():
+        for character, alike in _ALIKE.items():
+            text = text.replace(character, alike)
+    return text
 
 
 def _with_newlines(text: str) -> str:
@@ -211,6 +215,23 @@ def _has_controls(data: bytes, drop: bytes = b"", table: bytes | None = None) ->
         if ((block < 0x09) | (block - 0x0E < 0x0E) | (block == 0x7F)).any():
             return True
     return False
+
+
+def _encoding(data: bytes) -> str:
+    """Encoding of a file by which a line end is one byte everywhere; empty if `_decoded` has to find it or refuse."""
+    if b"\x00" in data[:_SAMPLE] or data.startswith(tuple(mark for mark, _ in _BOMS)):
+        return ""
+    if data.isascii():
+        return "ascii"
+    for encoding in ("utf-8", "cp1252"):
+        decoder = codecs.getincrementaldecoder(encoding)()
+        try:
+            for begin in range(0, len(data), _BLOCK):
+                decoder.decode(data[begin : begin + _BLOCK], begin + _BLOCK >= len(data))
+        except UnicodeDecodeError:
+            continue
+        return encoding
+    return ""
 
 
 def _decoded(data: bytes, name: str) -> str:

@@ -115,8 +115,13 @@ class _Rows:
         self.lines.append(line)
         self.count[label] += 1
 
+    def names(self) -> Iterator[str]:
+        """Names of the points: their label, with a number behind it where several have it."""
+        for label, count in self.count.items():
+            yield from (f"{label}.{k}" for k in range(1, count + 1)) if count != 1 else (label,)
+
     def table(self) -> Floats:
-        return np.array(self.values, dtype=np.float64).reshape(-1, 6)
+        return np.frombuffer(self.values).reshape(-1, 6)
 
 
 class _Output:
@@ -306,10 +311,8 @@ class _Output:
                 remedy("units", "inch"),
             )
         partner = np.full(len(measured), -1)
-        names = []
         for label, begin in actual.begin.items():
             count = actual.count[label]
-            names += [label] if count == 1 else [f"{label}.{k}" for k in range(1, count + 1)]
             if nominal.count.get(label) == count:
                 partner[begin : begin + count] = np.arange(nominal.begin[label], nominal.begin[label] + count)
         paired = partner >= 0
@@ -325,7 +328,8 @@ class _Output:
         ball = source.ball_radius(centres=None if self.compensated is None else not self.compensated)
         return source.measurement(
             "dmis", measured[:, :3], actual.lines, ball_radius=ball, unit=source.unit(self.unit),
-            normals=None if without else normals, nominal=wanted if paired.any() else None, elements=names, notes=notes,
+            normals=None if without else normals, nominal=wanted if paired.any() else None,
+            elements=actual.names(), notes=notes,
         )  # fmt: skip
 
 

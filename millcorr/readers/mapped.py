@@ -20,6 +20,7 @@ from .decimal_columns import decimal_tables
 from .decoding import decode, lines_of
 from .fields import COMMA_NUMBER, NUMBER, mixed_marks, split, why_no_number
 from .mapping import DECIMALS, PLANES, SEPARATORS, TextMapping, axes_of
+from .names import Names
 from .source import Source, shown, unit_vectors
 from .truncation import check_last_number
 
@@ -219,7 +220,7 @@ def _split(line: str, separator: str | None) -> list[str]:
     return [f.strip() for f in row if separator is not None or f.strip()]
 
 
-def _read_whole(text: str, table: _Table, mapping: TextMapping) -> tuple[Floats, Ints, list[str] | None] | None:
+def _read_whole(text: str, table: _Table, mapping: TextMapping) -> tuple[Floats, Ints, Names | None] | None:
     """Rows in one go where all wanted cells but names are numbers; None where there is more to it."""
     if mapping.only or mapping.end or "travel" in table.columns or '"' in text:
         return None
@@ -248,7 +249,7 @@ def _read_whole(text: str, table: _Table, mapping: TextMapping) -> tuple[Floats,
     place = table.columns["id"]
     rows = (line.split(separator, place + 1) for line in lines_of(text, begin) if line.strip())
     # Rows are as wide as the header: the table has been read.
-    return values, lines, [row[place].strip() for row in rows]
+    return values, lines, Names(row[place].strip() for row in rows)
 
 
 class _Rows:

@@ -118,8 +118,8 @@ class _Lines:
         return self.data[self._ends[number] + 1 : self._ends[number + 1]].decode("utf-8", "surrogatepass")
 
     def span(self, first: int, last: int) -> tuple[int, int]:
-        """Where in the data lines begin and end, from one to before another."""
-        return int(self._ends[first]) + 1, int(self._ends[last])
+        """Where in the data lines begin and end, from one to before another, with their line ends."""
+        return int(self._ends[first]) + 1, int(self._ends[last]) + (last < len(self))
 
 
 def _head(source: Source, lines: _Lines, position: int) -> tuple[int, Floats, Floats, int]:

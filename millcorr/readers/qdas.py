@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 import re
 from array import array
-from itertools import compress
 from typing import NamedTuple
 
 import numpy as np
@@ -332,9 +331,11 @@ class _Reading:
         used = 0
         for part in list(rows):
             own, grouped = rows.pop(part), np.array(tables.pop(part), dtype=np.int64).reshape(-1, 3)
-            whole = (grouped[:, :2] >= 0).all(axis=1)
+            whole = (grouped[:, 0] >= 0) & (grouped[:, 1] >= 0)
             if whole.any():
-                points[part] = _Groups(Names(compress(own, whole.tolist())), grouped[whole])
+                points[part] = _Groups(
+                    Names(name for name, kept in zip(own, whole.tolist(), strict=True) if kept), grouped[whole]
+                )
                 used += int((points[part].places >= 0).sum())
         if not points:
             raise self.source.error(

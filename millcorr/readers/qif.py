@@ -9,7 +9,7 @@ and only where the file has no point, curve or surface features of its own.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -19,6 +19,7 @@ from millcorr.errors import UsageError, unsaid
 from millcorr.messages import message, mm, option, phrase, remedy
 from millcorr.readers.measurement import Basis, Measurement
 
+from .names import Names
 from .parts import chosen_part
 from .qif_document import NO_VECTOR, POINTS, Document, Feature, PointSet, Reference
 from .source import MM_PER_INCH, Source, shown
@@ -180,7 +181,7 @@ class _Joined:
             raise source.error(phrase("no measured points; {} measured features without any", len(document.measured)))
         self.factors, self.factor = self._units()
         self.rows = self._touches()
-        parts = []
+        parts: list[tuple[tuple[Floats, ...], Ints, Iterable[str]]] = []
         if features:
             parts.append(self._of_features(features))
         parts += [self._of_set(s, rows) for s, rows in sets]
@@ -188,7 +189,7 @@ class _Joined:
             _stacked(column) for column in zip(*(p[0] for p in parts), strict=True)
         )
         lines = _stacked([p[1] for p in parts])
-        names = [name for p in parts for name in p[2]]
+        names = Names(name for p in parts for name in p[2])
         without = int(np.isnan(normals).any(axis=1).sum())
         if 0 < without < len(points):
             self.notes.append(phrase("{} of {} points have no normal: normals are not used", without, len(points)))
@@ -360,13 +361,14 @@ class _Joined:
         if worst > 1e-4:
             self.notes.append(phrase("stored profile values differ from (P - N) . n - r by up to {}", mm(worst, ".4f")))
 
-    def _of_set(self, s: PointSet, of: Ints) -> tuple[tuple[Floats, ...], Ints, list[str]]:
+    def _of_set(self, s: PointSet, of: Ints) -> tuple[tuple[Floats, ...], Ints, Iterable[str]]:
         rows, n = self.rows, len(of)
         nothing = np.broadcast_to(np.nan, (n, 3))
         # All points of the only set are not copied.
         which = slice(None) if n == len(rows.lines) else of
         columns = (rows.points[which], nothing, rows.normals[which], rows.radii[which], nothing[:, 0])
-        return columns, rows.lines[which], [f"{s.id}.{k}" for k in range(1, n + 1)]
+        name = s.name
+        return columns, rows.lines[which], (f"{name}.{k}" for k in range(1, n + 1))
 
     def _ball(self, radii: Floats) -> float | Floats:
         """Radius in mm, one for all or one a point, with what the caller says about rows the file leaves open."""

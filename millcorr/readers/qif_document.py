@@ -33,6 +33,8 @@ _SAID = {
 }
 """Children of a point set, by what they say."""
 _FLAGS = {"true": 1.0, "1": 1.0, "false": 0.0, "0": 0.0}
+_OWN = " "
+"""No id begins so, but those under which the touches that stand in a feature are kept."""
 _UNSAID = array("d", [math.nan])
 _FOREIGN_FRAMES = ("CoordinateSystemId", "TransformId", "TranformId", "Units")
 """Children of a point set that give it a frame or unit of its own; the schema of 3.0 has the third, misspelt."""
@@ -53,17 +55,6 @@ class Reference:
     line: int
     first: int = 1
     last: int = 0
-
-
-@dataclass(slots=True)
-class Touch:
-    """MeasurePoint of a feature; None is what it does not say."""
-
-    line: int
-    point: Vector | None = None
-    normal: Vector | None = None
-    compensated: bool | None = None
-    radius: float | None = None
 
 
 @dataclass(slots=True)
@@ -94,6 +85,11 @@ class PointSet:
     result: int
     first: int
 
+    @property
+    def name(self) -> str:
+        """What to call it: its id, or the feature whose own touches it holds."""
+        return phrase("of feature {}", self.id.removeprefix(_OWN)) if self.id.startswith(_OWN) else self.id
+
 
 class Touches:
     """Points of all sets, one after another, as they stand in the file.
@@ -116,6 +112,14 @@ class Touches:
 
     def __len__(self) -> int:
         return len(self.lines)
+
+    def begin(self, line: int) -> None:
+        """Begin a touch of which nothing is said yet."""
+        self.lines.append(line)
+        self.points.extend(NO_VECTOR)
+        self.normals.extend(NO_VECTOR)
+        self.compensated.append(math.nan)
+        self.radius.append(math.nan)
 
 
 @dataclass(slots=True)
@@ -145,7 +149,7 @@ class Document:
         """Id and line of every MeasurementResults."""
         self.result = -1
         self.feature = Feature("", "", 0, -1)
-        self.own: list[Touch] = []
+        self.own = Touches()
         """Touches that stand in the feature that is open."""
         self.set = PointSet("", 0, 0, "", -1, 0)
         self.said: dict[str, array[float]] = {}
@@ -213,7 +217,7 @@ class Document:
             if self.own:
                 if name == "measured":
                     self._add_touches(feature)
-                self.own.clear()
+                self.own = Touches()
 
         fields = {
             "Location": Element(begin=self._open_location, text=self._take_location),
@@ -233,7 +237,7 @@ class Document:
             "Compensated": Element(text=self._take_touch_flag),
             "ProbeRadius": Element(text=self._take_touch_radius),
         }
-        touch = Element(touched.get, begin=lambda _, line: self.own.append(Touch(line)))
+        touch = Element(touched.get, begin=lambda _, line: self.own.begin(line))
         fields["PointList"] = Element(lambda name: touch if name == "MeasurePoint" else refers(name))
         others = Element(refers)
         return Element(lambda name: fields.get(name, others), begin=begin, end=end)
@@ -311,13 +315,13 @@ class Document:
     # Children of a MeasurePoint, in which documents of 2.x give every touch of a feature.
 
     def _take_touch(self, content: str, line: int) -> None:
-        self.own[-1].point = self._three(content, self.feature.id, line)
+        self.own.points[-3:] = array("d", self._three(content, self.feature.id, line))
 
     def _take_direction(self, content: str, line: int) -> None:
-        self.own[-1].normal = self._three(content, self.feature.id, line)
+        self.own.normals[-3:] = array("d", self._three(content, self.feature.id, line))
 
     def _take_touch_radius(self, content: str, line: int) -> None:
-        self.own[-1].radius = self._number(content, self.feature.id, line)
+        self.own.radius[-1] = self._number(content, self.feature.id, line)
 
     def _take_touch_flag(self, content: str, line: int) -> None:
         flag = _FLAGS.get(content.strip())
@@ -325,25 +329,22 @@ class Document:
             self._refuse(
                 phrase("feature {}: Compensated {} is not true or false", self.feature.id, shown(content)), line
             )
-        self.own[-1].compensated = flag > 0
+        self.own.compensated[-1] = flag
 
     def _add_touches(self, feature: Feature) -> None:
         """Put the touches that stand in a feature among the point sets, and refer to them."""
-        own, label = self.own, phrase("of feature {}", feature.id)
+        own, label = self.own, _OWN + feature.id
         self.set = PointSet(label, feature.line, len(own), feature.unit, feature.result, len(self.touches))
-        points, normals, compensated, radius = (self.said.setdefault(key, array("d")) for key in _SAID)
-        for t in own:
-            if t.point is None:
-                self._refuse(phrase("a MeasurePoint of feature {} has no Point", feature.id), t.line)
-            if t.compensated is not own[0].compensated and None in (t.compensated, own[0].compensated):
+        unsaid = [math.isnan(flag) for flag in own.compensated]
+        for x, line, flagless in zip(own.points[::3], own.lines, unsaid, strict=True):
+            if math.isnan(x):
+                self._refuse(phrase("a MeasurePoint of feature {} has no Point", feature.id), line)
+            if flagless != unsaid[0]:
                 self._refuse(
-                    phrase("a MeasurePoint of feature {} lacks Compensated, or all others do", feature.id), t.line
+                    phrase("a MeasurePoint of feature {} lacks Compensated, or all others do", feature.id), line
                 )
-            points.extend(t.point)
-            normals.extend(NO_VECTOR if t.normal is None else t.normal)
-            compensated.append(math.nan if t.compensated is None else t.compensated)
-            radius.append(math.nan if t.radius is None else t.radius)
-            self.touches.lines.append(t.line)
+        self.said.update(zip(_SAID, (own.points, own.normals, own.compensated, own.radius), strict=True))
+        self.touches.lines.extend(own.lines)
         self._add_set()
         feature.sets += (Reference(label, feature.line),)
 
@@ -371,7 +372,7 @@ class Document:
         if not all(compensated) or compensated is _UNSAID:
             for r in radius:
                 if r <= 0:
-                    self._refuse(phrase("point set {}: its ProbeRadius is not positive", found.id), found.line)
+                    self._refuse(phrase("point set {}: its ProbeRadius is not positive", found.name), found.line)
         table, n = self.touches, found.count
         if len(table.points):
             table.points.extend(said.pop("Points"))

@@ -105,7 +105,8 @@ def test_pieces_are_whole_lines_of_the_same_text(size, drop, monkeypatch):
     monkeypatch.setattr(decoding, "_PIECE", size)
     generator = random.Random(size)
     parts = [b"ab", b"c" * 50, b"\n", b"\r\n", b"\r", b" ", b"\x12", b"\x00", b"\x1a", b"\xb5", b"\x07", b"<xml "]
-    weights = [9, 1, 4, 4, 2, 2, 1, 0.3, 0.3, 0.1, 0.1, 0.1]
+    parts += [mark.encode() for mark in "µ\N{NO-BREAK SPACE}\N{MINUS SIGN}\N{ZERO WIDTH NO-BREAK SPACE}"] + [b"\x81"]
+    weights = [9, 1, 4, 4, 2, 2, 1, 0.3, 0.3, 0.1, 0.1, 0.1, 0.3, 0.3, 0.3, 0.2, 0.05]
     read = refused = 0
     for _ in range(1500):
         data = b"".join(generator.choices(parts, weights, k=generator.randrange(1, 40)))

@@ -37,6 +37,14 @@ def test_ptx_where_it_was_registered(scan, missed):
     assert m.lines[0] == 11 and m.bases["unit"].how == "assumed"
 
 
+@pytest.mark.parametrize("ending", ["\r\n", "\r"])
+def test_line_ends_of_other_systems(scan, ending):
+    text = files.ptx(PART) * 2
+    wanted = readers.read(scan(text), points="contact")
+    m = readers.read(scan(text.replace("\n", ending)), points="contact")
+    assert len(m) == 12 and m.points.tobytes() == wanted.points.tobytes() and m.lines.tolist() == wanted.lines.tolist()
+
+
 def test_scans_put_together(scan):
     parts = [files.ellipse(4, seed=seed) for seed in (1, 2)]
     text = files.ptx(parts[0], missed=0) + files.ptx(parts[1], missed=0, turn=-2.0, shift=(50.0, 0.0, 0.0))
