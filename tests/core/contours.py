@@ -175,7 +175,9 @@ def polygons(draw, least: int = 3, most: int = 7) -> np.ndarray:
 
 
 @st.composite
-def parts(draw, cutter: float = 0.0, pocket: bool | None = None) -> Part:
+def parts(
+    draw, cutter: float = 0.0, pocket: bool | None = None, fillets: Sequence[float] = (0.0, 0.0, 0.5, 3.0, 8.0)
+) -> Part:
     """Part with sharp and filleted corners that a cutter of the given radius can go round."""
     from hypothesis import assume
 
@@ -186,7 +188,7 @@ def parts(draw, cutter: float = 0.0, pocket: bool | None = None) -> Part:
     assume((np.abs(turn) > 0.25).all() and (np.abs(turn) < 2.2).all())
     radii = []
     for t in turn:
-        r = draw(st.sampled_from([0.0, 0.0, 0.5, 3.0, 8.0]))
+        r = draw(st.sampled_from(fillets))
         radii.append(r if t > 0 or r == 0 else r + cutter)
     part = Part(vertices, tuple(radii))
     try:
