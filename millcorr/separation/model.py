@@ -53,7 +53,7 @@ WHITE_LEAST = 1e-4
 rougher. What the rounding of the file's numbers adds comes on top (`Observed.rounding`)."""
 
 SMOOTHEST = 1e-3
-"""Where points are in doubt and less noise than this, in mm, is found, outliers are looked for as if there were so much:
+"""Where points are in doubt and less noise than this, mm, is found, outliers are looked for as if there were so much:
 no milled surface is smoother from point to point. Where a simulated one is, some humps on a flat to a hair were as
 likely a quarter of outliers as a form, and the last digit decided. They are settled with the noise as it is."""
 
