@@ -53,7 +53,7 @@ WHITE_LEAST = 1e-4
 rougher. What the rounding of the file's numbers adds comes on top (`Observed.rounding`)."""
 
 SMOOTHEST = 1e-3
-"""Where points are in doubt and less noise than this, mm, is found, outliers are looked for as if there were so much:
+"""Where many points are suspects and less noise than this, mm, is found, outliers are looked for as if it were so much:
 no milled surface is smoother from point to point. Where a simulated one is, some humps on a flat to a hair were as
 likely a quarter of outliers as a form, and the last digit decided. They are settled with the noise as it is."""
 
@@ -587,9 +587,9 @@ def _fitted(observed: Observed, stretches: Stretches) -> tuple[Gathered, Fit]:
         x = Likelihood(gathered, weight).minimum(found.x, _ROUNDS_OF_SEARCH)[1]
         return gathered, replace(found, x=x, weight=weight)
     few = gathered if len(observed) <= SEARCHED else Gathered(observed, stretches, SEARCHED)
-    best, doubt = _likeliest(few, gathered, observed)
+    best, many = _likeliest(few, gathered, observed)
     sizes = Likelihood(few, best.weight).sizes(best.x)
-    if doubt and math.hypot(sizes.process, sizes.white) < SMOOTHEST:
+    if many and math.hypot(sizes.process, sizes.white) < SMOOTHEST:
         milled, _ = _likeliest(few.no_smoother(SMOOTHEST), gathered.no_smoother(SMOOTHEST), observed)
         best = _settled(few, milled.weight, few.spacing, None)
     if few is gathered:
@@ -598,7 +598,7 @@ def _fitted(observed: Observed, stretches: Stretches) -> tuple[Gathered, Fit]:
 
 
 def _likeliest(few: Gathered, gathered: Gathered, observed: Observed) -> tuple[Fit, bool]:
-    """The likeliest of the fits that different outliers lead to, and whether any point was in doubt at all."""
+    """The likeliest of the fits that different outliers lead to, and whether many points were suspects."""
     begun: list[Bools] = []
     fits: list[Fit] = []
     none = np.zeros(len(observed), dtype=bool)
@@ -610,11 +610,11 @@ def _likeliest(few: Gathered, gathered: Gathered, observed: Observed) -> tuple[F
             if not wrong.any() and fits[-1].weight.min() >= 0.5:
                 # Nothing stands out, neither beforehand nor of what was found.
                 break
-    if max(wrong.mean() for wrong in begun) > MANY_SUSPECTS:
+    many = max(wrong.mean() for wrong in begun) > MANY_SUSPECTS
+    if many:
         # Where all but some humps is flat to a hair, every point of a hump stands out, and the humps are form.
         fits.append(_settled(few, np.ones(len(observed)), few.spacing, None))
-    doubt = any(wrong.any() for wrong in begun) or any(fit.weight.min() < 0.5 for fit in fits)
-    return min(fits, key=lambda fit: fit.cost), doubt
+    return min(fits, key=lambda fit: fit.cost), many
 
 
 CERTAIN = 0.0027
