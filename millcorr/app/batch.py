@@ -25,7 +25,7 @@ import FreeCAD
 
 from millcorr import nc, pipeline
 from millcorr import report as reports
-from millcorr.errors import FormatError, InputError, MillcorrError, RefusedError, UsageError
+from millcorr.errors import FormatError, InputError, LimitError, MillcorrError, RefusedError, UsageError
 from millcorr.messages import message_of, option, phrase
 from millcorr.path import verification
 from millcorr.production import series as production
@@ -352,19 +352,21 @@ def proved(obj: Any, text: str, corrected: correction.Correction) -> correction.
     LimitError
         If it rounds more than the tolerance allows.
     """
-    posted, unstated = _read_back(text, compat.parent_job(obj).PostProcessor or "linuxcnc")
+    post = compat.parent_job(obj).PostProcessor or "linuxcnc"
+    posted, unstated = _read_back(text, post)
     emitted = posted.toolpath.take(_stretch(posted, obj.Label))
     result = corrected.result
     planned = result.regeneration
     tolerance = corrected.request.settings.tolerance
     if coarse := posted.resolution > tolerance:
         tolerance += posted.resolution
+    try:
+        following = verification.following_by_place(emitted, planned.toolpath, planned.following)
+    except LimitError as error:
+        message = phrase("FreeCAD's post processor {} does not write the path as it is: {}", post, message_of(error))
+        raise LimitError(phrase("{}; post with another one", message)) from error
     proof = verification.verify(
-        emitted,
-        result.compensated,
-        result.path_radius,
-        following=verification.following_by_place(emitted, planned.toolpath, planned.following),
-        tolerance=tolerance,
+        emitted, result.compensated, result.path_radius, following=following, tolerance=tolerance
     )
     if coarse:
         fine, within = (f"{length * 1000:.1f} um" for length in (posted.resolution, tolerance))

@@ -8,6 +8,7 @@ by FreeCAD 0.20 opens in 1.x with dead proxies.
 
 from __future__ import annotations
 
+import contextlib
 import importlib
 import importlib.util
 import pathlib
@@ -362,20 +363,34 @@ def _post_list(job: DocumentObject) -> list[Any]:
 def _texts(job: DocumentObject, name: str, arguments: str) -> list[str]:
     """What a post processor makes of a job."""
     try:
-        factory = importlib.import_module("Path.Post.Processor").PostProcessorFactory
+        module = importlib.import_module("Path.Post.Processor")
     except ModuleNotFoundError:
         processor = importlib.import_module("PathScripts.PathPostProcessor").PostProcessor.load(name)
         with tempfile.TemporaryDirectory() as directory:
-            # Some of them give the program back, some only write it.
-            file = pathlib.Path(directory) / "program.nc"
-            given = processor.export(_post_list(job), str(file), arguments)
-            if not isinstance(given, str) or not given:
-                given = file.read_text(encoding="utf-8", errors="replace") if file.exists() else ""
-        sections = [("", given)]
+            texts = [_given_or_written(processor, _post_list(job), pathlib.Path(directory) / "program.nc", arguments)]
     else:
-        processor = factory.get_post_processor(_JobWithArguments(job, arguments), name)
-        sections = [] if processor is None else processor.export() or []
-    return [text for _, text in sections if text]
+        # The jobs of all earlier posts are kept there, and the first of them taken for the parent of a work frame.
+        module._TempObject.InList.clear()
+        processor = module.PostProcessorFactory.get_post_processor(_JobWithArguments(job, arguments), name)
+        if processor is None:
+            return []
+        script = getattr(processor, "script_module", None)
+        if script is None:
+            texts = [text for _, text in processor.export() or []]
+        else:
+            # As FreeCAD calls them; what some then write to a file of that name must not lie about.
+            with tempfile.TemporaryDirectory() as directory, contextlib.chdir(directory):
+                parts = [part for _, part in processor._buildPostList()]
+                texts = [_given_or_written(script, part, pathlib.Path("-"), arguments) for part in parts]
+    return [text for text in texts if text]
+
+
+def _given_or_written(script: Any, postables: list[Any], file: pathlib.Path, arguments: str) -> str:
+    """What a post processor's script makes of some objects: some give the program back, some only write it."""
+    given = script.export(postables, str(file), arguments)
+    if isinstance(given, str) and given:
+        return given
+    return file.read_text(encoding="utf-8", errors="replace") if file.exists() else ""
 
 
 def post(job: DocumentObject, arguments: str | None = None, wish: str = "") -> str:
@@ -408,10 +423,14 @@ def post(job: DocumentObject, arguments: str | None = None, wish: str = "") -> s
         try:
             texts = _texts(job, name, f"{arguments} {wish}".strip())
         except SystemExit:
-            # So end those that do not know an argument.
+            # So end those that do not know an argument, or want one more.
             texts = _texts(job, name, arguments)
     except (Exception, SystemExit) as error:  # noqa: BLE001
-        told = f"{type(error).__name__}: {error}" if isinstance(error, Exception) else "an argument it does not know"
+        told = (
+            f"{type(error).__name__}: {error}"
+            if isinstance(error, Exception)
+            else "an argument that is missing or that it does not know"
+        )
         raise InputError(
             phrase(
                 "{}: FreeCAD's own post processor {} fails on this job ({}): post with another one",

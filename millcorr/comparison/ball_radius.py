@@ -23,6 +23,7 @@ from millcorr.geometry.profile import Profile
 from millcorr.messages import mm, option, phrase, remedy, um
 from millcorr.readers.measurement import Measurement
 from millcorr.readers.measurement import Probe as Probe
+from millcorr.readers.names import Names
 
 from .deviation import REACH, Deviation, Rejected
 
@@ -353,7 +354,7 @@ def _of(measurement: Measurement, rows: Ints, points: Floats, radius: float, rea
         ball_radius=radius,
         lines=measurement.lines[rows],
         nominal=chosen(measurement.nominal),
-        elements=None if elements is None else tuple(elements[row] for row in rows),
+        elements=None if elements is None else Names(elements[row] for row in rows.tolist()),
         stated=chosen(measurement.stated),
         axis_radii=None,
         travel=None,

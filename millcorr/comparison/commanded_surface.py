@@ -66,9 +66,9 @@ def boxes(toolpath: Toolpath) -> Floats:
 
 def rows_near(toolpath: Toolpath, points: Floats, reach: float) -> Bools:
     """Moves that come nearer than `reach` mm to the bounding box of points; (n,)."""
-    box = boxes(toolpath)
+    left, bottom, right, top = boxes(toolpath).T
     low, high = points.min(axis=0) - reach, points.max(axis=0) + reach
-    out: Bools = (box[:, :2] <= high).all(axis=1) & (box[:, 2:] >= low).all(axis=1)
+    out: Bools = (left <= high[0]) & (bottom <= high[1]) & (right >= low[0]) & (top >= low[1])
     return out
 
 

@@ -108,7 +108,7 @@ def correction_from(
                     more,
                 )
             )
-    _fill_unmeasured(profile, stretches, courses, warnings)
+    warnings += _fill_unmeasured(profile, stretches, courses)
     return Correction(stretches, tuple(c for c in courses if c is not None)), tuple(warnings)
 
 
@@ -251,10 +251,9 @@ def _bridged(s: Floats, value: Floats, stretch: Stretch) -> tuple[Floats, Floats
     return all_s[apart], all_v[apart], gaps
 
 
-def _fill_unmeasured(
-    profile: Profile, stretches: Sequence[Stretch], courses: list[Course | None], warnings: list[str]
-) -> None:
-    """Stretches without a point lead from one measured neighbour's end to the other's. In place."""
+def _fill_unmeasured(profile: Profile, stretches: Sequence[Stretch], courses: list[Course | None]) -> list[str]:
+    """Stretches without a point lead from one measured neighbour's end to the other's, in place; says so."""
+    notes: list[str] = []
     with_points = [i for i, course in enumerate(courses) if course is not None]
     for k, stretch in enumerate(stretches):
         if courses[k] is not None:
@@ -264,7 +263,7 @@ def _fill_unmeasured(
         where = phrase("the stretch of {} near {} has no usable point", mm(stretch.length), xy(p[0, 0], p[0, 1]))
         if not measured:
             courses[k] = Course.constant(0.0, stretch.length, stretch.closed)
-            warnings.append(phrase("{}: it is not corrected", where))
+            notes.append(phrase("{}: it is not corrected", where))
             continue
         total = float(profile.total[stretch.contour])
         middle = stretch.begin + stretch.length / 2
@@ -286,4 +285,5 @@ def _fill_unmeasured(
         x = np.array([0.0, stretch.length])
         y = np.interp(x - stretch.length / 2, [first[0], last[0]], [first[1], last[1]])
         courses[k] = Course.through(x, y, stretch.length, False)
-        warnings.append(phrase("{}: it follows its neighbours, {} to {}", where, mm(y[0], "+.4f"), mm(y[1], "+.4f")))
+        notes.append(phrase("{}: it follows its neighbours, {} to {}", where, mm(y[0], "+.4f"), mm(y[1], "+.4f")))
+    return notes

@@ -165,6 +165,8 @@ class WantedDisplacement:
         Whether the wanted displacement is added to what the program carries already.
     smoothed : Correction or None
         What a series takes out in place of the part's own; see `smoothed_over_parts`.
+    notes : tuple of str
+        What is to be said of how it was found.
     """
 
     deviation: Deviation
@@ -178,6 +180,7 @@ class WantedDisplacement:
     elastic: Elastic | None = None
     added: bool = False
     smoothed: Correction | None = None
+    notes: tuple[str, ...] = ()
 
     @property
     def separated(self) -> Separated | None:
@@ -217,10 +220,11 @@ class _Found:
     random_std: float
     aim: TransferFunction | None = None
     system: TransferFunction | None = None
+    notes: tuple[str, ...] = ()
 
 
 def wanted_displacement(
-    parts: list[Part], nominal: Profile, settings: Settings, corrected_before: bool, warnings: list[str]
+    parts: list[Part], nominal: Profile, settings: Settings, corrected_before: bool
 ) -> WantedDisplacement:
     """Average the parts, filter what the machine added, and say where to move the profile.
 
@@ -233,8 +237,6 @@ def wanted_displacement(
     corrected_before : bool
         Whether the program carries a correction, to which another is added, in place of errors of its own, which
         go.
-    warnings : list of str
-        Findings are appended.
 
     Returns
     -------
@@ -247,14 +249,14 @@ def wanted_displacement(
     """
     depths = settings.each("depth", len(parts))
     if len(set(depths)) > 1:
-        found = _at_several_depths(parts, depths, nominal, settings, warnings)
+        found = _at_several_depths(parts, depths, nominal, settings)
     else:
         found = _at_one_depth(parts, depths[0], nominal, settings)
-    return _target(found, parts, depths, settings, corrected_before, warnings)
+    return _target(found, parts, depths, settings, corrected_before)
 
 
 def displacement_without_noise(
-    part: Part, nominal: Profile, settings: Settings, corrected_before: bool, warnings: list[str]
+    part: Part, nominal: Profile, settings: Settings, corrected_before: bool
 ) -> WantedDisplacement:
     """Displacement of a surface that a model says: all of it repeats, but for what a chosen filter takes away.
 
@@ -265,8 +267,6 @@ def displacement_without_noise(
     settings : Settings
         With one depth at most.
     corrected_before : bool
-    warnings : list of str
-        Findings are appended.
 
     Returns
     -------
@@ -294,7 +294,7 @@ def displacement_without_noise(
     found = _Found(part.machine, determined, unknown, None, trust, math.nan)
     if settings.method == "transfer":
         found = _with_transfer(found, part, depths[0], math.nan, settings)
-    return _target(found, [part], depths, settings, corrected_before, warnings)
+    return _target(found, [part], depths, settings, corrected_before)
 
 
 def smoothed_over_parts(
@@ -323,7 +323,6 @@ def _target(
     depths: tuple[float, ...],
     settings: Settings,
     corrected_before: bool,
-    warnings: list[str],
 ) -> WantedDisplacement:
     """Where to move the profile by what was found."""
     first = parts[0]
@@ -332,9 +331,9 @@ def _target(
         deviation = replace(deviation, value=offset + found.machine)
     whole = offset + found.determined
     elastic: Elastic | None = None
-    aim, yields = -found.determined, np.ones(len(offset))
+    aim, yields, notes = -found.determined, np.ones(len(offset)), found.notes
     if found.aim is not None and found.system is not None:
-        warnings += examine(found.aim, deviation.foot)
+        notes += tuple(examine(found.aim, deviation.foot))
         stock = np.broadcast_to(_next_depth(parts, depths, settings, whole), whole.shape)
         elastic = Elastic(found.aim, found.system, stock, settings.depths, settings.transfer_function)
         aim, yields = found.aim.correction(stock), 1.0 + found.aim.ms
@@ -353,6 +352,7 @@ def _target(
         found.weight < 0.5,
         elastic,
         corrected_before,
+        notes=notes,
     )
 
 
@@ -412,9 +412,7 @@ def _with_transfer(found: _Found, part: Part, depth: float, single: float, setti
     return replace(found, aim=aim, system=system)
 
 
-def _at_several_depths(
-    parts: list[Part], depths: tuple[float, ...], nominal: Profile, settings: Settings, warnings: list[str]
-) -> _Found:
+def _at_several_depths(parts: list[Part], depths: tuple[float, ...], nominal: Profile, settings: Settings) -> _Found:
     """Parts of different depths: transfer function from the slope over the depth, offset from what the slope leaves."""
     first = parts[0]
     deviation, place = first.deviation, first.deviation.foot
@@ -451,19 +449,17 @@ def _at_several_depths(
     else:
         aim = reading(b, b_std, at_middle, level_std, factor)
     listed = ", ".join(f"{d:g}" for d in sorted(set(depths)))
-    warnings.append(
-        phrase(
-            "{} parts cut {} mm deep: the transfer function is taken from the difference, the constant "
-            "offset apart; deviations are shown as at the depth of the first",
-            len(parts),
-            listed,
-        )
+    note = phrase(
+        "{} parts cut {} mm deep: the transfer function is taken from the difference, the constant offset apart; "
+        "deviations are shown as at the depth of the first",
+        len(parts),
+        listed,
     )
     first_depth = b * (h[0] - middle)
     random_std = line.std if math.isfinite(line.std) else levels.separated.random_std * math.sqrt(len(parts))
     uncertainty = np.hypot(level_std, b_std * (h[0] - middle))
     determined = at_middle + first_depth
-    return _Found(level + first_depth, determined, uncertainty, levels, weight, random_std, aim, system)
+    return _Found(level + first_depth, determined, uncertainty, levels, weight, random_std, aim, system, (note,))
 
 
 def local(nominal: Profile, stretch: Ints, s: Floats) -> Floats:
@@ -514,8 +510,8 @@ def _typical(std: Floats) -> float:
 
 
 def correction_through(
-    work: WantedDisplacement, nominal: Profile, settings: Settings, warnings: list[str], rest: Correction | None = None
-) -> Correction:
+    work: WantedDisplacement, nominal: Profile, settings: Settings, rest: Correction | None = None
+) -> tuple[Correction, tuple[str, ...]]:
     """Correction along the whole contour, also between the points and where there are none.
 
     Parameters
@@ -523,14 +519,14 @@ def correction_through(
     work : WantedDisplacement
     nominal : Profile
     settings : Settings
-    warnings : list of str
-        Findings are appended.
     rest : Correction, optional
         What the program carries already: contours without a point keep it. By default nothing.
 
     Returns
     -------
     Correction
+    tuple of str
+        What is to be said of it.
 
     Raises
     ------
@@ -595,9 +591,8 @@ def correction_through(
         course = Course.through(places, value, stretch.length, stretch.closed)
         refuse_swing(nominal, stretch, course, settings.limit)
         courses.append(course)
-    if left:
-        warnings.append(phrase("{} stretches of contours without a measured point are left as they are", left))
-    return in_order(Correction(stretches, tuple(courses)), nominal)
+    said = phrase("{} stretches of contours without a measured point are left as they are", left)
+    return in_order(Correction(stretches, tuple(courses)), nominal), (said,) if left else ()
 
 
 def staying_share(unknown: Floats) -> Floats:

@@ -14,7 +14,6 @@ from millcorr.messages import phrase
 from .codes import INCH
 from .motion import follow
 from .order import OddBlock, Run
-from .words import Words
 
 _PARALLEL = 1e-9
 """Sine between two directions below which they do not meet."""
@@ -41,27 +40,14 @@ def straightened(run: Run, name: str) -> Run:
             odd = OddBlock(block, phrase("the angle does not give where this line ends"), "")
             run = replace(run, odd=(*run.odd, odd))
         else:
-            run = replace(run, words=_stated(run.words, block, end))
+            run = replace(run, words=run.words.and_also([(block, letter, value) for letter, value in end.items()]))
     return run
-
-
-def _numbers(run: Run, block: int) -> dict[str, float]:
-    here = slice(*np.searchsorted(run.words.line, [block, block + 1]).tolist())
-    return dict(zip(map(chr, run.words.letter[here].tolist()), run.words.value[here].tolist(), strict=True))
 
 
 def _end(run: Run, name: str, block: int, following: int) -> dict[str, float] | None:
     """Positions of X and Y to be stated in a block, in the program's unit; None where they do not follow."""
-    before = int(np.searchsorted(run.words.line, block))
-    earlier = replace(
-        run,
-        words=run.words.take(np.arange(before)),
-        odd=tuple(o for o in run.odd if o.line < block),
-        blocks=block,
-        line=None if run.line is None else run.line[:block],
-    )
-    path, modal, _ = follow(earlier, name)
-    words = _numbers(run, block)
+    path, modal, _ = follow(run.until(block), name)
+    words = run.words.numbers(block)
     if not len(path) or not block or modal.distance[block - 1] == 91:
         return None
     scale = INCH if modal.unit[block - 1] == 20 else 1.0
@@ -77,7 +63,7 @@ def _end(run: Run, name: str, block: int, following: int) -> dict[str, float] | 
     elif y is not None and abs(way[1]) > _PARALLEL:
         end = start + way * (y - start[1]) / way[1]
     elif x is None and y is None and following > block:
-        after = _numbers(run, following)
+        after = run.words.numbers(following)
         target = np.array([after.get("X", math.nan), after.get("Y", math.nan)])
         onward = _unit(after["g"])
         cross = way[0] * onward[1] - way[1] * onward[0]
@@ -94,13 +80,3 @@ def _end(run: Run, name: str, block: int, following: int) -> dict[str, float] | 
 def _unit(degrees: float) -> Floats:
     return np.array([math.cos(math.radians(degrees)), math.sin(math.radians(degrees))])
 
-
-def _stated(words: Words, block: int, end: dict[str, float]) -> Words:
-    """Words with those of an end added to a block."""
-    place = int(np.searchsorted(words.line, block + 1))
-    return Words(
-        np.insert(words.letter, place, [ord(c) for c in end]).astype(np.uint8),
-        np.insert(words.value, place, list(end.values())),
-        np.insert(words.line, place, [block] * len(end)),
-        np.insert(words.decimals, place, [-1] * len(end)),
-    )

@@ -18,7 +18,7 @@ from .style import Style
 
 SAME = 1e-9
 """Two coordinates in mm closer than this are equal."""
-_LEANING = "acdglmnr"
+_LEANING = "acdghlmnoqrt"
 """Words whose meaning hangs on other moves than their own: such a line is written out when one of these changes."""
 _TURN = 2 * math.pi
 _PATH_CODES = (0, 1, 2, 3, 5)
@@ -188,12 +188,22 @@ class Emitter:
 
     # -- what a line's own text gives in the emitted state -------------------------------------------------
 
-    def pass_by(self, line: Line) -> None:
-        """Take over what a line without moves states."""
+    def pass_by(self, body: str) -> str:
+        """Take over what a line without moves states; return its text."""
+        line = self.line(body)
+        self._rounds_no_more(line)
         motion = self.form.motion
         if line.motion() >= 0 or motion not in (10 * code for code in _PATH_CODES):
             self.state.motion = motion
         self._take_feed(line)
+        return line.text()
+
+    def _rounds_no_more(self, line: Line) -> None:
+        """Switch off the rounding of all corners: those of a contour that is written anew are written out."""
+        i = line.find("s")
+        if i >= 0 and line.value(i) != 0:
+            self._free(line, "s")
+            line.set_number(i, "0")
 
     def _take_feed(self, line: Line) -> None:
         feed = line.number("F")
@@ -301,13 +311,13 @@ class Emitter:
         list of str
             Text of the line and of those inserted with it, without endings.
         """
-        line = self.line(body)
         if not moving:
-            self.pass_by(line)
-            return [body, *self._inserted_all(body, wanted)]
+            return [self.pass_by(body), *self._inserted_all(body, wanted)]
+        line = self.line(body)
+        self._rounds_no_more(line)
         if len(wanted) == 1 and self._gives(line, wanted[0]):
             self._advance(line)
-            return [body]
+            return [line.text()]
         if not wanted:
             return self._without_moves(line)
         moves = [part for move in wanted for part in self._divided(move)]
@@ -385,6 +395,8 @@ class Emitter:
         """Change the words of a line so that it gives a move, and take the state behind it."""
         form, state = self.form, self.state
         self._continuous(move)
+        # X=5 in place of AP= and RP= tells Siemens' poles from work offsets of others.
+        polar = any(letter in line.letters for letter in "hotq")
         for letter in _LEANING + ("ijk" if not self._absolute_centre(line) else ""):
             self._take_away(line, letter)
         end, values, redundant = self._axis_words(line, move)
@@ -414,7 +426,7 @@ class Emitter:
             number = str(int(value)) if turns else form.number(value)
             i = line.axis(letter)[0] if letter in "XYZ" else line.find(letter)
             if i < 0:
-                self._insert(line, letter.upper(), number)
+                self._insert(line, letter.upper(), f"={number}" if polar and letter in "XY" else number)
             elif line.value(i) != value:
                 self._free(line, line.letter(i))
                 line.set_number(i, number)

@@ -136,7 +136,7 @@ class Line:
         self.gaps[index] = before + behind
 
     def insert(self, word: str, blanks: bool) -> None:
-        """Put a word where its letter belongs among the others."""
+        """Put a word (X5 or X=5) where its letter belongs among the others."""
         letter = word[0].upper()
         rank = _RANK.get(letter, len(_RANK))
         ranks = [_RANK.get(c, -1) for c in self.letters]
@@ -159,7 +159,7 @@ class Line:
         self.words.insert(at, word)
         if self.pieces:
             self.pieces.insert(at, None)
-        self.values.insert(at, _value(word[1:]))
+        self.values.insert(at, _value(word[1:].removeprefix("=")))
         self.letters = self.letters[:at] + letter + self.letters[at:]
 
 

@@ -90,7 +90,7 @@ class Stretch:
     reason: str
 
 
-_ONCE = "XYZIJKRFxyzuvwijkarcd"
+_ONCE = "XYZIJKRFxyzuvwijkarcdshotq"
 _AXES = "XYZxyzuvw"
 _CENTRES = "IJKRijkalmn"
 _ARCS = (20, 30, *SIEMENS_ARCS)
@@ -119,13 +119,6 @@ def follow(run: Run, name: str) -> tuple[Toolpath, Modal, tuple[Stretch, ...]]:
         If words contradict each other or an arc is impossible.
     """
     return _Follower(run, name).result()
-
-
-def leaning(words: Words) -> Ints:
-    """Blocks whose words take their meaning from the moves around them: corners, tangent arcs."""
-    corner = np.isin(words.letter, [ord(c) for c in "rcdg"])
-    tangent = (words.letter == ord("G")) & (words.value == TANGENT_CIRCLE)
-    return np.unique(words.line[corner | tangent]).astype(np.int64)
 
 
 def _last_index(stated: Bools) -> Ints:
@@ -559,13 +552,15 @@ class _Follower:
         if stated.any():
             own = {c.row for c in found}
             held = _held(stated, np.where(stated, size * scale, 0.0), 0.0)[source]
-            cuts = np.isin(toolpath.kind, (Kind.LINE, Kind.ARC))
-            rows = np.flatnonzero((held[:-1] > 0) & cuts[:-1] & cuts[1:])
+            # Between moves that leave the plane, or plunge, there are no corners to be rounded.
+            z = np.nan_to_num([toolpath.start[:, 2], toolpath.end[:, 2]], nan=np.inf)
+            flat = (toolpath.plane == Plane.XY) & (z[0] == z[1])
+            rows = np.flatnonzero((held[:-1] != 0) & flat[:-1] & flat[1:])
             found += [Corner(k, "r", float(held[k])) for k in rows.tolist() if k not in own]
-            self._mark(
-                np.unique(source[np.concatenate([rows, rows + 1])]),
-                phrase("RNDM rounds every corner: write RND= at each"),
-            )
+        once, modal = self.column("!")[0][source], self.column("&")
+        slowed = once | (_held(modal[0], np.where(modal[0], modal[1], 0.0), 0.0)[source] != 0)
+        for row in sorted(c.row for c in found if slowed[c.row]):
+            self._mark(np.unique(source[row : row + 2]), phrase("FRC= or FRCM= gives a corner a feed of its own"))
         toolpath, failed = rounded(toolpath, sorted(found, key=lambda c: c.row))
         for row in failed:
             lines = np.unique(source[row : row + 2])

@@ -95,6 +95,12 @@ class Run:
             replace(p, value=values[block, k]) if (block, k) in values else p for k, p in enumerate(found.pieces)
         )
 
+    def until(self, block: int) -> Run:
+        """The blocks before one."""
+        words = self.words.take(np.arange(int(np.searchsorted(self.words.line, block))))
+        odd = tuple(o for o in self.odd if o.line < block)
+        return replace(self, words=words, odd=odd, blocks=block, line=None if self.line is None else self.line[:block])
+
     def without_words(self) -> Run:
         """The same without the words, which hold most of the memory."""
         return replace(self, words=self.words.take(np.empty(0, np.int64)))
@@ -385,7 +391,7 @@ class _Runner:
             except UnknownValue as unknown:
                 if piece.letter not in _HARMLESS_UNKNOWN:
                     reasons.append(
-                        phrase("{} is computed by a macro expression: {}", piece.letter.upper(), unknown.args[0])
+                        phrase("{} is computed by a macro expression: {}", piece.before.rstrip("=("), unknown.args[0])
                     )
         computed: dict[str, float | None] = {}
         for target, expression in s.assigned:

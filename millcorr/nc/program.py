@@ -18,10 +18,12 @@ from millcorr.nc.toolpath import Toolpath
 
 from .angles import straightened
 from .codes import INCH
-from .motion import Modal, Stretch, follow, leaning
+from .motion import Modal, Stretch, follow
 from .order import Run, run
+from .polar import placed
 from .style import Style, style_of
 from .subprograms import Beside, heads
+from .ties import Tie, ties_of, together
 from .words import Words, comments, line_starts, take_apart, tool_names
 
 
@@ -48,8 +50,8 @@ class Program:
     run : Run
         The lines in the order in which they run, and the numbers that the program computes. A *block* is one run of
         one line; where every line runs once the index of a block is that of its line.
-    leaning : (k,) int64
-        Blocks whose words take their meaning from the moves around them: corners, tangent arcs.
+    ties : tuple of Tie
+        Blocks whose words take their meaning from others: corners, tangent arcs, polar positions.
     led : (k,) int64
         Blocks whose way the control computes from the contour beside them: none of their moves can become several.
     beside : tuple of (str, bytes)
@@ -66,7 +68,7 @@ class Program:
     style: Style
     opaque: tuple[Stretch, ...]
     run: Run
-    leaning: Ints
+    ties: tuple[Tie, ...]
     beside: tuple[tuple[str, bytes], ...] = ()
     folder: Path | None = None
     led: Ints = field(default_factory=lambda: np.zeros(0, np.int64))
@@ -134,21 +136,7 @@ class Program:
         -------
         (m,) int64
         """
-        if not len(self.leaning):
-            return changed
-        moving = np.unique(self.toolpath.source)
-        place = np.searchsorted(moving, self.leaning)
-        before = moving[np.maximum(place - 1, 0)].tolist()
-        behind = moving[np.minimum(place + 1, len(moving) - 1)].tolist()
-        leaning = self.leaning.tolist()
-        out = set(changed.tolist())
-        for block, after in zip(reversed(leaning), reversed(behind), strict=True):
-            if after in out:
-                out.add(block)
-        for block, earlier, after in zip(leaning, before, behind, strict=True):
-            if earlier in out or block in out:
-                out |= {block, after}
-        return np.array(sorted(out), np.int64)
+        return together(changed, self.ties)
 
     def comments(self) -> list[tuple[int, str]]:
         """All comments: index of the line from 0, and the text without its marks."""
@@ -231,7 +219,8 @@ def parse(data: bytes, name: str = "program", *, folder: Path | None = None) -> 
     words, statements = take_apart(data, starts, name)
     progress.step()
     beside = Beside(folder, name)
-    ran = straightened(run(words, statements, len(starts) - 1, heads(data, starts), beside), name)
+    ran, poles = placed(run(words, statements, len(starts) - 1, heads(data, starts), beside), name)
+    ran = straightened(ran, name)
     progress.step()
     toolpath, modal, stretches = follow(ran, name)
     progress.step()
@@ -245,7 +234,7 @@ def parse(data: bytes, name: str = "program", *, folder: Path | None = None) -> 
         style,
         stretches,
         ran.without_words(),
-        leaning(ran.words),
+        poles + ties_of(ran.words, toolpath),
         tuple(beside.read),
         folder,
     )

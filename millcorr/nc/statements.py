@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from millcorr.errors import FormatError
 from millcorr.messages import phrase
@@ -37,13 +37,21 @@ ADDRESSES = {
     "CHF": "d",
     "CHR": "c",
     "ANG": "g",
+    "AP": "h",
+    "RP": "q",
+    "FRC": "!",
+    "FRCM": "&",
 }
-"""Siemens' named addresses and the letters they are words of."""
-POLAR_POSITION = phrase("polar positions (AP=, RP=) are not followed")
+"""Siemens' named addresses and the letters they are words of; signs, where no letter is left."""
+ANGLES = {"AC": "t", "IC": "o"}
+"""Letters of AP=AC() and AP=IC()."""
+POLE_CODES = (110, 111, 112)
+POLES = {"G": "b", "X": "e", "Y": "f"}
+"""Letters of what a line with G110, G111, G112 states: no code and no target of a move."""
 _CORNERS = {"R": "r", "C": "c", "A": "g"}
 _MOTIONS = {"CIP": CIRCLE_BY_POINT, "CT": TANGENT_CIRCLE}
 _FRAMES = ("ROT", "AROT", "ROTS", "AROTS", "MIRROR", "AMIRROR", "SCALE", "ASCALE")
-_NO_MOVE = "FRC FRCM FB SPOS SPOSA DISR ADIS ADISPOS OVR OVRA DL STOPRE FFWON SCC S M H".split()
+_NO_MOVE = "FB SPOS SPOSA DISR ADIS ADISPOS OVR OVRA DL STOPRE FFWON SCC S M H".split()
 """Assigned names that neither move nor are variables."""
 
 _TOOL = re.compile(r'(?<![A-Z_])T(?:(?:\d*[ \t]*=)?[ \t]*"(?P<quoted>[^"]*)"|\d*[ \t]*=[ \t]*(?P<bare>[^\s"=(;]+))')
@@ -196,6 +204,14 @@ def take_line_apart(raw: str, name: str, line: int) -> Statement:
     return _Line(without_comments(raw), name, line).statement()
 
 
+def pole_of(line: Statement) -> Statement:
+    """A line that states the pole of Siemens' polar positions (G110, G111, G112), from its plain words."""
+    stays = [p.letter == "G" and p.value not in POLE_CODES for p in line.pieces]
+    letters = [p.letter if kept else POLES.get(p.letter, p.letter) for p, kept in zip(line.pieces, stays, strict=True)]
+    pieces = [replace(p, letter=letter) for p, letter in zip(line.pieces, letters, strict=True) if letter != "Z"]
+    return replace(line, pieces=pieces)
+
+
 def is_title(raw: str, before: str) -> Statement | None:
     """A line above the first code that is a title without brackets, as its program number; None for other lines.
 
@@ -337,9 +353,8 @@ class _Line:
                 self._steers(start, phrase("{} is assigned with '='", name))
                 return len(self.text)
             return self._value(name, start, place, f"{name}=")
-        if name in ("AP", "RP", "POS", "POSA", "POLF"):
-            polar = name in ("AP", "RP")
-            self.out.reasons.append(POLAR_POSITION if polar else phrase("{} is not followed", name))
+        if name in ("POS", "POSA", "POLF"):
+            self.out.reasons.append(phrase("{} is not followed", name))
             stated = {piece.letter for piece in self.out.pieces}
             self.out.pieces += [Piece(axis, math.nan, start, start, axis) for axis in "XYZ" if axis not in stated]
             return self._behind(place)
@@ -362,16 +377,20 @@ class _Line:
             letter = INCREMENTS[name] if mode == "IC" else POSITIONS[name]
         elif name in ("I", "J", "K") and mode == "AC":
             letter = name.lower()
+        elif name == "AP" and mode in ANGLES:
+            letter = ANGLES[mode]
         elif name in ADDRESSES:
             letter = ADDRESSES[name]
-        if letter != name and letter in "lmnR" and mode != "AC":
+        strange = letter != name and letter in "lmnRhq" and mode != "AC"
+        if strange:
             self.out.reasons.append(phrase("{}={}() is not followed", name, mode))
         end = self._value(letter, start, inner, f"{name}={mode}(")
         closed = re.compile(r"\s*\)").match(self.text, end)
         if closed is None:
             raise self._malformed(start)
         piece = self.out.pieces[-1]
-        self.out.pieces[-1] = Piece(letter, piece.value, start, closed.end(), piece.before, ")", piece.expression)
+        value = math.nan if strange and letter in "hq" else piece.value
+        self.out.pieces[-1] = Piece(letter, value, start, closed.end(), piece.before, ")", piece.expression)
         return closed.end()
 
     def _computed(self, found: re.Match[str]) -> int:

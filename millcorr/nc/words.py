@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 import warnings
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,7 +21,7 @@ from millcorr.errors import FormatError
 from millcorr.messages import phrase
 from millcorr.nc.toolpath import named_tool
 
-from .statements import LARGEST, POLAR_POSITION, Statement, is_title, take_line_apart
+from .statements import LARGEST, Statement, is_title, pole_of, take_line_apart
 
 MOST_DECIMALS = 127
 """Digits behind a point are counted up to this: more than a double has."""
@@ -51,8 +52,8 @@ _CLASS[10] = _NEWLINE
 _TO_BLANK = bytes(32 if c in (_LETTER, _NEWLINE) else i for i, c in enumerate(_CLASS))
 _BLANKS = b" \t\r\x0b\x0c\x1a"
 BYTE_ORDER_MARK = b"\xef\xbb\xbf"
-_POLAR = re.compile(rb"(?<![A-Za-z_])[AaRr][Pp][ \t]*=")
-_POLE = re.compile(rb"(?im)^[ \t]*(?:N[ \t]*\d+[ \t]*)?G11[012](?!\d)")
+_NAMED_PLACE = re.compile(rb"(?i)(?<![A-Z_])(?:[AR]P|[XY])[ \t]*=")
+_POLE = re.compile(rb"(?im)^[^(;\r\n]*?(?<![A-Z_])G11[012](?!\d)")
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -83,6 +84,24 @@ class Words:
     def take(self, index: Ints) -> Words:
         """Words chosen by index."""
         return Words(self.letter[index], self.value[index], self.line[index], self.decimals[index])
+
+    def numbers(self, line: int) -> dict[str, float]:
+        """Numbers of one line by their letters."""
+        here = slice(*np.searchsorted(self.line, [line, line + 1]).tolist())
+        return dict(zip(map(chr, self.letter[here].tolist()), self.value[here].tolist(), strict=True))
+
+    def and_also(self, more: Sequence[tuple[int, str, float]]) -> Words:
+        """These and others, given by line, letter and number: behind those of their line, numbers without a point."""
+        if not more:
+            return self
+        line = np.concatenate([self.line, np.array([m[0] for m in more], self.line.dtype)])
+        order = np.argsort(line, kind="stable")
+        return Words(
+            np.concatenate([self.letter, np.array([ord(m[1]) for m in more], np.uint8)])[order],
+            np.concatenate([self.value, np.array([m[2] for m in more], np.float64)])[order],
+            line[order],
+            np.concatenate([self.decimals, np.full(len(more), -1, np.int8)])[order],
+        )
 
 
 def line_starts(data: bytes) -> Ints:
@@ -144,12 +163,11 @@ def take_apart(data: bytes, starts: Ints, name: str) -> tuple[Words, dict[int, S
         for i in odd.tolist():
             blanked[(newlines[i - 1] + 1 if i else 0) : newlines[i]] = 32
             raw = data[starts[i] : starts[i + 1]].removeprefix(BYTE_ORDER_MARK)
-            if i in poles:
-                found[i] = Statement(reasons=[POLAR_POSITION])
-                continue
             before = data[starts[i - 1] : starts[i]] if i else b""
             title = i < first_code and is_title(raw.decode("latin-1"), before.decode("latin-1"))
             found[i] = title or take_line_apart(raw.decode("latin-1"), name, i)
+            if i in poles:
+                found[i] = pole_of(found[i])
         keep = ~np.isin(line, odd) | (kinds == _NEWLINE)
         marks, kinds, line, length = marks[keep], kinds[keep], line[keep], length[keep]
         plain = blanked.tobytes()
@@ -173,14 +191,16 @@ def take_apart(data: bytes, starts: Ints, name: str) -> tuple[Words, dict[int, S
         raise FormatError(phrase("number too large: correct it"), name, int(line[word[large[0]]]) + 1)
     letter = np.bitwise_and(buffer[at], np.uint8(0xDF))
     words = Words(letter, value, line[word], decimals)
-    return (_merge(words, found) if found else words), found
+    return words.and_also([(i, piece.letter, piece.value) for i, s in found.items() for piece in s.pieces]), found
 
 
 def _poles(data: bytes, starts: Ints) -> Ints:
     """Lines that state the pole of Siemens' polar positions; elsewhere G110 to G112 are other codes."""
-    if not _POLAR.search(data):
+    if b"=" not in data:
         return np.zeros(0, np.int64)
     places = [found.start() for found in _POLE.finditer(data)]
+    if not places or not _NAMED_PLACE.search(COMMENT.sub(b"", data)):
+        return np.zeros(0, np.int64)
     return np.unique(np.searchsorted(starts, np.array(places, np.int64), side="right") - 1)
 
 
@@ -262,21 +282,6 @@ def _odd_lines(buffer: Bytes, marks: Ints, kinds: Bytes, line: Ints, length: Int
         if len(places):
             bad.append(line[np.searchsorted(marks, places.astype(marks.dtype))])
     return np.unique(np.concatenate(bad))
-
-
-def _merge(words: Words, odd: dict[int, Statement]) -> Words:
-    extra = [(ord(p.letter), p.value, line) for line, s in odd.items() for p in s.pieces]
-    if not extra:
-        return words
-    letters, values, lines = (np.array(column) for column in zip(*extra, strict=True))
-    line = np.concatenate([words.line, lines.astype(words.line.dtype)])
-    order = np.argsort(line, kind="stable")
-    return Words(
-        np.concatenate([words.letter, letters.astype(np.uint8)])[order],
-        np.concatenate([words.value, values.astype(np.float64)])[order],
-        line[order],
-        np.concatenate([words.decimals, np.full(len(lines), -1, np.int8)])[order],
-    )
 
 
 def comments(data: bytes, starts: Ints) -> list[tuple[int, bytes]]:

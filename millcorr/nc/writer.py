@@ -204,10 +204,9 @@ class _Writer:
         emitter = Emitter(self._form(line), state)
         text = raw.decode("latin-1")
         body = text.rstrip("\r\n")
-        if not moving and new_rows.start == new_rows.stop:
-            emitter.pass_by(emitter.line(body))
-            return raw
         ending = text[len(body) :]
+        if not moving and new_rows.start == new_rows.stop:
+            return (emitter.pass_by(body) + ending).encode("latin-1")
         parts = emitter.rewrite(body, moving, _moves(self.new, new_rows))
         between = ending or self.style.ending.decode()
         return (between.join(parts) + (ending if parts else "")).encode("latin-1")

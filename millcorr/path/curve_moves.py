@@ -12,8 +12,11 @@ from millcorr.arrays import Bools, Floats, Ints
 from millcorr.errors import FitError
 from millcorr.messages import mm, phrase, xy
 from millcorr.nc.toolpath import Kind, Plane, Toolpath
+from millcorr.path.path_following import length_in_plane
 
 PROBES = (np.arange(15) + 1) / 16
+"""Shares of an interval at which a move is compared with the path, beside where the path bends."""
+
 LARGEST_RADIUS = 5000.0
 """An arc of larger radius, in mm, is written as a line where the tolerance allows: controls refuse or round it."""
 
@@ -27,6 +30,9 @@ class ExactPath(Protocol):
     def evaluate(self, piece: Ints, sigma: Floats, /) -> tuple[Floats, Floats, Floats]:
         """Points (n, 2) in mm, unit normals to the right of growing sigma, and length per unit of sigma."""
 
+    def bends(self, piece: Ints, sigma0: Floats, sigma1: Floats, /) -> tuple[Ints, Floats]:
+        """Where it bends between two parameters of pieces: index into these (n,), rising, and parameter (n,)."""
+
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Intervals:
@@ -39,7 +45,7 @@ class Intervals:
     piece : (e,) int64
         Piece of the path.
     sigma0, sigma1 : (e,) float64
-        Parameter of the piece at start and end, mm.
+        Parameter of the piece at start and end, rising, mm.
     start, end : (e, 2) float64
         Ends that the moves must meet exactly, mm.
     z0, z1 : (e,) float64
@@ -95,12 +101,12 @@ def fit_moves(intervals: Intervals, path: ExactPath, tolerance: float) -> tuple[
     for _ in range(ROUNDS):
         if not len(rest.owner):
             break
-        probes = _probe(rest, path)
+        probes = _Probes.of(rest, path)
         done = np.zeros(len(rest.owner), dtype=bool)
         for kind, attempt in ((Kind.LINE, _lines), (Kind.ARC, _arcs), (Kind.CUBIC, _cubics)):
             rows = np.flatnonzero(rest.kind == kind)
             if len(rows):
-                error, found = attempt(rest.take(rows), probes[rows], tolerance, path)
+                error, found = attempt(rest.take(rows), probes.take(rows), tolerance, path)
                 ok = error <= tolerance
                 done[rows[ok]] = True
                 largest = max(largest, float(error[ok].max(initial=0.0)))
@@ -115,7 +121,27 @@ def fit_moves(intervals: Intervals, path: ExactPath, tolerance: float) -> tuple[
     owner = np.concatenate([m[0] for m in moves])
     place = np.concatenate([m[1] for m in moves])
     order = np.lexsort((place, owner))
-    return Toolpath.concatenate([m[2] for m in moves]).take(order), owner[order], largest
+    return _risen_evenly(Toolpath.concatenate([m[2] for m in moves]).take(order), owner[order]), owner[order], largest
+
+
+def _risen_evenly(moves: Toolpath, owner: Ints) -> Toolpath:
+    """Moves of which those of one owner rise by their share of its way: the path was displaced since it was divided."""
+    first = np.flatnonzero(np.diff(owner, prepend=-1))
+    group = np.cumsum(np.diff(owner, prepend=-1) != 0) - 1
+    low, high = moves.start[first, 2], moves.end[np.append(first[1:], len(owner)) - 1, 2]
+    if not (low != high).any():
+        return moves
+    gone = np.cumsum(length_in_plane(moves))
+    before = np.concatenate([[0.0], gone])[first]
+    total = np.maximum(np.append(before[1:], gone[-1]) - before, 1e-12)
+    share = (gone - before[group]) / total[group]
+    last = np.append(group[1:] != group[:-1], True)
+    start, end = moves.start.copy(), moves.end.copy()
+    end[:, 2] = np.where(last, high[group], low[group] + (high - low)[group] * share)
+    start[1:, 2] = np.where(group[1:] != group[:-1], start[1:, 2], end[:-1, 2])
+    centre = moves.centre.copy()
+    centre[:, 2] = np.where(np.isfinite(centre[:, 0]), start[:, 2], centre[:, 2])
+    return moves.with_moves(start=start, end=end, centre=centre)
 
 
 def _moves(start: Floats, end: Floats, z0: Floats, z1: Floats, kind: Kind, **more: Floats) -> Toolpath:
@@ -139,47 +165,69 @@ def _moves(start: Floats, end: Floats, z0: Floats, z1: Floats, kind: Kind, **mor
     )
 
 
-def _place(rows: Intervals) -> Floats:
-    """Key that orders the moves of one owner along its path."""
-    out: Floats = rows.sigma0 * np.sign(rows.sigma1 - rows.sigma0)
-    return out
+@dataclass(frozen=True, eq=False, slots=True)
+class _Probes:
+    """Places of the exact path within intervals, at which moves are compared with it.
 
+    Evenly shared ones, (e, 15, 2) mm, and all in the order of the intervals: whose it is, its parameter and point.
+    """
 
-def _probe(rows: Intervals, path: ExactPath) -> Floats:
-    """Points of the exact path within each interval, (e, 15, 2)."""
-    sigma = rows.sigma0[:, None] + (rows.sigma1 - rows.sigma0)[:, None] * PROBES
-    piece = np.repeat(rows.piece, len(PROBES))
-    return path.evaluate(piece, sigma.ravel())[0].reshape(-1, len(PROBES), 2)
+    even: Floats
+    row: Ints
+    sigma: Floats
+    point: Floats
+
+    @staticmethod
+    def of(rows: Intervals, path: ExactPath) -> _Probes:
+        """Evenly shared places of each interval, and where the path bends."""
+        sigma = (rows.sigma0[:, None] + (rows.sigma1 - rows.sigma0)[:, None] * PROBES).ravel()
+        bent, at = path.bends(rows.piece, rows.sigma0, rows.sigma1)
+        row, sigma = np.concatenate([np.repeat(np.arange(len(rows.piece)), len(PROBES)), bent]), np.append(sigma, at)
+        point = path.evaluate(rows.piece[row], sigma)[0]
+        even = point[: len(point) - len(bent)].reshape(-1, len(PROBES), 2)
+        order = np.argsort(row, kind="stable")
+        return _Probes(even, row[order], sigma[order], point[order])
+
+    def take(self, index: Ints) -> _Probes:
+        """Those of intervals chosen by rising index."""
+        name = np.full(len(self.even), -1)
+        name[index] = np.arange(len(index))
+        mine = name[self.row] >= 0
+        return _Probes(self.even[index], name[self.row[mine]], self.sigma[mine], self.point[mine])
+
+    def largest(self, values: Floats) -> Floats:
+        """Largest of the values at all places of each interval, (e,)."""
+        out: Floats = np.maximum.reduceat(values, np.searchsorted(self.row, np.arange(len(self.even))))
+        return out
 
 
 def _lines(
-    rows: Intervals, probes: Floats, tolerance: float, path: ExactPath
+    rows: Intervals, probes: _Probes, tolerance: float, path: ExactPath
 ) -> tuple[Floats, list[tuple[Ints, Floats, Toolpath]]]:
     error = np.where(rows.whole, np.inf, _off_chord(rows, probes))
     good = rows.take(error <= tolerance)
     moves = _moves(good.start, good.end, good.z0, good.z1, Kind.LINE)
-    return error, [(good.owner, _place(good), moves)]
+    return error, [(good.owner, good.sigma0, moves)]
 
 
-def _off_chord(rows: Intervals, probes: Floats) -> Floats:
+def _off_chord(rows: Intervals, probes: _Probes) -> Floats:
     chord = rows.end - rows.start
     size = np.maximum(np.hypot(*chord.T), 1e-12)
-    away = probes - rows.start[:, None]
-    across = away[:, :, 0] * chord[:, None, 1] - away[:, :, 1] * chord[:, None, 0]
-    out: Floats = np.abs(across).max(axis=1) / size
+    away, along = probes.point - rows.start[probes.row], chord[probes.row]
+    out: Floats = probes.largest(np.abs(away[:, 0] * along[:, 1] - away[:, 1] * along[:, 0])) / size
     return out
 
 
 def _arcs(
-    rows: Intervals, probes: Floats, tolerance: float, path: ExactPath
+    rows: Intervals, probes: _Probes, tolerance: float, path: ExactPath
 ) -> tuple[Floats, list[tuple[Ints, Floats, Toolpath]]]:
     """One arc through the ends and the middle; a line where that is as good and the radius is huge."""
     middle = len(PROBES) // 2
-    second = np.where(rows.whole[:, None], probes[:, 2 * len(PROBES) // 3], rows.end)
-    first = np.where(rows.whole[:, None], probes[:, len(PROBES) // 3], probes[:, middle])
+    second = np.where(rows.whole[:, None], probes.even[:, 2 * len(PROBES) // 3], rows.end)
+    first = np.where(rows.whole[:, None], probes.even[:, len(PROBES) // 3], probes.even[:, middle])
     centre, r = _circle(rows.start, first, second)
-    error = np.abs(np.hypot(probes[:, :, 0] - centre[:, None, 0], probes[:, :, 1] - centre[:, None, 1]) - r[:, None])
-    round_error = np.where(r <= LARGEST_RADIUS, error.max(axis=1), np.inf)
+    error = np.abs(np.hypot(*(probes.point - centre[probes.row]).T) - r[probes.row])
+    round_error = np.where(r <= LARGEST_RADIUS, probes.largest(error), np.inf)
     fits = round_error <= tolerance
     sweep = _sweep(rows.start, first, second, centre, rows.whole)
     flat_error = np.where(rows.whole, np.inf, _off_chord(rows, probes))
@@ -188,8 +236,8 @@ def _arcs(
     arc = fits & ~straight
     a, b = rows.take(arc), rows.take(straight)
     found = [
-        (a.owner, _place(a), _moves(a.start, a.end, a.z0, a.z1, Kind.ARC, centre=centre[arc], sweep=sweep[arc])),
-        (b.owner, _place(b), _moves(b.start, b.end, b.z0, b.z1, Kind.LINE)),
+        (a.owner, a.sigma0, _moves(a.start, a.end, a.z0, a.z1, Kind.ARC, centre=centre[arc], sweep=sweep[arc])),
+        (b.owner, b.sigma0, _moves(b.start, b.end, b.z0, b.z1, Kind.LINE)),
     ]
     return np.where(straight, flat_error, round_error), found
 
@@ -214,34 +262,35 @@ def _sweep(start: Floats, middle: Floats, end: Floats, centre: Floats, whole: Bo
 
 
 def _cubics(
-    rows: Intervals, probes: Floats, tolerance: float, path: ExactPath
+    rows: Intervals, probes: _Probes, tolerance: float, path: ExactPath
 ) -> tuple[Floats, list[tuple[Ints, Floats, Toolpath]]]:
     """One Bezier cubic with the path's tangents at its ends."""
-    step = (rows.sigma1 - rows.sigma0)[:, None] / 3
+    length = rows.sigma1 - rows.sigma0
+    step = length[:, None] / 3
     # Just inside: where the curvature jumps, each side has its own speed.
-    inside = 1e-6 * (rows.sigma1 - rows.sigma0)
+    inside = 1e-6 * length
     _, n0, f0 = path.evaluate(rows.piece, rows.sigma0 + inside)
     _, n1, f1 = path.evaluate(rows.piece, rows.sigma1 - inside)
     p1 = rows.start + step * np.stack([-n0[:, 1], n0[:, 0]], 1) * f0[:, None]
     p2 = rows.end - step * np.stack([-n1[:, 1], n1[:, 0]], 1) * f1[:, None]
-    u = PROBES[None, :, None]
+    at = probes.row
+    u = ((probes.sigma - rows.sigma0[at]) / length[at])[:, None]
     curve = (
-        rows.start[:, None] * (1 - u) ** 3
-        + 3 * p1[:, None] * u * (1 - u) ** 2
-        + 3 * p2[:, None] * u**2 * (1 - u)
-        + rows.end[:, None] * u**3
+        rows.start[at] * (1 - u) ** 3
+        + 3 * p1[at] * u * (1 - u) ** 2
+        + 3 * p2[at] * u**2 * (1 - u)
+        + rows.end[at] * u**3
     )
-    sigma = rows.sigma0[:, None] + (rows.sigma1 - rows.sigma0)[:, None] * PROBES
-    _, normal, _ = path.evaluate(np.repeat(rows.piece, len(PROBES)), sigma.ravel())
-    gap = curve - probes
-    across = np.abs((gap * normal.reshape(gap.shape)).sum(axis=2)).max(axis=1)
+    _, normal, _ = path.evaluate(rows.piece[at], probes.sigma)
+    gap = curve - probes.point
+    across = probes.largest(np.abs((gap * normal).sum(axis=1)))
     # Running ahead along the path costs only its square over the radius of curvature.
-    ahead = np.hypot(gap[:, :, 0], gap[:, :, 1]).max(axis=1)
-    error = np.where(rows.whole | (ahead > 0.05 * np.abs(rows.sigma1 - rows.sigma0)), np.inf, across)
+    ahead = probes.largest(np.hypot(*gap.T))
+    error = np.where(rows.whole | (ahead > 0.05 * length), np.inf, across)
     ok = error <= tolerance
     good = rows.take(ok)
     moves = _moves(good.start, good.end, good.z0, good.z1, Kind.CUBIC, control=np.column_stack([p1[ok], p2[ok]]))
-    return error, [(good.owner, _place(good), moves)]
+    return error, [(good.owner, good.sigma0, moves)]
 
 
 def _halves(rows: Intervals, path: ExactPath) -> Intervals:

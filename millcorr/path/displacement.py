@@ -21,7 +21,7 @@ from millcorr.geometry.profile import Profile
 from millcorr.nc.toolpath import Kind, Toolpath
 from millcorr.path.curve_moves import Intervals, fit_moves
 from millcorr.path.leads import carry_along, own_work
-from millcorr.path.moves import FIT_SHARE, KEEP_SHARE, Regeneration, put_together, wanted_kind
+from millcorr.path.moves import BAND, FIT_SHARE, KEEP_SHARE, Regeneration, put_together, wanted_kind
 from millcorr.path.path_following import length_in_plane
 from millcorr.tolerances import EXACT
 
@@ -96,6 +96,15 @@ class DisplacedPath:
         ahead = (self.at(piece, high) - self.at(piece, low)) / ((high - low) * length)[:, None]
         speed = np.maximum(np.hypot(*ahead.T), 1e-12)
         return self.at(piece, u), np.stack([ahead[:, 1], -ahead[:, 0]], axis=1) / speed[:, None], speed
+
+    def bends(self, piece: Ints, sigma0: Floats, sigma1: Floats) -> tuple[Ints, Floats]:
+        """Nodes between two lengths along moves: index into these, rising, and length, mm."""
+        length = self.length[piece]
+        first = np.searchsorted(self._key, 2.0 * piece + sigma0 / length, side="right")
+        count = np.maximum(np.searchsorted(self._key, 2.0 * piece + sigma1 / length, side="left") - first, 0)
+        owner = np.repeat(np.arange(len(piece)), count)
+        node = np.arange(len(owner)) + np.repeat(first - (np.cumsum(count) - count), count)
+        return owner, (self._key[node] - 2.0 * piece[owner]) * length[owner]
 
 
 def _turns(path: DisplacedPath, given: Bools) -> tuple[Floats, Floats]:
@@ -311,6 +320,10 @@ def _nodes(
                 _, _, of_side, still = _along_normals(inside, feet, before, after, nominal, radius)
                 amount[passing[~still]] = own[passing[~still]] = of_side[~still]
         touching = across >= np.where(corner, least[row], np.cos(ALIGNED))
+        if made is not None and radius > 0:
+            # A move past a corner, as a ramp from pass to pass across it, may be square to the way there by chance.
+            past = np.flatnonzero(corner & touching)
+            touching[past] = made.distance(place[past]) < radius + BAND
         found = _Nodes(row, u, way, amount, own, side[row, None] * right, touching, corner)
         return _out_of_the_way(found, place, after, radius)
 

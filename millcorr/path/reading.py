@@ -36,6 +36,7 @@ _CYCLES = (730, 740, 760, 810, 820, 830, 840, 850, 860, 870, 880, 890)
 _NO_TARGET = (40, 71, 100, 281, 301, 500, 501, 510, 511, 520, 650, 660, 680, 682, 920, 921, 922, 923, 1070)
 """Tenths of G codes beside which axis words are no target: dwell, frames, macros."""
 _LOCAL = 520
+_POLAR = ("RP", "RP=IC", "AP", "AP=AC", "AP=IC")
 _NEW_FRAME = (100, 500, 501, 510, 511, 650, 680, 681, 682, 690, 691, 920, 921, 922, 923)
 _OFFSETS = (*range(540, 600), 5000, *range(5050, 6000, 10))
 _HOME = (280, 300)
@@ -49,7 +50,7 @@ _SKIPPED = re.compile(
 _BLANKS = b" \t\r\x0b\x0c\x1a"
 _PERCENT = re.compile(rb"(?m)^(?:[Nn]\d+)?%[^\n]*|\A\$[^\n]*%(?=\n)")
 _OPENING = re.compile(rb"(?m)^((?:N\d+)?)(?:/[1-9]?|:(?=\d))")
-_ODD_WORD = re.compile(rb"([A-Z\xc0-\xd4])([-+]?(?:\d+\.?\d*|\.\d+)(?![\d.=#])|[-+]?#|=)")
+_ODD_WORD = re.compile(rb"([A-Z\xc0-\xdc])([-+]?(?:\d+\.?\d*|\.\d+)(?![\d.=#])|[-+]?#|=)")
 
 _DIGIT, _POINT, _SIGN, _OTHER, _LETTER, _NEWLINE = range(6)
 _CLASS = np.full(256, _OTHER, np.uint8)
@@ -176,8 +177,75 @@ def read(data: bytes, beside: Sequence[tuple[str, bytes]] = ()) -> Reading:
     def upto(block: int, words: tuple[Bytes, Floats, Ints]) -> _Follower:
         return _Follower(raw, raw_starts[: block + 1], plain, plain_starts, found.line, words)
 
-    words = _with_ends_of_angles(words, upto)
+    words = _with_ends_of_angles(_with_polar_ends(words, upto, len(found.line)), upto)
     return upto(len(found.line), words).reading()
+
+
+def _with_polar_ends(
+    words: tuple[Bytes, Floats, Ints], upto: Callable[[int, tuple[Bytes, Floats, Ints]], _Follower], blocks: int
+) -> tuple[Bytes, Floats, Ints]:
+    """Words in which lines with Siemens' polar positions state their ends, and arcs their centre, too."""
+    letter, value, line = words
+    names = {ord(c): name for name, c in ADDRESS.items()}
+    polar = np.isin(letter, [ord(ADDRESS[name]) for name in (*_POLAR, "POLE")])
+    if not polar[~np.isin(letter, ord(ADDRESS["POLE"]))].any():
+        return words
+    whole = upto(blocks, words)
+    flat = whole.group({170: 17, 180: 18, 190: 19}, 17) == 17
+    inch = whole.group({200: 20, 210: 21, 700: 20, 710: 21, 7000: 20, 7100: 21}, 21) == 20
+    counted = whole.group({900: 90, 910: 91}, 90) == 91
+    bent = np.isin(whole.group({c: c for c in (*_NO_PATH, *_PATHS)}, -1), (20, 30))
+    moved = np.cumsum(whole.having(*_OFFSETS) | (False if (frame := whole.of("FRAME")) is None else frame[0]))
+    more: list[tuple[int, float, int]] = []
+
+    def all_words() -> tuple[Bytes, Floats, Ints]:
+        given = np.array(more, np.float64).reshape(-1, 3)
+        columns = zip((letter, value, line), given.T, strict=True)
+        a, b, c = (np.concatenate([old, new.astype(old.dtype)]) for old, new in columns)
+        order = np.argsort(c, kind="stable")
+        return a[order], b[order], c[order]
+
+    pole, defined, radius, angle, before = 0j, False, np.nan, np.nan, 0
+    for block in np.unique(line[polar]).tolist():
+        here = line == block
+        said = {
+            names.get(c, chr(c)): float(v) for c, v in zip(letter[here].tolist(), value[here].tolist(), strict=True)
+        }
+        scale = 25.4 if inch[block] else 1.0
+        if defined and moved[block] != moved[before]:
+            pole = complex(np.nan, np.nan)
+        before = block
+        if "POLE" in said:
+            way = complex(said.get("PX", 0.0), said.get("PY", 0.0))
+            how, by_angle = int(said["POLE"]), [name for name in _POLAR if name in said]
+            if by_angle in (["RP", "AP"], ["RP", "AP=AC"]) and how and not {"PX", "PY"} & set(said):
+                way = said["RP"] * np.exp(1j * np.radians(said[by_angle[1]]))
+            elif by_angle or (how == 1 and not {"PX", "PY"} <= set(said)):
+                way = complex(np.nan, np.nan)
+            if not flat[block] or {"X=AC", "X=IC", "Y=AC", "Y=IC"} & set(said):
+                way = complex(np.nan, np.nan)
+            if how == 0:
+                earlier = tuple(column[all_words()[2] < block] for column in all_words())
+                follower = upto(block, _with_ends_of_angles(earlier, upto))
+                shift = follower.shift(np.where(inch[:block], 25.4, 1.0))
+                ends = follower.reading().moves.end
+                pole = complex(*(ends[-1, :2] - shift[-1, :2])) if len(ends) else complex(np.nan, np.nan)
+            pole, defined, radius, angle = (0j if how == 1 else pole) + way * scale, True, np.nan, np.nan
+            continue
+        radius = np.nan if "RP=IC" in said else said["RP"] * scale if "RP" in said else radius
+        if "AP=IC" in said:
+            angle += said["AP=IC"]
+        elif "AP=AC" in said or "AP" in said:
+            angle = said["AP=AC"] if "AP=AC" in said else np.nan if counted[block] else said["AP"]
+        if {"X", "Y", "X=AC", "X=IC", "Y=AC", "Y=IC"} & set(said):
+            continue
+        known = radius > 0 and flat[block]
+        end = (pole + radius * np.exp(1j * np.radians(angle)) if known else complex(np.nan, np.nan)) / scale
+        more += [(ord(ADDRESS["X=AC"]), end.real, block), (ord(ADDRESS["Y=AC"]), end.imag, block)]
+        if bent[block] and not {"I", "J", "K", "R", "I=AC", "J=AC", "K=AC", "AR"} & set(said):
+            centre = pole / scale
+            more += [(ord(ADDRESS["I=AC"]), centre.real, block), (ord(ADDRESS["J=AC"]), centre.imag, block)]
+    return all_words()
 
 
 def _with_ends_of_angles(
@@ -436,7 +504,7 @@ class _Follower:
         for name in ADDRESS:
             if name in self.words and name[0] in "XYZ":
                 named = named | self.column(name)[0]
-            elif name in self.words and name[0] in "IJKA" and name != "ANG":
+            elif name in self.words and name.startswith(("I", "J", "K", "AR")):
                 arcs_named = arcs_named | self.column(name)[0]
         # G80 beside another motion code is a customary opening; the other one holds. A G5 with nothing to move to
         # tunes the control.
@@ -567,7 +635,8 @@ class _Follower:
             if name == "RNDM":
                 held = _held(stated, size, 0.0)[moving]
                 cuts = np.isin(kind, (Kind.LINE, Kind.ARC))
-                wanted |= {n: ("RND", held[n]) for n in np.flatnonzero((held[:-1] > 0) & cuts[:-1] & cuts[1:]).tolist()}
+                rounds = np.flatnonzero((np.nan_to_num(held[:-1], nan=1.0) > 0) & cuts[:-1] & cuts[1:])
+                wanted |= {n: ("RND", float(held[n])) for n in rounds.tolist()}
             else:
                 wanted |= {n: (name, float(size[moving[n]])) for n in np.flatnonzero(stated[moving]).tolist()}
         return wanted

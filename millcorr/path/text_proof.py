@@ -35,7 +35,7 @@ _ON_CIRCLE, _ON_CIRCLE_RELATIVE = 0.0127, 0.001
 
 _TOKEN = re.compile(
     r"(?P<comment>\([^()]*\)|;.*|\"[^\"]*\"?)|(?P<skip>/[1-9]?)|(?P<end>\*[ \t]*$)"
-    r"|(?P<letter>[A-Za-z\xc0-\xd4])[ \t]*(?P<number>[-+]?(?:[ \t]*[0-9.])+)|(?P<other>[^ \t\r\n\x0b\x0c\x1a])"
+    r"|(?P<letter>[A-Za-z\xc0-\xdc])[ \t]*(?P<number>[-+]?(?:[ \t]*[0-9.])+)|(?P<other>[^ \t\r\n\x0b\x0c\x1a])"
 )
 _PATH_CODES = (0.0, 1.0, 2.0, 3.0, 5.0)
 _PATH_WORD = re.compile(rb"[Gg]0?[01235](?![0-9.])")
@@ -49,7 +49,10 @@ _OPENING = re.compile(
 _SHOWN = 40
 _HEIGHTS = ("Z", ADDRESS["Z=IC"], ADDRESS["Z=AC"])
 _CENTRES = tuple(ADDRESS[name] for name in ("I=AC", "J=AC"))
-_PLACES = tuple(ADDRESS[name] for name in "X=IC Y=IC X=AC Y=AC RND CHR CHF ANG AR I1 J1 K1 ARC".split())
+_PLACES = tuple(
+    ADDRESS[name] for name in "X=IC Y=IC X=AC Y=AC RND CHR CHF RNDM ANG AR I1 J1 K1 ARC AP AP=AC AP=IC RP RP=IC".split()
+)
+_OWN_WORDS = (ADDRESS["FRAME"], ADDRESS["POLE"])
 _NOT_THERE = "{} of a move that was not to change is not what it was"
 
 
@@ -242,7 +245,7 @@ def _content(text: bytes, motion: int) -> Content:
     tokens = list(_TOKEN.finditer(text.decode("latin-1").rstrip("\r\n")))
     words = [(m["letter"].upper(), re.sub(r"[ \t]", "", m["number"])) if m["letter"] else None for m in tokens]
     codes = {_float(w[1]) for w in words if w and w[0] == "G"}
-    own = bool(codes.intersection(_OWN_AXES)) or any(w and w[0] == ADDRESS["FRAME"] for w in words)
+    own = bool(codes.intersection(_OWN_AXES)) or any(w and w[0] in _OWN_WORDS for w in words)
     for found, word in zip(tokens, words, strict=True):
         if word is None:
             if found["skip"]:
@@ -649,7 +652,6 @@ class _Prover:
     def _even_ramps(self) -> None:
         """Where a rising move has become several, each has risen by its share of the way."""
         m = self.new.moves
-        shift = self.largest_shift()[0] if self.rising.any() else 0.0
         for first, last in _runs(self.rising):
             rows = np.arange(self.new.first[first], self.new.first[last + 1])
             radius = np.hypot(*(m.start[rows, :2] - m.centre[rows]).T)
@@ -660,8 +662,7 @@ class _Prover:
             if not gone[-1] > 0:
                 continue
             slope = (height[-1] - start) / gone[-1]
-            # Shares are those of the way before the correction, which moved both ends.
-            off = np.abs(height - start - slope * gone) - abs(slope) * 2 * shift
+            off = np.abs(height - start - slope * gone)
             worst = int(np.argmax(off))
             if off[worst] > self.tolerance:
                 line, at = int(m.line[rows[worst]]), start + slope * gone[worst]

@@ -21,7 +21,8 @@ from millcorr.arrays import Ints
 ADDRESS = {
     name: bytes([0xC0 + k]).decode("latin-1")
     for k, name in enumerate(
-        "X=IC Y=IC Z=IC X=AC Y=AC Z=AC I=AC J=AC K=AC RND CHR CHF ANG AR TURN I1 J1 K1 FRAME ARC RNDM".split()
+        "X=IC Y=IC Z=IC X=AC Y=AC Z=AC I=AC J=AC K=AC RND CHR CHF ANG AR TURN I1 J1 K1 FRAME ARC RNDM AP AP=AC AP=IC RP "
+        "RP=IC POLE PX PY".split()
     )
 }
 """Letters, beyond those of ASCII, that stand for addresses of several."""
@@ -299,8 +300,8 @@ def _computes(before: str) -> bool:
 
 
 _NAMED = re.compile(
-    r"(?<![A-Z_#$])(?:(?P<mode>[XYZIJK]1?|CR|AR)\s*=\s*(?P<how>AC|IC|DC|ACP|ACN)\s*\("
-    r"|(?P<name>CR|AR|TURN|RNDM|RND|CHR|CHF|ANG|[IJK]1|[XYZIJKFPQL])\s*=(?!=)"
+    r"(?<![A-Z_#$])(?:(?P<mode>[XYZIJK]1?|[CAR]R|[AR]P)\s*=\s*(?P<how>AC|IC|DC|ACP|ACN)\s*\("
+    r"|(?P<name>CR|AR|AP|RP|TURN|RNDM|RND|CHR|CHF|ANG|[IJK]1|[XYZIJKFPQL])\s*=(?!=)"
     r"|,\s*(?P<corner>[RCA])\s*=?"
     r"|(?P<word>CIP|CT|A?TRANS|A?ROTS?|A?MIRROR|A?SCALE|SUPA|G153)(?![A-Z_=])"
     r"|(?P<letter>[A-Z])(?=\s*[-+]?\s*(?:[\[#]|VC?\d|Q[LRS]?\d)))"
@@ -316,6 +317,14 @@ _SET = re.compile(
 _NO_VARIABLE = re.compile(
     r"CR|AR|TURN|RNDM?|CH[RF]|ANG|FRCM?|FB|S?SPOSA?|DISR|ADIS\w*|OVRA?|DL|SCC|[SMHD]\d*|AP|RP|POS\w*|OFFN"
 )
+
+
+def _pole(text: str) -> str:
+    """A line with G110, G111 or G112: what is stated beside them is where the pole is, and no place to go to."""
+    text = re.sub(r"(?<![A-Z_])G11([012])(?!\d)", ADDRESS["POLE"] + r"\1", text)
+    for axis in "XY":
+        text = re.sub(rf"(?<![A-Z_]){axis}(?=\s*[-+#.\d])", ADDRESS[f"P{axis}"], text)
+    return re.sub(r"(?<![A-Z_])Z\s*[-+#]?[\d.]*", "", text)
 
 
 class _Machine:
@@ -338,7 +347,7 @@ class _Machine:
         self.blocks: list[int] = []
         self.plain: list[bytes] = []
         self.pairs: dict[int, list[int]] = {}
-        self.polar = any(re.search(rb"(?i)(?<![A-Z_])[AR]P\s*=", line) for line in lines if b"=" in line)
+        self.polar = any(re.search(r"(?<![A-Z_])(?:[AR]P|[XY])\s*=", _bare(line)[0]) for line in lines if b"=" in line)
         self._take(0)
 
     def _take(self, since: int) -> None:
@@ -355,8 +364,8 @@ class _Machine:
             skip = re.match(r"(\s*(?:N\s*\d+\s*)?)/[1-9]?", bare)
             if skip and self.raw[i].lstrip()[:1] in (b"/", b"N", b"n"):
                 bare, said = skip.group(1) + bare[skip.end() :], said + "/"
-            if self.polar and (pole := re.match(r"(\s*(?:N\s*\d+\s*)?)G11[012](?!\d)", bare)):
-                bare = pole[1]
+            if self.polar and re.search(r"(?<![A-Z_])G11[012](?!\d)", bare):
+                bare = _pole(bare)
             self.text.append(bare)
             self.said.append(said)
             if bare.lstrip()[:1] == "%" and not re.match(r"\s*%_N_", bare) and since == 0:
@@ -787,11 +796,8 @@ class _Machine:
             new, place = self._word(text, found)
             out += new
         out += text[place:]
-        if re.search(r"(?<![A-Z_])[AR]P\s*=", text):
-            # Where Siemens' polar positions are is not known here.
-            number = re.match(r"\s*(?:N\s*\d+)?", out)
-            place = number.end() if number else 0
-            out = f"{out[:place]} X# Y# Z# {out[place:]}"
+        if ADDRESS["POLE"] in out:
+            out = _pole(out)
         # Variables that are set, and words that do not move.
         out = re.sub(r"(?:#\s*\d+|#\s*<[^>]*>|#\s*\[[^=]*\]|(?<![A-Z])(?:R|VC|V|Q)(?:\d+|\[[^=]*\]))\s*=.*", "", out)
         out = _PUSHED_ASIDE.sub(" ", out)

@@ -118,6 +118,7 @@ def decimal_tables(
     tables: Sequence[Sequence[int | None]],
     *,
     begin: int = 0,
+    end: int | None = None,
     first: int = 1,
     mark: str = ".",
 ) -> tuple[list[Floats], Ints] | None:
@@ -131,6 +132,8 @@ def decimal_tables(
         As in `decimal_columns`.
     tables : sequence of sequences of int or None
         Fields wanted for each array; None for a column of zeros.
+    end : int, optional
+        Where in the text the last row ends, behind its line end; by default at the text's end.
     mark : {".", ","}
         Decimal mark of all numbers.
 
@@ -145,12 +148,13 @@ def decimal_tables(
         # Blanks of other alphabets separate too.
         return None
     columns = [c for table in tables for c in table if c is not None]
-    most = _newlines(text, begin) + 1
+    end = len(text) if end is None else end
+    most = newlines(text, begin, end) + 1
     out = [np.empty((most, len(table))) for table in tables]
     lines = np.empty(most, dtype=np.int64)
     rows = passed = 0
-    while begin < len(text):
-        data, begin = _block(text, begin, mark)
+    while begin < end:
+        data, begin = _block(text, begin, end, mark)
         found = None if data is None else _rows(data, separator, width, columns, isinstance(text, str))
         if found is None:
             return None
@@ -223,24 +227,25 @@ def decimal_words(lines: str) -> Lettered | None:
     return None if values is None else Lettered(text[places], values, fields.ends - fields.begins, first)
 
 
-def _newlines(text: str | bytes, begin: int) -> int:
+def newlines(text: str | bytes, begin: int, end: int) -> int:
     """Number of line ends; those of bytes by numpy, since counting many by hand takes a tenth of all the time."""
     if isinstance(text, str):
-        return text.count("\n", begin)
-    codes = np.frombuffer(text, dtype=np.uint8, offset=begin)
+        return text.count("\n", begin, end)
+    codes = np.frombuffer(text, dtype=np.uint8)[begin:end]
     return sum(int(np.count_nonzero(codes[k : k + _BLOCK] == _NEWLINE)) for k in range(0, len(codes), _BLOCK))
 
 
-def _block(text: str | bytes, begin: int, mark: str) -> tuple[bytes | None, int]:
+def _block(text: str | bytes, begin: int, stop: int, mark: str) -> tuple[bytes | None, int]:
     """The next lines behind the margin, ending in newlines and with decimal points, and where those after them begin.
 
     None instead of lines with a carriage return elsewhere than at a line's end, or with both decimal marks.
     """
+    reach = min(begin + _BLOCK, stop)
     if isinstance(text, str):
-        end = text.rfind("\n", begin, begin + _BLOCK) + 1 or text.find("\n", begin) + 1 or len(text)
+        end = text.rfind("\n", begin, reach) + 1 or text.find("\n", begin, stop) + 1 or stop
         piece = text[begin:end].encode("utf-8", "surrogatepass")
     else:
-        end = text.rfind(b"\n", begin, begin + _BLOCK) + 1 or text.find(b"\n", begin) + 1 or len(text)
+        end = text.rfind(b"\n", begin, reach) + 1 or text.find(b"\n", begin, stop) + 1 or stop
         piece = text[begin:end]
     if b"\r" in piece:
         piece = piece.replace(b"\r\n", b"\n")

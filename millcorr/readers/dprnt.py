@@ -7,8 +7,10 @@ N numbers the points, I J K are a normal. What the coordinates are is up to the 
 
 from __future__ import annotations
 
+import math
 import re
 from array import array
+from collections.abc import Set
 
 import numpy as np
 
@@ -17,7 +19,8 @@ from millcorr.messages import phrase
 from millcorr.readers.measurement import Measurement
 
 from .decimal_columns import decimal_words
-from .decoding import beginning, blocks_of
+from .decoding import beginning
+from .names import Names
 from .parts import SAME_PLACE, parts_by_place, parts_by_repetition, point_keys, rows_of_part
 from .source import LONGEST_LINE, MM_PER_INCH, Source, shown
 
@@ -28,8 +31,6 @@ _RECOGNISED = re.compile(
     rb"(?:N[ \t]*\d+\.?[ \t]*)?X[ \t]*=?[ \t]*[+-]?[ \t]*[\d.]+[ \t,;]*Y[ \t]*=?[ \t]*[+-]?[ \t]*[\d.]+[^GMFST]*"
 )
 _LARGEST = 1e9
-_BLOCK = 1 << 16
-"""Characters that are read in one go: a heading costs no more than these."""
 
 
 def recognises(data: bytes) -> bool:
@@ -63,50 +64,59 @@ def read(source: Source) -> Measurement:
     """
     ball = source.ball_radius()
     printed = _Printed(source)
-    number = 1
-    for piece in blocks_of(source.text(drop=_CONTROLS), _BLOCK):
-        rows = piece.removesuffix("\n").split("\n")
-        if not printed.alike(number, piece):
-            for further, raw in enumerate(rows):
-                if len(raw) > LONGEST_LINE:
-                    raise source.error(
-                        phrase("a line of {} characters: no print-out, or damaged", len(raw)), number + further
-                    )
-                printed.line(number + further, raw)
-        number += len(rows)
-    if not printed.places:
+    for number, piece in source.pieces(drop=_CONTROLS):
+        if printed.alike(number, piece):
+            continue
+        for further, raw in enumerate(piece.split("\n")):
+            if len(raw) > LONGEST_LINE:
+                raise source.error(
+                    phrase("a line of {} characters: no print-out, or damaged", len(raw)), number + further
+                )
+            printed.line(number + further, raw)
+    if not printed.lines:
         raise source.error(phrase("no points in the file"))
-    table, lines = np.frombuffer(printed.values).reshape(-1, 6), np.frombuffer(printed.places, dtype=np.int64)
-    named, blocks = np.frombuffer(printed.numbers), np.frombuffer(printed.blocks, dtype=np.int64)
-    chosen = rows_of_part(source, lines, _parts(source, table, named, blocks, lines))
-    table, lines = table[chosen], lines[chosen]
-    names = ["" if np.isnan(n) else f"N{n:g}" for n in named[chosen]]
-    height, normals = table[:, 2], table[:, 3:]
+    lines, named, blocks = np.frombuffer(printed.lines, dtype=np.int64), printed.column("N"), printed.blocks()
+    points, normals = printed.vectors("XYZ"), printed.vectors("IJK")
+    assert points is not None
+    chosen = rows_of_part(source, lines, _parts(source, points, named, blocks, lines))
+    del blocks
+    if not chosen.all():
+        points, lines = points[chosen], lines[chosen]
+        named = None if named is None else named[chosen]
+        normals = None if normals is None else normals[chosen]
+    height = points[:, 2]
     partly = np.flatnonzero(np.isnan(height) != np.isnan(height[:1]).any())
     if len(partly):
         raise source.error(phrase("Z stands in some lines and not in others"), int(lines[partly[0]]))
     has_z = not np.isnan(height).any()
-    flat = np.isnan(normals[:, 2]) & ~np.isnan(normals[:, :2]).any(axis=1)
-    normals[flat, 2] = 0.0
-    missing = np.isnan(normals).any(axis=1)
-    notes = [phrase("{} of {} points have no normal: normals are not used", int(missing.sum()), len(table))]
+    if not has_z:
+        height[:] = 0.0
+    missing = len(points)
+    if normals is not None:
+        flat = np.isnan(normals[:, 2]) & ~np.isnan(normals[:, :2]).any(axis=1)
+        normals[flat, 2] = 0.0
+        missing = int(np.isnan(normals).any(axis=1).sum())
+    notes = [phrase("{} of {} points have no normal: normals are not used", missing, len(points))]
+    names = None
+    if named is not None and not np.isnan(named).all():
+        names = Names("" if n != n else f"N{n:g}" for n in named)
     return source.measurement(
-        "dprnt", np.nan_to_num(table[:, :3]), lines, ball_radius=ball, unit=source.unit(None),
-        normals=None if missing.any() else normals, elements=names if any(names) else None, has_z=has_z,
-        notes=notes if missing.any() and not missing.all() else (),
+        "dprnt", points, lines, ball_radius=ball, unit=source.unit(None),
+        normals=None if missing else normals, elements=names, has_z=has_z,
+        notes=notes if 0 < missing < len(points) else (),
     )  # fmt: skip
 
 
 class _Printed:
-    """What was read of a print-out: places, normals, numbers, and the block that headings set apart."""
+    """What was read of a print-out: a column a letter, lines, and where headings set blocks apart."""
 
     def __init__(self, source: Source) -> None:
         self.source = source
-        self.values = array("d")
-        self.places = array("q")
-        self.numbers = array("d")
-        self.blocks = array("q")
-        self.block = 0
+        self.columns: dict[str, array[float]] = {}
+        """Numbers by their letter, NaN where a point has none; of letters that stand in the file."""
+        self.lines = array("q")
+        self.headings: list[int] = []
+        """Points above each heading."""
 
     def alike(self, number: int, lines: str) -> bool:
         """Take points, the first in line `number`, that all have the same letters; False where they are not so."""
@@ -122,31 +132,52 @@ class _Printed:
             return False
         if (np.abs(values) > _LARGEST).any():
             return False
-        table = np.full((len(values), 6), np.nan)
-        for k, letter in enumerate("XYZIJK"):
-            if letter in names:
-                table[:, k] = values[:, names.index(letter)]
-        numbers = values[:, names.index("N")] if "N" in names else np.full(len(values), np.nan)
-        self.values.frombytes(table.tobytes())
-        self.places.frombytes((number + np.arange(len(values), dtype=np.int64)).tobytes())
-        self.numbers.frombytes(np.ascontiguousarray(numbers).tobytes())
-        self.blocks.frombytes(np.full(len(values), self.block, dtype=np.int64).tobytes())
+        self._open(set(names))
+        nothing = np.full(len(values), math.nan)
+        for letter, column in self.columns.items():
+            column.frombytes((values[:, names.index(letter)] if letter in names else nothing).tobytes())
+        self.lines.frombytes((number + np.arange(len(values), dtype=np.int64)).tobytes())
         return True
 
     def line(self, number: int, raw: str) -> None:
         """Take one line: a heading or a point."""
         text = raw.strip().upper()
         if not text or _HEADING.fullmatch(text):
-            self.block += bool(text)
+            if text and (not self.headings or self.headings[-1] < len(self.lines)):
+                self.headings.append(len(self.lines))
             return
         words = _words(self.source, number, text)
         for letter in "XY":
             if letter not in words:
                 raise self.source.error(phrase("{} is missing: the line is incomplete", letter), number)
-        self.values.extend([words.get(c, np.nan) for c in "XYZIJK"])
-        self.places.append(number)
-        self.blocks.append(self.block)
-        self.numbers.append(words.get("N", np.nan))
+        self._open(words.keys())
+        for letter, column in self.columns.items():
+            column.append(words.get(letter, math.nan))
+        self.lines.append(number)
+
+    def _open(self, letters: Set[str]) -> None:
+        """Begin columns of letters that come for the first time."""
+        for letter in letters - self.columns.keys():
+            self.columns[letter] = array("d", (math.nan,)) * len(self.lines)
+
+    def column(self, letter: str) -> Floats | None:
+        """Numbers behind a letter, (n,), NaN where there is none; None where it stands nowhere."""
+        return np.frombuffer(self.columns[letter]) if letter in self.columns else None
+
+    def vectors(self, letters: str) -> Floats | None:
+        """Numbers behind three letters, (n, 3), no longer kept here; None where none of them stands anywhere."""
+        if not self.columns.keys() & set(letters):
+            return None
+        table = np.full((len(self.lines), 3), math.nan)
+        for k, letter in enumerate(letters):
+            if letter in self.columns:
+                table[:, k] = self.columns.pop(letter)
+        return table
+
+    def blocks(self) -> Ints:
+        """Block of each point, (n,), from 0."""
+        sizes = np.diff(np.array([0, *self.headings, len(self.lines)]))
+        return np.repeat(np.arange(len(sizes)), sizes)
 
 
 def _words(source: Source, number: int, text: str) -> dict[str, float]:
@@ -165,10 +196,13 @@ def _words(source: Source, number: int, text: str) -> dict[str, float]:
     return words
 
 
-def _parts(source: Source, table: Floats, numbers: Floats, blocks: Ints, lines: Ints) -> Ints:
+def _parts(source: Source, points: Floats, numbers: Floats | None, blocks: Ints, lines: Ints) -> Ints:
     """Part of every point, from 0: by the numbers of the points, else by the places touched."""
-    points = np.nan_to_num(table[:, :3]) * (MM_PER_INCH if source.unit(None) == "inch" else 1.0)
-    if np.isnan(numbers).any():
+    if np.isnan(points[:, 2]).any():
+        points = np.nan_to_num(points)
+    if source.unit(None) == "inch":
+        points = points * MM_PER_INCH
+    if numbers is None or np.isnan(numbers).any():
         return parts_by_place(points)
     # Numbers that begin again can be another contour's: only the same place shows the same point.
     keys = point_keys(numbers, points, SAME_PLACE)

@@ -21,7 +21,7 @@ from millcorr.readers.measurement import Measurement
 from .decimal_columns import decimal_columns
 from .decoding import beginning
 from .fields import NUMBER
-from .source import Source, shown
+from .source import Source, shown, slices
 from .xml_events import Element, parse
 
 NOTE = phrase("a height map, touched along Z: it shows the height of a surface and nothing of a contour")
@@ -101,8 +101,8 @@ def _counts(source: Source, numbers: Sequence[float], line: int) -> tuple[int, i
 
 def _rows(source: Source) -> tuple[Floats, Ints, int]:
     """Points (n, 3), their lines, and how many places bCNC's head announces."""
-    whole = decimal_columns(source.text(), None, 3, (0, 1, 2))
-    if whole is not None and not (np.abs(whole[0]) >= _LARGEST).any():
+    whole = decimal_columns(source.plain(), None, 3, (0, 1, 2))
+    if whole is not None and max(whole[0].max(), -whole[0].min()) < _LARGEST:
         return _on_grid(source, *whole)
     values, lines = array("d"), array("q")
     for number, line in source.lines():
@@ -125,17 +125,17 @@ def _on_grid(source: Source, table: Floats, lines: Ints) -> tuple[Floats, Ints, 
     points, own = table[3:], lines[3:]
     if len(points) > across * along:
         raise source.error(phrase("more than the {} places of the grid", across * along), int(own[across * along]))
-    # One coordinate at a time: a map is as large as its points.
-    place = np.arange(len(points))
-    wrong = np.zeros(len(points), dtype=bool)
     close = _DIGITS * np.abs(table[:2, :2]).max()
-    for k, (begin, end, count, number) in enumerate(
-        ((left, right, across, place % across), (low, high, along, place // across))
-    ):
-        wanted = begin + (end - begin) / (count - 1) * number
-        wrong |= np.abs(points[:, k] - wanted) > close
-    off = np.flatnonzero(wrong)
-    if len(off):
+    for rows in slices(points):
+        place = np.arange(rows.start, rows.start + len(points[rows]))
+        wrong = np.zeros(len(place), dtype=bool)
+        for k, (begin, end, count, number) in enumerate(
+            ((left, right, across, place % across), (low, high, along, place // across))
+        ):
+            wrong |= np.abs(points[rows, k] - (begin + (end - begin) / (count - 1) * number)) > close
+        off = rows.start + np.flatnonzero(wrong)
+        if not len(off):
+            continue
         x, y = points[off[0], :2]
         along_y, along_x = divmod(int(off[0]), across)
         wanted_x, wanted_y = left + (right - left) * along_x / (across - 1), low + (high - low) * along_y / (along - 1)

@@ -56,7 +56,7 @@ def read(source: Source) -> Measurement:
         If the radius is missing, the caller says that the points are contact points, or several parts were logged to
         the file (PROBEOPEN begins it anew, LOGAPPEND does not) and none is chosen.
     """
-    whole = decimal_columns(source.text(), None, 9, range(9))
+    whole = decimal_columns(source.plain(), None, 9, range(9))
     if whole is None or not np.isfinite(whole[0]).all():
         _name_the_wrong(source)
         raise source.error(phrase("a number is too large, or not nine in a row"))
@@ -74,8 +74,10 @@ def read(source: Source) -> Measurement:
     notes = [phrase("other axes stood at {}", " ".join(away))] if away else []
     unit = source.unit(None)
     factor = MM_PER_INCH if unit == "inch" else 1.0
-    slow = slow_touches(values[:, :3] * factor)
-    points, lines_of = values[slow, :3], lines_of[slow]
+    points = values[:, :3].copy()
+    del values, whole  # Nine numbers a touch, of which three count from here on.
+    slow = slow_touches(points * factor)
+    points, lines_of = points[slow], lines_of[slow]
     chosen = rows_of_part(source, lines_of, parts_by_place(points * factor))
     return source.measurement(
         "linuxcnc", points[chosen], lines_of[chosen], ball_radius=ball, unit=unit, notes=[*notes, *remark(slow)]

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -158,7 +158,7 @@ class Measurement:
         False where the file has no third coordinate; z is then 0.
     nominal : (n, 3) float64 or None
         Nominal points on the surface in mm, as the file gives them; NaN in the rows of points without one.
-    elements : tuple of n str, or None
+    elements : sequence of n str, or None
         What the file calls each point: label, number or element id.
     stated : (n,) float64 or None
         Deviations in mm that the file itself states, positive outwards; NaN where it states none.
@@ -190,7 +190,7 @@ class Measurement:
     digest: str
     has_z: bool = True
     nominal: Floats | None = None
-    elements: tuple[str, ...] | None = None
+    elements: Sequence[str] | None = None
     stated: Floats | None = None
     unit: str = "mm"
     format: str = ""

@@ -22,7 +22,7 @@ from millcorr.messages import phrase
 from millcorr.readers.measurement import Measurement
 
 from .decimal_columns import decimal_words
-from .decoding import beginning, blocks_of
+from .decoding import beginning
 from .parts import parts_by_repetition, point_keys, rows_of_part
 from .source import LONGEST_LINE, MM_PER_INCH, Source, shown
 
@@ -39,8 +39,6 @@ _CONTROLS = b"\x00\x11\x12\x13\x14\x1a"
 """What serial lines put around a print-out: device controls, fill bytes, end of file."""
 
 _LARGEST = 1e9
-_BLOCK = 1 << 16
-"""Characters that are read in one go: a line that is none of a pair costs no more than these."""
 _SAME_NOMINAL = 1e-5
 """Nominals no farther apart than this, in the file's unit, are one: they were printed alike."""
 _MEANINGS = {
@@ -88,9 +86,8 @@ def read(source: Source) -> Measurement:
     """
     _refuse_foreign_bytes(source)
     reading = _Reading(source)
-    number = 1
-    for block in blocks_of(source.text(drop=_CONTROLS), _BLOCK):
-        lines = block.removesuffix("\n").split("\n")
+    for number, piece in source.pieces(drop=_CONTROLS):
+        lines = piece.split("\n")
         # The block may begin or end between the two lines of a point.
         begin = 0 if reading.waiting is None else 1
         end = len(lines) - (len(lines) - begin) % 2
@@ -98,7 +95,6 @@ def read(source: Source) -> Measurement:
         if not reading.pairs(number + begin, lines[begin:end]):
             reading.each(number + begin, lines[begin:end])
         reading.each(number + end, lines[end:])
-        number += len(lines)
     return reading.measurement()
 
 

@@ -12,7 +12,7 @@ from millcorr.arrays import Bools, Floats, Ints
 from millcorr.errors import UsageError
 from millcorr.messages import joined, option, phrase
 
-from .source import Source
+from .source import Source, slices
 
 SAME_PLACE = 0.5
 """Two touches of one point on two parts lie no farther apart than this, in mm: errors of parts are smaller."""
@@ -92,6 +92,8 @@ def point_keys(numbers: Ints | Floats, places: Floats, reach: float) -> Ints:
     reach : float
         Places no farther apart than this, in their unit, are the same.
     """
+    if (np.diff(numbers) > 0).all():
+        return np.arange(len(numbers))
     found, group = np.unique(numbers, return_inverse=True)
     if len(found) == len(numbers) or not np.isfinite(places).all():
         return np.asarray(group, dtype=np.int64)
@@ -146,6 +148,15 @@ def parts_by_repetition(keys: Ints, blocks: Ints) -> tuple[Ints, tuple[int, int]
     return np.repeat(parts, sizes), None
 
 
+def near(points: Floats, others: Floats) -> Bools:
+    """Whether points, (n, 3) in mm, are at the same place as others, (n, 3); (n,)."""
+    out = np.empty(len(points), dtype=np.bool_)
+    with np.errstate(over="ignore"):
+        for rows in slices(points):
+            out[rows] = np.linalg.norm(points[rows] - others[rows], axis=1) <= SAME_PLACE
+    return out
+
+
 def parts_by_place(points: Floats) -> Ints:
     """Parts, (n,) from 0, of touches without a name: a part begins where the touches go through the places again.
 
@@ -162,11 +173,10 @@ def parts_by_place(points: Floats) -> Ints:
     count = len(points)
     if count < 2 * _FEWEST or not np.isfinite(points).all():
         return np.zeros(count, dtype=np.int64)
-    near_first = np.linalg.norm(points - points[0], axis=1) <= SAME_PLACE
+    near_first = near(points, np.broadcast_to(points[0], points.shape))
     for period in np.flatnonzero(near_first).tolist():
         if period < _FEWEST or 2 * (count - period) < period or near_first[: period + 1].sum() > (period + 1) / 2:
             continue
-        away = np.linalg.norm(points[period:] - points[:-period], axis=1)
-        if (away <= SAME_PLACE).all():
+        if near(points[period:], points[:-period]).all():
             return np.arange(count) // period
     return np.zeros(count, dtype=np.int64)

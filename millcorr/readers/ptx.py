@@ -26,6 +26,10 @@ _POSE = 8
 """Lines of a PTX scan between the size of its grid and its points."""
 _ROTATION = 1e-3
 """Rows of the matrix that turns are unit vectors at right angles to within this."""
+_BLOCK = 1 << 18
+_NEWLINE = 10
+_BLANKS = b" \t\n\v\f\r\x1c\x1d\x1e\x1f"
+"""What `str.strip` takes for blanks."""
 _COUNT = re.compile(r"\d{1,9}", re.ASCII)
 
 
@@ -68,43 +72,54 @@ def read(source: Source) -> Measurement:
         count, turn, shift, position = _head(source, lines, position)
         table = _rows(source, lines, position, count)
         met = np.flatnonzero(table.any(axis=1))
-        missed += count - len(met)
-        table = table if len(met) == count else table[met]
-        points.append(table if (turn == np.eye(3)).all() and not shift.any() else table @ turn + shift)
-        numbers.append(met + (position + 1))
+        if len(met) < count:
+            missed += count - len(met)
+            table = table[met]
+        if (turn != np.eye(3)).any() or shift.any():
+            table = table @ turn
+            table += shift
+        points.append(table)
+        met += position + 1
+        numbers.append(met)
         position += count
     notes = [phrase("{} scans put together", len(points))] if len(points) > 1 else []
     if missed:
         notes.append(phrase("{} rays that met nothing left out", missed))
     if not points:
         raise source.error(phrase("no measured points in the file"))
-    together = points[0] if len(points) == 1 else np.concatenate(points)
+    one = len(points) == 1
     return source.measurement(
-        "ptx", together, np.concatenate(numbers), ball_radius=ball_radius, unit=unit, notes=notes
+        "ptx", points[0] if one else np.concatenate(points), numbers[0] if one else np.concatenate(numbers),
+        ball_radius=ball_radius, unit=unit, notes=notes,
     )  # fmt: skip
 
 
 class _Lines:
-    """Lines of a file by their number from 0, without cutting the text up; blank ones at its end do not count."""
+    """Lines of a file by their number from 0, without cutting it up; blank ones at its end do not count."""
 
     def __init__(self, source: Source) -> None:
-        self.text = source.text().rstrip()
-        # A byte a character, whatever that is.
-        breaks = np.flatnonzero(np.frombuffer(self.text.encode("latin-1", "replace"), np.uint8) == ord("\n"))
-        self._begin = np.concatenate([[0], breaks + 1, [len(self.text) + 1]])
-        longest = int(np.diff(self._begin).argmax())
+        self.data = source.plain()
+        end = len(self.data)
+        while end and self.data[end - 1] in _BLANKS:
+            end -= 1
+        ends = [
+            begin + np.flatnonzero(np.frombuffer(self.data, np.uint8)[begin : min(begin + _BLOCK, end)] == _NEWLINE)
+            for begin in range(0, end, _BLOCK)
+        ]
+        self._ends: Ints = np.concatenate([[-1], *ends, [end]])
+        longest = int(np.diff(self._ends).argmax())
         if len(self[longest]) > LONGEST_LINE:
             raise source.too_long(len(self[longest]), longest + 1)
 
     def __len__(self) -> int:
-        return len(self._begin) - 1 if self.text else 0
+        return len(self._ends) - 1 if self._ends[-1] else 0
 
     def __getitem__(self, number: int) -> str:
-        return self.text[self._begin[number] : self._begin[number + 1] - 1]
+        return self.data[self._ends[number] + 1 : self._ends[number + 1]].decode("utf-8", "surrogatepass")
 
-    def block(self, first: int, last: int) -> str:
-        """Lines from one to before another."""
-        return self.text[self._begin[first] : self._begin[last] - 1]
+    def span(self, first: int, last: int) -> tuple[int, int]:
+        """Where in the data lines begin and end, from one to before another."""
+        return int(self._ends[first]) + 1, int(self._ends[last])
 
 
 def _head(source: Source, lines: _Lines, position: int) -> tuple[int, Floats, Floats, int]:
@@ -142,15 +157,15 @@ def _rows(source: Source, lines: _Lines, begin: int, count: int) -> Floats:
         )
     if not count:
         return np.zeros((0, 3))
-    block = lines.block(begin, begin + count)
+    first, last = lines.span(begin, begin + count)
     width = len(lines[begin].split())
     if width in _WIDTHS:
         # All fields are numbers, though three are wanted; blank lines would be missing rays.
-        found = decimal_tables(block, None, width, [range(3), range(3, width)])
+        found = decimal_tables(lines.data, None, width, [range(3), range(3, width)], begin=first, end=last)
         if found is not None and len(found[1]) == count and all(np.isfinite(table).all() for table in found[0]):
             return found[0][0]
-    rows = block.split("\n")
-    for number, row in enumerate(rows, begin + 1):
+    for at in range(begin, begin + count):
+        row, number = lines[at], at + 1
         cells = row.split()
         spoilt = next((cell for cell in cells if not NUMBER.fullmatch(cell)), None)
         if spoilt is not None or len(cells) != width or width not in _WIDTHS:

@@ -7,9 +7,11 @@ several parts; each of these is one measured part, and all are counted through f
 
 from __future__ import annotations
 
+import math
 import re
-import sys
 from array import array
+from itertools import compress
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,8 +19,8 @@ from millcorr.arrays import Floats, Ints
 from millcorr.messages import phrase
 from millcorr.readers.measurement import Measurement
 
-from .decoding import lines_of
 from .fields import NUMBER, why_no_number
+from .names import Names
 from .parts import chosen_part
 from .source import Source, shown
 
@@ -42,10 +44,6 @@ _NAME, _TEXT, _NOMINAL, _UNIT = 2001, 2002, 2101, 2142
 _VALUE, _VALIDITY = 1, 2
 _NOT_MEASURED = ("255", "256")
 _MOST = 1_000_000
-
-
-_Point = list[int]
-"""Characteristics of X, Y and Z by their places among all; -1 for none."""
 
 
 def recognises(data: bytes) -> bool:
@@ -74,14 +72,45 @@ def read(source: Source) -> Measurement:
         If the file holds several parts and `source` does not choose, or chooses one that is not there.
     """
     reading = _Reading(source)
-    for number, line in enumerate(lines_of(_text(source)), 1):
-        reading.line(number, line)
+    for first, piece in source.pieces(table=_SEPARATORS):
+        for number, line in enumerate(piece.split("\n"), first):
+            reading.line(number, line)
     return reading.measurement()
 
 
-def _text(source: Source) -> str:
-    data = source.data.translate(_SEPARATORS)
-    return Source(data, source.name, source.digest).text()
+class _Texts:
+    """A text for some of many characteristics, by their places; one after another in memory."""
+
+    def __init__(self) -> None:
+        self._text = bytearray()
+        self._begin, self._end = array("q"), array("q")
+
+    def put(self, place: int, content: str) -> bool:
+        """Keep a text; False where the place has another one."""
+        if place < len(self._begin) and self._begin[place] >= 0:
+            return self[place] == content
+        for ends in (self._begin, self._end):
+            ends.extend(array("q", (-1,)) * (place + 1 - len(ends)))
+        self._begin[place] = len(self._text)
+        self._text += content.encode()
+        self._end[place] = len(self._text)
+        return True
+
+    def __getitem__(self, place: int) -> str:
+        """Text of a place, empty where there is none."""
+        if place >= len(self._begin) or self._begin[place] < 0:
+            return ""
+        return self._text[self._begin[place] : self._end[place]].decode()
+
+    def __len__(self) -> int:
+        return len(self._begin)
+
+
+class _Groups(NamedTuple):
+    """Points of a part: their names, and the places of X, Y and Z of each, (k, 3), -1 for none."""
+
+    names: Names
+    places: Ints
 
 
 class _Reading:
@@ -89,14 +118,20 @@ class _Reading:
 
     def __init__(self, source: Source) -> None:
         self.source = source
-        self.places: dict[int, int] = {}
-        """Place of each characteristic by its number."""
+        self.places = array("q")
+        """Place of each characteristic by its number; -1 for none."""
         self.begins = array("q")
         self.part_of = array("q")
-        self.texts: dict[int, dict[int, str]] = {key: {} for key in (_NAME, _TEXT, _UNIT)}
-        """What K2xxx say, by field and place; -1 for all."""
-        self.nominal: dict[int, float] = {}
-        self.order: list[int] | None = None
+        self.texts = {_NAME: _Texts(), _TEXT: _Texts()}
+        """What K2xxx say, by field and place."""
+        self.units: dict[str, int] = {}
+        self.unit_of = array("i")
+        """Different units, numbered, and by place which one; -1 for none."""
+        self.general: dict[int, str] = {}
+        """What K2xxx say of all characteristics."""
+        self.nominal = array("d")
+        """By place; NaN for none."""
+        self.order: array[int] | None = None
         self.owners = array("q")
         self.values = array("d")
         self.lines = array("q")
@@ -135,45 +170,71 @@ class _Reading:
             self._validity(self._place(index, number), content)
 
     def _property(self, key: int, index: int, content: str, number: int) -> None:
-        if index and index not in self.places:
-            self.places[index] = len(self.begins)
+        place = self._known(index) if index else -1
+        if index and place < 0:
+            place = len(self.begins)
+            self.places.extend(array("q", (-1,)) * (index + 1 - len(self.places)))
+            self.places[index] = place
             self.begins.append(number)
             self.part_of.append(self.part)
+            self.nominal.append(math.nan)
+            self.unit_of.append(-1)
             self.order = None
-        place = self.places[index] if index else -1
         if key == _NOMINAL and index and content:
             nominal = self._number(content, number)
-            if self.nominal.setdefault(place, nominal) != nominal:
-                raise self.source.error(phrase("K{}/{} is there twice with different contents", key, index), number)
-        elif key in self.texts:
-            content = sys.intern(content) if key == _UNIT else content
-            if self.texts[key].setdefault(place, content) != content:
-                raise self.source.error(phrase("K{}/{} is there twice with different contents", key, index), number)
+            if math.isnan(self.nominal[place]):
+                self.nominal[place] = nominal
+            same = self.nominal[place] == nominal
+        elif key not in (*self.texts, _UNIT):
+            return
+        elif not index:
+            same = self.general.setdefault(key, content) == content
+        elif key == _UNIT:
+            unit = self.units.setdefault(content, len(self.units))
+            if self.unit_of[place] < 0:
+                self.unit_of[place] = unit
+            same = self.unit_of[place] == unit
+        else:
+            same = self.texts[key].put(place, content)
+        if not same:
+            raise self.source.error(phrase("K{}/{} is there twice with different contents", key, index), number)
+
+    def _known(self, index: int) -> int:
+        """Place of the characteristic with this number; -1 for none."""
+        return self.places[index] if index < len(self.places) else -1
 
     def _place(self, index: int, number: int) -> int:
-        place = self.places.get(index)
-        if place is None:
+        place = self._known(index)
+        if place < 0:
             raise self.source.error(phrase("a value of characteristic {}, which no K2 field describes", index), number)
         return place
+
+    def _in_order(self) -> Ints:
+        """Places of all characteristics in the order of their numbers."""
+        places = np.array(self.places, dtype=np.int64)
+        return places[places >= 0]
 
     def _values(self, number: int, line: str) -> None:
         """A line with a value of every characteristic, in the order of their numbers."""
         if self.order is None:
-            self.order = [self.places[index] for index in sorted(self.places)]
-        fields = line.split(_CHARACTERISTIC)
-        if len(fields) == len(self.order) + 1 and not fields[-1].strip():
-            fields.pop()
-        if len(fields) != len(self.order):
+            self.order = array("q", self._in_order().tobytes())
+        count, last = line.count(_CHARACTERISTIC) + 1, line.rfind(_CHARACTERISTIC)
+        if count == len(self.order) + 1 and not line[last + 1 :].strip():
+            count -= 1
+        if count != len(self.order):
             raise self.source.error(
                 phrase(
                     "{} values for {} characteristics: the line is incomplete, or this is no line of values",
-                    len(fields),
+                    count,
                     len(self.order),
                 ),
                 number,
             )
-        for place, content in zip(self.order, fields, strict=True):
-            value, _, attributes = content.partition(_ATTRIBUTE)
+        end = -1
+        for place in self.order:
+            # The line may be as long as the file: it is not cut up as a whole.
+            begin, end = end + 1, line.find(_CHARACTERISTIC, end + 1)
+            value, _, attributes = line[begin : end if end >= 0 else None].partition(_ATTRIBUTE)
             self._value(place, value, number)
             self._validity(place, attributes.partition(_ATTRIBUTE)[0].strip())
 
@@ -211,7 +272,7 @@ class _Reading:
             )
         points, left_out = self._points()
         # Values sorted by characteristic, each one's in the order of the file.
-        owners = np.array(self.owners, dtype=np.int64)
+        owners = np.frombuffer(self.owners, dtype=np.int64)
         order = np.argsort(owners, kind="stable")
         first = np.searchsorted(owners[order], np.arange(len(self.begins) + 1))
         chosen, piece = self._choice(points, np.diff(first))
@@ -219,65 +280,69 @@ class _Reading:
         ball_radius = source.ball_radius()
         groups = points[chosen]
         has_z = self._has_z(groups)
-        places = np.array(list(groups.values()))[:, : 2 + has_z]
+        places = groups.places[:, : 2 + has_z]
         at = first[places] + piece
         there = at < first[places + 1]
         at = order[np.where(there, at, 0)]
-        coordinates = np.where(there, np.array(self.values)[at], np.nan)
+        coordinates = np.where(there, np.frombuffer(self.values)[at], np.nan)
         measured = ~np.isnan(coordinates).any(axis=1)
         if not measured.any():
             raise source.error(phrase("none of the points was measured on this part"))
-        ideal = np.array([[self.nominal.get(place, np.nan) for place in row] for row in places[measured].tolist()])
+        ideal = np.frombuffer(self.nominal)[places[measured]]
         ideal[np.isnan(ideal).any(axis=1)] = np.nan
-        names = list(groups)
         notes = [phrase("{} characteristics are no coordinate of a point", left_out)] if left_out else []
         if not measured.all():
             notes.append(phrase("{} points were not measured on this part", np.count_nonzero(~measured)))
         return source.measurement(
-            "qdas", _with_z(coordinates[measured]), np.array(self.lines)[at[measured, 0]],
+            "qdas", _with_z(coordinates[measured]), np.frombuffer(self.lines, dtype=np.int64)[at[measured, 0]],
             ball_radius=ball_radius, unit=unit, has_z=has_z, notes=notes,
-            elements=[names[row] for row in np.flatnonzero(measured)],
+            elements=Names(groups.names[row] for row in np.flatnonzero(measured).tolist()),
             nominal=None if np.isnan(ideal).all() else _with_z(ideal),
         )  # fmt: skip
 
-    def _points(self) -> tuple[dict[int, dict[str, _Point]], int]:
-        """Characteristics by part, name of the point and axis; and how many are none of a point."""
-        texts = max(
-            (self.texts[key] for key in (_NAME, _TEXT)), key=lambda t: sum(_axis(x) is not None for x in t.values())
-        )
-        grouped: dict[int, dict[str, _Point]] = {}
-        for index in sorted(self.places):
-            place = self.places[index]
-            found = _axis(texts.get(place, ""))
+    def _points(self) -> tuple[dict[int, _Groups], int]:
+        """Points by part; and how many characteristics are none of a point."""
+        places = self._in_order().tolist()
+        named = [texts for texts in self.texts.values() if len(texts)]
+        texts = named[0] if len(named) == 1 else max(
+            self.texts.values(), key=lambda t: sum(_axis(t[place]) is not None for place in range(len(t)))
+        )  # fmt: skip
+        rows: dict[int, dict[str, int]] = {}
+        tables: dict[int, array[int]] = {}
+        for place in places:
+            found = _axis(texts[place])
             if found is None:
                 continue
             stem, axis = found
-            point = grouped.setdefault(self.part_of[place], {}).setdefault(stem, [-1, -1, -1])
-            if point[axis] >= 0:
+            part = self.part_of[place]
+            own, table = rows.setdefault(part, {}), tables.setdefault(part, array("q"))
+            row = own.setdefault(stem, len(own))
+            if 3 * row == len(table):
+                table.extend((-1, -1, -1))
+            before = table[3 * row + axis]
+            if before >= 0:
                 raise self.source.error(
                     phrase(
-                        "{} of point {} is there twice, first in line {}",
-                        "XYZ"[axis],
-                        shown(stem),
-                        self.begins[point[axis]],
+                        "{} of point {} is there twice, first in line {}", "XYZ"[axis], shown(stem), self.begins[before]
                     ),
                     self.begins[place],
                 )
-            point[axis] = place
-        points: dict[int, dict[str, _Point]] = {}
+            table[3 * row + axis] = place
+        points: dict[int, _Groups] = {}
         used = 0
-        for part, groups in grouped.items():
-            whole = {stem: group for stem, group in groups.items() if min(group[:2]) >= 0}
-            used += sum(3 - group.count(-1) for group in whole.values())
-            if whole:
-                points[part] = whole
+        for part in list(rows):
+            own, grouped = rows.pop(part), np.array(tables.pop(part), dtype=np.int64).reshape(-1, 3)
+            whole = (grouped[:, :2] >= 0).all(axis=1)
+            if whole.any():
+                points[part] = _Groups(Names(compress(own, whole.tolist())), grouped[whole])
+                used += int((points[part].places >= 0).sum())
         if not points:
             raise self.source.error(
                 phrase("no points: name the characteristics of a point alike with X, Y and Z, such as P1.X, P1.Y, P1.Z")
             )
         return points, len(self.begins) - used
 
-    def _choice(self, points: dict[int, dict[str, _Point]], counts: Ints) -> tuple[int, int]:
+    def _choice(self, points: dict[int, _Groups], counts: Ints) -> tuple[int, int]:
         """Part and piece, from 0, that the caller wants; `counts` has the number of values of each place."""
         pieces: list[tuple[int, int]] = []
         titles: list[str] = []
@@ -290,24 +355,21 @@ class _Reading:
             raise self.source.error(phrase("no values: the file describes characteristics and holds no results"))
         return pieces[chosen_part(self.source, titles)]
 
-    def _times(self, groups: dict[str, _Point], counts: Ints) -> int:
+    def _times(self, groups: _Groups, counts: Ints) -> int:
         """How often a part was measured; FormatError where that is not the same for all its points."""
-        named = [
-            (stem, axis, place)
-            for stem, group in groups.items()
-            for axis, place in zip("XYZ", group, strict=True)
-            if place >= 0
-        ]
-        own = counts[[place for _, _, place in named]]
+        named = groups.places >= 0
+        own = np.where(named, counts[groups.places], -1)
         times = int(own.max())
-        if (own < times).any():
-            stem, axis, place = named[int(np.flatnonzero(own < times)[0])]
+        fewer = np.argwhere(named & (own < times))
+        if len(fewer):
+            row, axis = fewer[0].tolist()
+            place = int(groups.places[row, axis])
             raise self.source.error(
                 phrase(
                     "{} of point {} has {} of {} values: the file was cut off, or K0002 256 is missing for a "
                     "point that was not measured",
-                    axis,
-                    shown(stem),
+                    "XYZ"[axis],
+                    shown(groups.names[row]),
                     counts[place],
                     times,
                 ),
@@ -315,33 +377,37 @@ class _Reading:
             )
         return times
 
-    def _unit(self, points: dict[int, dict[str, _Point]]) -> str | None:
+    def _unit(self, points: dict[int, _Groups]) -> str | None:
+        places = np.concatenate([groups.places.ravel() for groups in points.values()])
+        places = places[places >= 0]
+        units, names = np.frombuffer(self.unit_of, dtype=np.intc)[places], list(self.units)
         found: dict[str, int] = {}
-        texts = self.texts[_UNIT]
-        for groups in points.values():
-            for place in (place for group in groups.values() for place in group):
-                content = texts.get(place, texts.get(-1, ""))
-                if place < 0 or not content:
-                    continue
-                unit = _UNITS.get(content.lower())
-                if unit is None:
-                    raise self.source.error(
-                        phrase("unit {}: only mm and inch are read", shown(content)), self.begins[place]
-                    )
-                found.setdefault(unit, place)
+        # Each in the order in which points have them first; what is said of all stands where nothing else does.
+        for first in np.sort(np.unique(units, return_index=True)[1]).tolist():
+            place = int(places[first])
+            content = names[units[first]] if units[first] >= 0 else self.general.get(_UNIT, "")
+            if not content:
+                continue
+            unit = _UNITS.get(content.lower())
+            if unit is None:
+                raise self.source.error(
+                    phrase("unit {}: only mm and inch are read", shown(content)), self.begins[place]
+                )
+            found.setdefault(unit, place)
         if len(found) > 1:
             raise self.source.error(
                 phrase("coordinates in mm and in inch in one file"), self.begins[max(found.values())]
             )
         return next(iter(found), None)
 
-    def _has_z(self, groups: dict[str, _Point]) -> bool:
-        without = next((stem for stem, group in groups.items() if group[2] < 0), None)
-        if without is not None and any(group[2] >= 0 for group in groups.values()):
+    def _has_z(self, groups: _Groups) -> bool:
+        without = np.flatnonzero(groups.places[:, 2] < 0)
+        if 0 < len(without) < len(groups.places):
+            row = int(without[0])
             raise self.source.error(
-                phrase("point {} has no Z, others have", shown(without)), self.begins[groups[without][0]]
+                phrase("point {} has no Z, others have", shown(groups.names[row])), self.begins[groups.places[row, 0]]
             )
-        return without is None
+        return not len(without)
 
 
 def _axis(text: str) -> tuple[str, int] | None:

@@ -8,14 +8,17 @@ checked by DEV = ACTUAL less nominal. The layout is that of the results a common
 
 from __future__ import annotations
 
+import math
 import re
-from dataclasses import dataclass, field
+from array import array
 
 import numpy as np
 
+from millcorr.arrays import Ints
 from millcorr.messages import phrase
 from millcorr.readers.measurement import Measurement
 
+from .names import Names
 from .parts import chosen_part, titled
 from .source import Source, shown
 
@@ -27,21 +30,9 @@ _POSITION = re.compile(
 _UNMEASURED = re.compile(rf"POSN\s*[A-Z]\s*{_NUMBER}\s+ACTUAL\s*NAN\b", re.ASCII)
 _CONTROLS = b"\x00\x11\x12\x13\x14\x1a"
 _LARGEST = 1e6
+_NOTHING = (math.nan,) * 6
 _BESIDES = 1.07
 """A deviation may miss the difference of two rounded numbers by all roundings, and a bit for the binary."""
-
-
-@dataclass(slots=True)
-class _Feature:
-    """Feature of a part: per axis the nominal and the actual value."""
-
-    name: str
-    component: str
-    line: int
-    axes: dict[str, tuple[float, float]] = field(default_factory=dict)
-    sized: bool = False
-    unmeasured: bool = False
-    """Whether an axis is there that was not measured."""
 
 
 def recognises(data: bytes) -> bool:
@@ -70,95 +61,163 @@ def read(source: Source) -> Measurement:
         If the caller does not say what the points are, or which of several components.
     """
     ball = source.ball_radius()
-    features: list[_Feature] = []
+    printed = _Printed(source)
     for number, raw in source.lines(drop=_CONTROLS):
         text = raw.strip().upper()
         found = _HEADING.search(text)
         if found:
-            features.append(_Feature(f"{found[1]}.{found[2]}", found[1], number))
+            printed.feature(number, found[1], found[2])
         elif text.startswith("POSN"):
-            _position(source, features, number, text)
-        elif text.startswith("SIZE") and features:
-            features[-1].sized = True
-    return _measurement(source, _of_part(source, features), ball)
+            printed.position(number, text)
+        elif text.startswith("SIZE"):
+            printed.size()
+    return printed.measurement(ball)
 
 
-def _of_part(source: Source, features: list[_Feature]) -> list[_Feature]:
-    """Features of the component that the caller wants: each number is a part."""
-    components: dict[str, list[_Feature]] = {}
-    for feature in features:
-        components.setdefault(feature.component, []).append(feature)
-    if not components:
-        return features
-    titles = [phrase("component {}, {}", n, titled(np.array([f.line for f in own]))) for n, own in components.items()]
-    return list(components.values())[chosen_part(source, titles)]
+class _Printed:
+    """Features of a print-out, a column a property."""
 
+    def __init__(self, source: Source) -> None:
+        self.source = source
+        self.lines = array("q")
+        self.components: dict[str, int] = {}
+        """Places of the components among all, by their numbers as printed."""
+        self.titles: list[str] = []
+        """These numbers."""
+        self.component_of = array("q")
+        self.numbers = array("q")
+        self.digits = array("b")
+        """Number of each feature, and how many digits it was printed with."""
+        self.values = array("d")
+        """Nominal X, Y, Z and actual X, Y, Z of each feature; NaN where there is none."""
+        self.sized = bytearray()
+        self.unmeasured = bytearray()
+        """Whether each feature has a size, and an axis that was not measured."""
+        self.axes: set[str] = set()
+        """Axes of the last feature."""
 
-def _position(source: Source, features: list[_Feature], number: int, text: str) -> None:
-    if _UNMEASURED.match(text) and features:
-        features[-1].unmeasured = True
-        return
-    found = _POSITION.match(text)
-    if found is None:
-        raise source.error(phrase("{} is no whole POSN line: print the results again", shown(text)), number)
-    if not features:
-        raise source.error(phrase("a POSN line without COMPONENT NO and FEATURE NO above it"), number)
-    axis, fields = found[1], [found[k] for k in (2, 3, 5)]
-    nominal, actual, deviation = (float(re.sub(r"\s", "", f)) for f in fields)
-    if not max(abs(nominal), abs(actual), abs(deviation)) <= _LARGEST:
-        raise source.error(phrase("a value is no length that a machine can travel"), number)
-    # Nominal and actual are printed alike, perhaps without last zeros, the deviation sometimes finer.
-    places = [len(f.partition(".")[2]) for f in fields]
-    rounding = 10.0 ** -max(places[:2]) + 10.0 ** -max(places) / 2
-    if abs(deviation - (actual - nominal)) > _BESIDES * rounding:
-        raise source.error(phrase("axis {}: DEV is not ACTUAL less nominal, the line is damaged", axis), number)
-    if axis in features[-1].axes:
-        raise source.error(phrase("axis {} of feature {} is there twice", axis, features[-1].name), number)
-    features[-1].axes[axis] = (nominal, actual)
+    def feature(self, line: int, component: str, number: str) -> None:
+        """Begin a feature."""
+        self.lines.append(line)
+        if component not in self.components:
+            self.components[component] = len(self.titles)
+            self.titles.append(component)
+        self.component_of.append(self.components[component])
+        self.numbers.append(int(number))
+        self.digits.append(len(number))
+        self.values.extend(_NOTHING)
+        self.sized.append(False)
+        self.unmeasured.append(False)
+        self.axes.clear()
 
+    def size(self) -> None:
+        """Take a size of the last feature."""
+        if self.sized:
+            self.sized[-1] = True
 
-def _measurement(source: Source, features: list[_Feature], ball: float) -> Measurement:
-    points = [f for f in features if not f.sized and {"X", "Y"} <= f.axes.keys()]
-    lone = [f for f in features if not f.sized and len(f.axes.keys() & {"X", "Y", "Z"}) == 1]
-    if not points:
-        raise source.error(
-            phrase(
-                "none of {} features has POSN X and POSN Y without SIZE: measure the contour by points", len(features)
-            ),
-            features[0].line if features else None,
-        )
-    heights = [f for f in points if "Z" in f.axes]
-    if heights and len(heights) < len(points):
-        other = next(f for f in points if "Z" not in f.axes)
-        raise source.error(phrase("feature {} has no POSN Z, others have", other.name), other.line)
-    names = [f.name for f in points]
-    if len(set(names)) < len(names):
-        again = next(f for k, f in enumerate(points) if f.name in names[:k])
-        raise source.error(
-            phrase("component and feature {} are there twice: keep one print-out", again.name), again.line
-        )
-    notes = []
-    if lone:
-        notes.append(
-            phrase(
-                "{} features left out: measured along one axis only, as feature {} (line {}); print where "
-                "the ball stood",
-                len(lone),
-                lone[0].name,
-                lone[0].line,
+    def position(self, line: int, text: str) -> None:
+        """Take a POSN line of the last feature."""
+        source = self.source
+        if _UNMEASURED.match(text) and self.lines:
+            self.unmeasured[-1] = True
+            return
+        found = _POSITION.match(text)
+        if found is None:
+            raise source.error(phrase("{} is no whole POSN line: print the results again", shown(text)), line)
+        if not self.lines:
+            raise source.error(phrase("a POSN line without COMPONENT NO and FEATURE NO above it"), line)
+        axis, fields = found[1], [found[k] for k in (2, 3, 5)]
+        nominal, actual, deviation = (float(re.sub(r"\s", "", f)) for f in fields)
+        if not max(abs(nominal), abs(actual), abs(deviation)) <= _LARGEST:
+            raise source.error(phrase("a value is no length that a machine can travel"), line)
+        # Nominal and actual are printed alike, perhaps without last zeros, the deviation sometimes finer.
+        places = [len(f.partition(".")[2]) for f in fields]
+        rounding = 10.0 ** -max(places[:2]) + 10.0 ** -max(places) / 2
+        if abs(deviation - (actual - nominal)) > _BESIDES * rounding:
+            raise source.error(phrase("axis {}: DEV is not ACTUAL less nominal, the line is damaged", axis), line)
+        if axis in self.axes:
+            raise source.error(phrase("axis {} of feature {} is there twice", axis, self._name(-1)), line)
+        self.axes.add(axis)
+        if axis in "XYZ":
+            place = "XYZ".index(axis) - len(_NOTHING)
+            self.values[place], self.values[place + 3] = nominal, actual
+
+    def _name(self, feature: int) -> str:
+        return f"{self.titles[self.component_of[feature]]}.{self.numbers[feature]:0{self.digits[feature]}d}"
+
+    def _of_part(self) -> Ints:
+        """Features of the component that the caller wants, by their places: each number is a part."""
+        component_of = np.array(self.component_of, dtype=np.int64)
+        if not self.components:
+            return component_of
+        lines = np.array(self.lines)
+        titles = [
+            phrase("component {}, {}", name, titled(lines[component_of == place]))
+            for name, place in self.components.items()
+        ]
+        return np.flatnonzero(component_of == chosen_part(self.source, titles))
+
+    def measurement(self, ball: float) -> Measurement:
+        """Features that are points, and notes about the others."""
+        source, own = self.source, self._of_part()
+        lines = np.array(self.lines, dtype=np.int64)[own]
+        values = np.array(self.values).reshape(-1, 2, 3)[own]
+        self.values = array("d")  # They are the most.
+        sized = np.array(self.sized, dtype=bool)[own]
+        there = ~np.isnan(values[:, 1])
+        points = np.flatnonzero(~sized & there[:, :2].all(axis=1))
+        lone = np.flatnonzero(~sized & (there.sum(axis=1) == 1))
+        if not len(points):
+            raise source.error(
+                phrase(
+                    "none of {} features has POSN X and POSN Y without SIZE: measure the contour by points", len(own)
+                ),
+                int(lines[0]) if len(own) else None,
             )
-        )
-    sized = sum(f.sized for f in features)
-    if sized:
-        notes.append(phrase("{} features with a size left out", sized))
-    unmeasured = sum(f.unmeasured for f in features)
-    if unmeasured:
-        notes.append(phrase("{} features have an axis that was not measured (ACTUAL NaN)", unmeasured))
-    rest = len(features) - len(points) - len(lone) - sized
-    if rest:
-        notes.append(phrase("{} features without POSN of X and Y left out", rest))
-    table = np.array([[f.axes.get(a, (0.0, 0.0)) for a in "XYZ"] for f in points])
-    return source.measurement(
-        "renishaw", table[:, :, 1], [f.line for f in points], ball_radius=ball, unit=source.unit(None),
-        nominal=table[:, :, 0], elements=names, has_z=bool(heights), notes=notes,
-    )  # fmt: skip
+        flat = points[~there[points, 2]]
+        has_z = len(flat) < len(points)
+        if has_z and len(flat):
+            raise source.error(
+                phrase("feature {} has no POSN Z, others have", self._name(own[flat[0]])), int(lines[flat[0]])
+            )
+        names = Names(map(self._name, own[points].tolist()))
+        again = self._repeated(own[points])
+        if again is not None:
+            raise source.error(
+                phrase("component and feature {} are there twice: keep one print-out", names[again]),
+                int(lines[points[again]]),
+            )
+        notes = []
+        if len(lone):
+            notes.append(
+                phrase(
+                    "{} features left out: measured along one axis only, as feature {} (line {}); print where "
+                    "the ball stood",
+                    len(lone),
+                    self._name(own[lone[0]]),
+                    int(lines[lone[0]]),
+                )
+            )
+        if sized.any():
+            notes.append(phrase("{} features with a size left out", int(sized.sum())))
+        unmeasured = int(np.array(self.unmeasured, dtype=bool)[own].sum())
+        if unmeasured:
+            notes.append(phrase("{} features have an axis that was not measured (ACTUAL NaN)", unmeasured))
+        rest = len(own) - len(points) - len(lone) - int(sized.sum())
+        if rest:
+            notes.append(phrase("{} features without POSN of X and Y left out", rest))
+        nominal, actual = values[points, 0], values[points, 1]
+        if not has_z:
+            nominal[:, 2] = actual[:, 2] = 0.0
+        return source.measurement(
+            "renishaw", actual, lines[points], ball_radius=ball, unit=source.unit(None), nominal=nominal,
+            elements=names, has_z=has_z, notes=notes,
+        )  # fmt: skip
+
+    def _repeated(self, features: Ints) -> int | None:
+        """Place among features of one component of the first one whose number was there before; None for none."""
+        # A number of nine digits at most, told apart by its zeros in front.
+        keys = np.array(self.numbers)[features] * 10 + np.array(self.digits)[features]
+        order = np.argsort(keys, kind="stable")
+        twice = order[1:][keys[order[1:]] == keys[order[:-1]]]
+        return int(twice.min()) if len(twice) else None

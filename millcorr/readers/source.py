@@ -6,7 +6,7 @@ Here the caller's words meet the file's: what the file does not say is demanded,
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -16,7 +16,8 @@ from millcorr.errors import FormatError, UsageError, unsaid
 from millcorr.messages import message, mm, option, phrase, remedy
 from millcorr.readers.measurement import LARGEST_LOBING, Basis, Measurement, Probe
 
-from .decoding import decode, lines_of
+from .decoding import decode, pieces, plain
+from .names import Names
 
 MM_PER_INCH = 25.4
 
@@ -37,6 +38,9 @@ LARGEST_BALL = 100.0
 
 FARTHEST = 1e6
 """No coordinate lies farther out than this, in mm."""
+
+_ROWS = 1 << 14
+"""Rows that are looked at in one go."""
 
 _TOLD = {
     "contact": phrase("contact points"),
@@ -99,12 +103,39 @@ class Source:
         """
         return decode(self.data, self.name, drop)
 
+    def plain(self) -> bytes:
+        r"""Text of the file in UTF-8, lines ending in ``\n`` or ``\r\n``: no copy of most files.
+
+        Raises
+        ------
+        FormatError
+            If the file is no text.
+        """
+        return plain(self.data, self.name)
+
     def lines(self, *, drop: bytes = b"") -> Iterator[tuple[int, str]]:
         """Lines of the file with their numbers from 1; FormatError for one of absurd length, or if it is no text."""
-        for number, line in enumerate(lines_of(self.text(drop=drop)), 1):
-            if len(line) > LONGEST_LINE:
-                raise self.too_long(len(line), number)
-            yield number, line
+        for first, piece in self.pieces(drop=drop):
+            for number, line in enumerate(piece.split("\n"), first):
+                if len(line) > LONGEST_LINE:
+                    raise self.too_long(len(line), number)
+                yield number, line
+
+    def pieces(self, *, drop: bytes = b"", table: bytes | None = None) -> Iterator[tuple[int, str]]:
+        """Some thousand lines at a time, without the end of the last one, and the number of the first, from 1.
+
+        `table` says what stands for each byte. FormatError as in `text`, before the first of them.
+        """
+        number, ended = 1, False
+        for piece in pieces(self.data, self.name, drop, table):
+            begun, ended = number, piece.endswith("\n")
+            number += piece.count("\n")
+            # A line may be as long as the file: nobody keeps it but who takes it.
+            piece = piece.removesuffix("\n")
+            yield begun, piece
+        if ended:
+            # The text goes on behind its last line end, with nothing.
+            yield number, ""
 
     def too_long(self, length: int, line: int) -> FormatError:
         """Error for a line, from 1, of absurd length."""
@@ -288,7 +319,7 @@ class Source:
         normals: Floats | None = None,
         nominal: Floats | None = None,
         stated: Floats | None = None,
-        elements: Sequence[str] | None = None,
+        elements: Iterable[str] | None = None,
         has_z: bool = True,
         notes: Sequence[str] = (),
     ) -> Measurement:
@@ -329,15 +360,9 @@ class Source:
                 stated = None if stated is None else stated * factor
         self._refuse_absurd(points, numbers, phrase("coordinate"))
         if nominal is not None:
-            self._refuse_absurd(np.nan_to_num(nominal), numbers, phrase("nominal coordinate"))
+            self._refuse_absurd(nominal, numbers, phrase("nominal coordinate"), missing=True)
         if normals is not None:
-            unit_length = unit_normals(normals, numbers, self.name)
-            # Rounded as printed they give the figures that other programs take from the same file.
-            off = unit_length - normals
-            kept = np.abs(off, out=off).max(axis=1) <= NORMAL_ROUNDING
-            if not kept.all():
-                normals = np.where(kept[:, None], normals, unit_length)
-            del off, unit_length
+            normals = self._unit_normals(normals, numbers)
         radius, remarks = 0.0, list(notes)
         if isinstance(ball_radius, np.ndarray):
             points, radius, remark = self._one_radius(points, normals, ball_radius, numbers)
@@ -347,17 +372,34 @@ class Source:
         return Measurement(
             points, normals, radius, numbers, self.name, self.digest, has_z,
             nominal=nominal,
-            elements=None if elements is None else tuple(elements),
+            elements=None if elements is None else elements if isinstance(elements, Names) else Names(elements),
             stated=stated,
             unit=unit,
             format=format,
             notes=tuple(remarks),
         )  # fmt: skip
 
-    def _refuse_absurd(self, values: Floats, lines: Ints, what: str) -> None:
-        wrong = np.flatnonzero(~(np.abs(values) <= FARTHEST).all(axis=1))
-        if len(wrong):
-            raise self.error(phrase("a {} is no length that a machine can travel", what), int(lines[wrong[0]]))
+    def _refuse_absurd(self, values: Floats, lines: Ints, what: str, *, missing: bool = False) -> None:
+        """FormatError for the first row of which a value is absurd, or NaN where none may be `missing`."""
+        for rows in slices(values):
+            good = np.abs(values[rows]) <= FARTHEST
+            if missing:
+                good |= np.isnan(values[rows])
+            if not good.all():
+                line = int(lines[rows][np.flatnonzero(~good.all(axis=1))[0]])
+                raise self.error(phrase("a {} is no length that a machine can travel", what), line)
+
+    def _unit_normals(self, normals: Floats, lines: Ints) -> Floats:
+        """Normals as printed, or of length 1 where they are farther from it than rounding."""
+        out = normals
+        for rows in slices(normals):
+            unit_length = unit_normals(normals[rows], lines[rows], self.name)
+            # Rounded as printed they give the figures that other programs take from the same file.
+            off = np.abs(unit_length - normals[rows]).max(axis=1) > NORMAL_ROUNDING
+            if off.any():
+                out = normals.copy() if out is normals else out
+                out[rows][off] = unit_length[off]
+        return out
 
     def _one_radius(
         self, points: Floats, normals: Floats | None, radii: Floats, lines: Ints
@@ -385,6 +427,11 @@ class Source:
             radius,
             phrase("{} points of another probe ball moved along their normals to {}", len(other), mm(radius, "g")),
         )
+
+
+def slices(table: Floats) -> Iterator[slice]:
+    """Rows of a table, some thousand at a time: a million rows are large."""
+    return (slice(begin, begin + _ROWS) for begin in range(0, len(table), _ROWS))
 
 
 def unit_normals(normals: Floats, lines: Ints, name: str) -> Floats:

@@ -8,7 +8,7 @@ import numpy as np
 from millcorr.arrays import Bools, Floats
 from millcorr.messages import phrase
 
-from .parts import SAME_PLACE
+from .parts import near
 
 _FEWEST = 3
 """Fewer pairs are no habit."""
@@ -25,13 +25,11 @@ def slow_touches(points: Floats) -> Bools:
     Notes
     -----
     A log has such pairs if there are three, and at least half of its places were touched twice, none more often, and
-    any two places that follow each other lie farther apart than `SAME_PLACE`. Then it cannot be a contour touched in
-    short steps, whose points would all be near the next one.
+    any two places that follow each other lie farther apart than `millcorr.readers.parts.SAME_PLACE`. Then it cannot be
+    a contour touched in short steps, whose points would all be near the next one.
     """
-    with np.errstate(over="ignore"):
-        steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
     # Touches that the next one repeats.
-    again = np.append(steps <= SAME_PLACE, False)
+    again = np.append(near(points[1:], points[:-1]), False)
     pairs = int(again.sum())
     if (again[1:] & again[:-1]).any() or pairs < max(_FEWEST, (len(points) - pairs) / 2):
         return np.ones(len(points), dtype=np.bool_)

@@ -116,18 +116,17 @@ def _predicted(prepared: Prepared) -> Aimed:
     request = replace(request, measurement=before.surface())
     deviation = deviations(before.surface(), nominal, cutter_radius=request.radius)
     offset = prepared.commanded_at(deviation)
-    notes: list[str] = []
     part = Part(deviation, offset, deviation.value - offset)
-    work = predicted_displacement(part, nominal, before.setup, request.settings, bool(prepared.history.marks), notes)
-    return Aimed(request, work, Correction.none(nominal), None, Modelled(aim_of(work), before), tuple(notes))
+    work = predicted_displacement(part, nominal, before.setup, request.settings, bool(prepared.history.marks))
+    return Aimed(request, work, Correction.none(nominal), None, Modelled(aim_of(work), before), work.notes)
 
 
 def _measured(prepared: Prepared, compared: Compared) -> Aimed:
     """By what repeats of measured deviations: mirrored, or through the machining system's transfer function."""
     request, nominal, settings = prepared.request, prepared.passes.nominal, prepared.request.settings
-    notes: list[str] = []
     progress.stage("separate")
-    work = wanted_displacement(list(compared.parts), nominal, settings, bool(prepared.history.marks), notes)
+    work = wanted_displacement(list(compared.parts), nominal, settings, bool(prepared.history.marks))
+    notes = list(work.notes)
     if work.separated is not None:
         seen = plausibility.examine_separated(work.deviation, work.separated, nominal, settings.unmeasured_share)
         notes += plausibility.refuse_dangerous(seen, settings.accept, request.measurements[0].source)
@@ -135,21 +134,20 @@ def _measured(prepared: Prepared, compared: Compared) -> Aimed:
         work = smoothed_over_parts(work, request.smoothed, nominal, settings)
     carried = None if prepared.rest is None else carried_along(prepared.rest, work, nominal)
     rest = prepared.rest if work.smoothed is None else carried
-    correction = correction_through(work, nominal, settings, notes, rest)
-    return Aimed(request, work, correction, carried, None, tuple(notes))
+    correction, said = correction_through(work, nominal, settings, rest)
+    return Aimed(request, work, correction, carried, None, (*notes, *said))
 
 
 def _combined(prepared: Prepared, compared: Compared, first: FirstCut | None) -> Aimed:
     """By touches and a model of the cut."""
     request, nominal, settings = prepared.request, prepared.passes.nominal, prepared.request.settings
     assert prepared.setup is not None
-    notes: list[str] = []
     progress.stage("simulate")
     work, target, before, axes, machine = combined_displacement(
         list(compared.parts), request.program, nominal, prepared.setup, settings, bool(prepared.history.marks), first,
-        prepared.commanded_at, notes,
+        prepared.commanded_at,
     )  # fmt: skip
     if request.smoothed is not None:
         work = smoothed_over_parts(work, request.smoothed, nominal, settings)
     modelled = Modelled(target, before, first, axes, machine)
-    return Aimed(request, work, Correction.none(nominal), None, modelled, tuple(notes))
+    return Aimed(request, work, Correction.none(nominal), None, modelled, work.notes)

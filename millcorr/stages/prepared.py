@@ -40,10 +40,8 @@ from millcorr.tolerances import EXACT
 
 from .request import Request
 
-OTHER_FRAMES = re.compile(
-    rb"[Gg](5[5-9]|54\.1|52|92|68|10)(?![0-9])|(?i:CYCL[ \t]+DEF[ \t]+(7|247)\b|TRANS[ \t]+DATUM)"
-)
-"""Codes that put what follows into another frame than G54."""
+OTHER_FRAMES = re.compile(rb"G(?:5[5-9]|54\.1|52|92|68|10)(?![0-9])|CYCL[ \t]+DEF[ \t]+(?:7|247)\b|TRANS[ \t]+DATUM")
+"""Codes, in capitals, that put what follows into another frame than G54."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -56,10 +54,13 @@ class History:
         In the order of its comments.
     again : Mark or None
         The one that was made from a part which is now looked at again.
+    notes : tuple of str
+        What is to be said of that.
     """
 
     marks: tuple[provenance.Mark, ...]
     again: provenance.Mark | None
+    notes: tuple[str, ...]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -105,6 +106,8 @@ class Passes:
         What the program follows, where the nominal was given apart from it: the nominal with what it carries.
     error : float
         How far the moves are off it, mm.
+    notes : tuple of str
+        What stays as it is, and how the contour was found.
     """
 
     nominal: Profile
@@ -115,6 +118,7 @@ class Passes:
     whole: Moves
     expected: CompensatedContour | None
     error: float
+    notes: tuple[str, ...]
 
     @property
     def carried(self) -> Correction | None:
@@ -198,33 +202,33 @@ def prepare(request: Request, *, check: bool = False) -> Prepared:
     depths = settings.each("depth", count)
     _require_a_cut(settings, request.radius)
     allowances = settings.each("allowance", count)
-    notes: list[str] = []
-    history = _history(request, allowances, check, notes)
+    history = _history(request, allowances, check)
     setup = require_setup(request.setup, settings, request.radius) if settings.with_setup else None
     _require_measured_or_not(request)
     surfaces = tuple(taken_down(m, a) for m, a in zip(request.measurements, allowances, strict=True))
     progress.step()
-    passes = _passes(request, bool(history.marks), surfaces[0] if surfaces else None, notes)
+    passes = _passes(request, bool(history.marks), surfaces[0] if surfaces else None)
     if setup is not None and not settings.depths and setup.stock.allowance_mm is not None:
         # What an elastic machine may leave of this depth is no mistake.
         depths = tuple(max(setup.stock.allowance_mm - allowance, 0.0) for allowance in allowances)
     program.require_plain(_touched(passes))
-    return Prepared(request, history, setup, depths, allowances, surfaces, passes, tuple(notes))
+    return Prepared(request, history, setup, depths, allowances, surfaces, passes, history.notes + passes.notes)
 
 
-def _history(request: Request, allowances: tuple[float, ...], check: bool, notes: list[str]) -> History:
+def _history(request: Request, allowances: tuple[float, ...], check: bool) -> History:
     program = request.program
     carried = provenance.marks(program.comments())
     digests = [m.fingerprint for m in request.measurements]
     again = provenance.applied(carried, digests) if check else None
+    notes: tuple[str, ...] = ()
     if again is not None:
-        notes.append(
+        notes = (
             phrase(
                 "{} carries the correction from this measurement already, since {}: the part was cut by an "
                 "earlier program, so all is shown as if this one carried no correction",
                 program.name,
                 again.date,
-            )
+            ),
         )
     if carried and any(allowances):
         raise InputError(
@@ -238,7 +242,7 @@ def _history(request: Request, allowances: tuple[float, ...], check: bool, notes
         )
     unknown = () if again is not None else digests
     provenance.refuse_second_use(carried, unknown, program.name, request.nominal is not None)
-    return History(carried, again)
+    return History(carried, again, notes)
 
 
 def _require_measured_or_not(request: Request) -> None:
@@ -266,15 +270,16 @@ def _require_measured_or_not(request: Request) -> None:
         raise UsageError(phrase("a first cut that leaves stock is made before anything is measured"))
 
 
-def _passes(request: Request, corrected: bool, measurement: Measurement | None, notes: list[str]) -> Passes:
+def _passes(request: Request, corrected: bool, measurement: Measurement | None) -> Passes:
     """The moves that make the nominal, and the nominal where it is the program's own."""
     program, settings = request.program, request.settings
     usable, path_radius = _usable(program, request.radius, settings)
-    cutters = _cutters(program, request, path_radius, measurement, notes)
+    cutters, notes = _cutters(program, request, path_radius, measurement)
     own = np.where(program.toolpath.compensation != Compensation.OFF, path_radius, request.radius)
     mine = usable & (np.abs(cutters - own) < EXACT)
     if request.nominal is None:
-        nominal, moves = _of_its_own(request, path_radius, mine, measurement, notes)
+        nominal, moves, more = _of_its_own(request, path_radius, mine, measurement)
+        notes += more
         found, whole, drawn = None, moves, False
     else:
         drawn = not request.nominal_is_first_program
@@ -295,13 +300,13 @@ def _passes(request: Request, corrected: bool, measurement: Measurement | None, 
         along = _roughing(moves.toolpath, cutters[moves.origin], rows, nominal, request)
         moves = replace(moves, along=moves.along | along)
     expected, error = (None, 0.0) if found is None else (found.expected, found.error)
-    return Passes(nominal, drawn, path_radius, cutters, moves, whole, expected, error)
+    return Passes(nominal, drawn, path_radius, cutters, moves, whole, expected, error, notes)
 
 
 def _of_its_own(
-    request: Request, path_radius: float, usable: Bools, measurement: Measurement | None, notes: list[str]
-) -> tuple[Profile, Moves]:
-    """The nominal that a program cuts, and the moves that cut it."""
+    request: Request, path_radius: float, usable: Bools, measurement: Measurement | None
+) -> tuple[Profile, Moves, tuple[str, ...]]:
+    """The nominal that a program cuts, the moves that cut it, and what is to be said of it."""
     program, settings = request.program, request.settings
     toolpath, kept = program.toolpath, np.ones(len(program.toolpath), dtype=bool)
     if settings.leave_stock:
@@ -309,9 +314,9 @@ def _of_its_own(
         usable = usable[kept]
     if settings.method == "predicted":
         _require_side(settings, toolpath, usable)
-    nominal, cut = _own_contour(program, toolpath, settings, measurement, request.radius, path_radius, usable, notes)
+    nominal, cut, notes = _own_contour(program, toolpath, settings, measurement, request.radius, path_radius, usable)
     following = on_the_path(toolpath, usable, cut, program.resolution)
-    return nominal, Moves(toolpath, following, np.zeros(len(toolpath), dtype=bool), np.flatnonzero(kept))
+    return nominal, Moves(toolpath, following, np.zeros(len(toolpath), dtype=bool), np.flatnonzero(kept)), notes
 
 
 def _of_a_nominal(
@@ -377,7 +382,7 @@ def nominal_from_program(
     usable, path_radius = _usable(program, radius, settings)
     if measurement is not None:
         measurement = taken_down(measurement, (*settings.allowances, 0.0)[0])
-    return _own_contour(program, program.toolpath, settings, measurement, radius, path_radius, usable, [])[0]
+    return _own_contour(program, program.toolpath, settings, measurement, radius, path_radius, usable)[0]
 
 
 def _require_a_cut(settings: Settings, radius: float) -> None:
@@ -444,9 +449,8 @@ def _own_contour(
     radius: float,
     path_radius: float,
     usable: Bools,
-    notes: list[str],
-) -> tuple[Profile, list[CutContour]]:
-    """The contour that the program cuts near the measured points, and what cuts it."""
+) -> tuple[Profile, list[CutContour], tuple[str, ...]]:
+    """The contour that the program cuts near the measured points, what cuts it, and what is to be said of it."""
 
     def doubt(everything: Profile) -> None:
         if measurement is not None and measurement.axis_radii is None and measurement.probe is None:
@@ -466,21 +470,23 @@ def _own_contour(
             except InputError:
                 continue
         raise
-    nominal, words, cut = nominal_of(
+    nominal, notes, cut = nominal_of(
         toolpath, usable, path_radius, right, measurement, program.name, doubt, resolution=program.resolution
     )
-    notes += words
-    return nominal, cut
+    return nominal, cut, tuple(notes)
 
 
 def _cutters(
-    program: nc.Program, request: Request, path_radius: float, measurement: Measurement | None, notes: list[str]
-) -> Floats:
-    """Radius of the cutter of every move of the program, mm; NaN where it is not known, or cuts another part."""
-    other = _other_parts(program, request, path_radius, measurement, notes)
+    program: nc.Program, request: Request, path_radius: float, measurement: Measurement | None
+) -> tuple[Floats, tuple[str, ...]]:
+    """Radius of the cutter of every move of the program, mm; NaN where it is not known, or cuts another part.
+
+    Beside what is to be said of such moves.
+    """
+    other, notes = _other_parts(program, request, path_radius, measurement)
     if len(np.unique(program.toolpath.tool)) < 2:
         radii = cutter_radii(program.toolpath, request.radius, path_radius, {}, measurement)[0]
-        return np.where(other, np.nan, radii)
+        return np.where(other, np.nan, radii), notes
     scale = 25.4 if (program.modal.unit == 20).any() else 1.0
     stated = stated_diameters(program.comments(), scale) | dict(request.settings.tool_diameters)
     radii, unknown = cutter_radii(program.toolpath, request.radius, path_radius, stated, measurement)
@@ -494,39 +500,39 @@ def _cutters(
             else phrase("a T word before its cuts gives it a number to state")
         )
         what = phrase("the diameter of {} is not known", ", ".join(listed))
-        notes.append(phrase("{}: what it cuts stays as it is and is not looked at; {}", what, way_out))
-    return np.where(other, np.nan, radii)
+        notes += (phrase("{}: what it cuts stays as it is and is not looked at; {}", what, way_out),)
+    return np.where(other, np.nan, radii), notes
 
 
 def _other_parts(
-    program: nc.Program, request: Request, path_radius: float, measurement: Measurement | None, notes: list[str]
-) -> Bools:
-    """Moves under another work offset than those that made the points, or in a frame that is turned or moved; (n,)."""
+    program: nc.Program, request: Request, path_radius: float, measurement: Measurement | None
+) -> tuple[Bools, tuple[str, ...]]:
+    """Moves under another work offset than those that made the points, or in a frame that is turned or moved; (n,).
+
+    Beside what is to be said of them.
+    """
     toolpath = program.toolpath
     out = np.zeros(len(toolpath), dtype=bool)
-    if not OTHER_FRAMES.search(program.data):
-        return out
+    if not OTHER_FRAMES.search(program.data.upper()):
+        return out, ()
     out |= program.opaque_moves()
     moves = moves_of(program.data, program.beside)
     if not len(moves) or measurement is None:
-        return out
+        return out, ()
     offset = moves.offset[np.clip(np.searchsorted(moves.line, toolpath.source, side="right") - 1, 0, None)]
     cuts = (toolpath.kind != Kind.RAPID) & np.isfinite(toolpath.end[:, :2]).all(axis=1) & ~out
     _, first = np.unique(offset[cuts], return_index=True)
     frames = offset[cuts][np.sort(first)].tolist()
     if len(frames) < 2:
-        return out
+        return out, ()
     away = abs(path_radius - measurement.ball_radius), abs(request.radius - measurement.ball_radius)
     mine = nearest_group(toolpath, cuts, offset, frames, away, measurement)
-    notes.append(
-        phrase(
-            "what is cut under {} is another part than the measured one, cut under {}: it stays as it is",
-            _offset_name(frames[0] if frames[0] != mine else frames[1]),
-            _offset_name(mine),
-        )
+    note = phrase(
+        "what is cut under {} is another part than the measured one, cut under {}: it stays as it is",
+        _offset_name(frames[0] if frames[0] != mine else frames[1]),
+        _offset_name(mine),
     )
-    other: Bools = out | (offset != mine)
-    return other
+    return out | (offset != mine), (note,)
 
 
 def _offset_name(offset: int) -> str:

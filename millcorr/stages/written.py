@@ -87,9 +87,9 @@ def write(prepared: Prepared, aimed: Aimed, noted: Sequence[Ints]) -> Written:
     if aimed.modelled is None:
         return Written(lay(aimed.correction), aimed.correction, None, tuple(notes))
     model = aimed.modelled
-    prediction, correction, emission = predict(model.aim, model.before, model.first, settings, program.name, lay, notes)
+    prediction, correction, emission, said = predict(model.aim, model.before, model.first, settings, program.name, lay)
     prediction = replace(prediction, axes=model.axes, machine=model.machine)
-    return Written(emission, correction, prediction, tuple(notes))
+    return Written(emission, correction, prediction, tuple(dict.fromkeys((*notes, *said))))
 
 
 def header(request: Request, noted: Sequence[Ints]) -> tuple[str, ...]:

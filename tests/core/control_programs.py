@@ -115,6 +115,46 @@ def moves(contour: Contour, at: str, family: str) -> list[str]:
     return lines
 
 
+def all_rounded(contour: Contour) -> list[str]:
+    """Siemens' lines around the contour: RNDM= where the radius of the corners changes, chamfers on their own."""
+    lines, modal = [f"G41 D1 G1 X{number(contour.start[0])} Y{number(contour.start[1])} F400."], 0.0
+    for edge in contour.edges:
+        line = f"X{number(edge.end[0])} Y{number(edge.end[1])}"
+        if edge.centre is None:
+            line = "G1 " + line
+        else:
+            line = f"G{2 if edge.clockwise else 3} {line} I=AC({number(edge.centre[0])}) J=AC({number(edge.centre[1])})"
+        kind, size = edge.corner or ("R", 0.0)
+        if kind == "C":
+            line += f" CHR={number(size)}"
+        elif size != modal:
+            line, modal = f"{line} RNDM={number(size)}", size
+        lines.append(line)
+    return [*lines, f"G40 G1 X{number(contour.outside[0])} Y{number(contour.outside[1])} RNDM=0"]
+
+
+def about_poles(contour: Contour) -> list[str]:
+    """Siemens' lines around the contour, every place by its polar angle and radius."""
+    lines = [f"G41 D1 G1 X{number(contour.start[0])} Y{number(contour.start[1])} F400."]
+    at, pole, last = contour.start, None, 0.0
+    for k, edge in enumerate(contour.edges):
+        if edge.centre is not None:
+            x, y = np.subtract(edge.centre, at)
+            lines.append(f"G110 X{number(x)} Y{number(y)}")
+        elif pole != (3.0, -4.0):
+            lines += ["G111 X1.5 Y=0", "G112 X1.5 Y-4."]
+        before, pole = pole, edge.centre or (3.0, -4.0)
+        x, y = np.subtract(edge.end, pole)
+        angle = math.degrees(math.atan2(y, x))
+        said = f"AP=IC({number(angle - last)})" if pole == before and k % 2 else f"AP={number(angle)}"
+        line = f"G{1 if edge.centre is None else 2 if edge.clockwise else 3} {said} RP={number(math.hypot(x, y))}"
+        if edge.corner:
+            line += f" {'RND' if edge.corner[0] == 'R' else 'CHR'}={number(edge.corner[1])}"
+        lines.append(line)
+        at, last = edge.end, angle
+    return [*lines, f"G40 G1 X{number(contour.outside[0])} Y{number(contour.outside[1])}"]
+
+
 def plain_language(contour: Contour) -> list[str]:
     """Blocks of HEIDENHAIN plain language, from where the tool stands outside, around the contour and back."""
     lines = [f"L X{number(contour.start[0])} Y{number(contour.start[1])} RL F400"]
@@ -166,7 +206,8 @@ def written(contour: Contour, family: str) -> str:
         ]  # fmt: skip
         return "\n".join(f"{i} {block}" for i, block in enumerate(blocks)) + "\n"
     at = f"X{number(contour.outside[0])} Y{number(contour.outside[1])}"
-    body = moves(contour, at, family)
+    other = {"Siemens, all rounded": all_rounded, "Siemens, polar": about_poles}.get(family)
+    body = other(contour) if other else moves(contour, at, family)
     head = ["G21 G17 G90 G40", "T1 M6", f"G0 {at}", "Z0."]
     tail = ["G90 G0 Z50.", "M30"]
     sub = ["G91 G1 Z-2. F200.", "G90", *body]
@@ -181,8 +222,11 @@ def written(contour: Contour, family: str) -> str:
             "%_N_PART_MPF", ";$PATH=/_N_WKS_DIR", 'MSG("PART") ; first', *head, "L2 P3", *tail,
             "%_N_L2_SPF", *sub, "M17",
         ],
-    }[family]()  # fmt: skip
+    }[family.partition(",")[0]]()  # fmt: skip
     return "\n".join(lines) + "\n"
 
 
-FAMILIES = ("Fanuc", "Haas", "Mazak", "Okuma", "LinuxCNC", "Siemens", "Heidenhain", "Heidenhain ISO")
+FAMILIES = (
+    "Fanuc", "Haas", "Mazak", "Okuma", "LinuxCNC", "Siemens", "Siemens, all rounded", "Siemens, polar",
+    "Heidenhain", "Heidenhain ISO",
+)  # fmt: skip

@@ -369,6 +369,7 @@ def batch():
     child(here, "Write", QtGui.QPushButton).click()
     until(lambda: not task.writing, "report of the history")
     check(os.path.exists(path("history/history.html")), f"no history: {task.wrong}")
+    check(any("history" in line for line in recorded), "the history is not recorded")
     shot("history")
     here.close()
     from millcorr.gui import plots as module
@@ -400,7 +401,7 @@ def leave_lines(program):
     """For a FreeCAD without a window to run again; a journal would refuse the same part."""
     files = {
         name: open(path(name), encoding="utf-8").read()
-        for name in ("demo-corrected.nc", "demo-combined.nc", "probe.ngc", "probe-macro.ngc")
+        for name in ("demo-corrected.nc", "demo-combined.nc", "probe.ngc", "probe-macro.ngc", "history/history.html")
     }
     lines = [line for line in recorded if "jobs.run" not in line]
     with open(path("shop.json"), "w", encoding="utf-8") as stream:

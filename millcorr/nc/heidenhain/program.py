@@ -7,7 +7,7 @@ import gc
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import ClassVar, TypedDict
 
 import numpy as np
@@ -19,6 +19,7 @@ from millcorr.nc.motion import Modal, Stretch
 from millcorr.nc.order import Run
 from millcorr.nc.program import Program
 from millcorr.nc.style import Style
+from millcorr.nc.ties import Tie, beside
 from millcorr.nc.toolpath import Toolpath, named_tool
 from millcorr.nc.words import Words, line_starts
 
@@ -72,33 +73,9 @@ class Course:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class KlartextProgram(Program):
-    """A plain-language program; `modal` holds unit and feed only.
-
-    Parameters
-    ----------
-    tangents : (k,) int64
-        Blocks whose arc takes its direction from the move before it: CT, CTP. `leaning` are corners: RND, CHF; `led`
-        are approaches and departures: APPR, DEP.
-    """
-
-    tangents: Ints = field(default_factory=lambda: np.zeros(0, np.int64))
+    """A plain-language program; `modal` holds unit and feed only, `led` are approaches and departures: APPR, DEP."""
 
     plain_moves: ClassVar[str] = "plain L, CC, C and CR blocks"
-
-    def written_out(self, changed: Ints) -> Ints:
-        """Blocks that are written anew where some change: those too that corners and tangents join to these."""
-        moving = np.unique(self.toolpath.source)
-        out = set(changed.tolist())
-        corners = self.leaning.tolist()
-        # There and back again: what joins a later corner to a change is joined to the earlier ones of its row.
-        for block in [*corners, *reversed(corners), *self.tangents.tolist()]:
-            place = int(np.searchsorted(moving, block))
-            beside = moving[max(place - 1, 0) : place + 2].tolist()
-            if block in self.tangents:
-                out.update([block] if beside[0] in out else [])
-            elif out.intersection(beside):
-                out.update(beside)
-        return np.array(sorted(out), np.int64)
 
     def comments(self) -> list[tuple[int, str]]:
         """All comments: index of the line from 0, and the text without its mark."""
@@ -184,6 +161,7 @@ def parse(data: bytes, name: str) -> KlartextProgram:
 def parts_of(followed: Follower) -> Parts:
     """What a program holds of one run of it."""
     count, lines = len(followed.feed_words), followed.lines()
+    toolpath = toolpath_of(followed.rows)
     modal = Modal(
         motion=np.full(count, UNSTATED),
         plane=np.full(count, 17),
@@ -194,13 +172,12 @@ def parts_of(followed: Follower) -> Parts:
         shift=np.zeros((count, 3)),
     )
     return Parts(
-        toolpath=toolpath_of(followed.rows).with_lines(lines),
+        toolpath=toolpath.with_lines(lines),
         modal=modal,
         opaque=tuple(followed.stretches),
         run=Run(lines, NO_WORDS, (), count, {}, {}),
-        leaning=np.array(followed.corners, np.int64),
+        ties=followed.ties(toolpath),
         led=np.array(followed.led, np.int64),
-        tangents=np.array(followed.tangents, np.int64),
     )
 
 
@@ -223,9 +200,8 @@ class Parts(TypedDict):
     modal: Modal
     opaque: tuple[Stretch, ...]
     run: Run
-    leaning: Ints
+    ties: tuple[Tie, ...]
     led: Ints
-    tangents: Ints
 
 
 class _Lost(Exception):
@@ -269,6 +245,14 @@ class Follower:
         """Line of every block as it runs; None where every line runs once, in the order of the text."""
         out = [line for k in self.order for line in range(self.blocks[k].first, self.blocks[k].last + 1)]
         return None if out == list(range(self.all_lines)) else np.array(out, np.int64)
+
+    def ties(self, toolpath: Toolpath) -> tuple[Tie, ...]:
+        """What corners (RND, CHF) and tangents (CT, CTP) tie together."""
+        corners, tangents = np.array(self.corners, np.int64), np.array(self.tangents, np.int64)
+        joined = zip(corners.tolist(), beside(corners, toolpath), strict=True)
+        bent = zip(tangents.tolist(), beside(tangents, toolpath), strict=True)
+        rows = [(before, block, behind) for block, (before, behind) in joined]
+        return (*(Tie(row, row) for row in rows), *(Tie((before,), (block,)) for block, (before, _) in bent))
 
     def _run(self) -> None:
         k, lost, ended = 0, -1, False

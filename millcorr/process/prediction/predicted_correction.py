@@ -134,7 +134,7 @@ def require_setup(setup: Setup | None, settings: Settings, radius: float) -> Set
 
 
 def predicted_displacement(
-    part: Part, nominal: Profile, setup: Setup, settings: Settings, corrected_before: bool, warnings: list[str]
+    part: Part, nominal: Profile, setup: Setup, settings: Settings, corrected_before: bool
 ) -> WantedDisplacement:
     """Displacement of a predicted surface, which is treated as a measured one.
 
@@ -147,8 +147,6 @@ def predicted_displacement(
     settings : Settings
         Its filter counts only where it was chosen: a model has no random part for `auto` to find.
     corrected_before : bool
-    warnings : list of str
-        Findings are appended.
 
     Returns
     -------
@@ -161,10 +159,7 @@ def predicted_displacement(
     machine = part.machine
     if depth is not None and depth > 0 and machine.min(initial=0.0) >= 0 and machine.max() <= LEAST_DEPTH * depth:
         chosen = replace(chosen, method="transfer", depth=(depth,))
-    noted: list[str] = []
-    work = displacement_without_noise(part, nominal, chosen, corrected_before, noted)
-    warnings += [note for note in noted if note not in warnings]
-    return work
+    return displacement_without_noise(part, nominal, chosen, corrected_before)
 
 
 def aim_of(work: WantedDisplacement) -> Aim:
@@ -180,8 +175,7 @@ def predict(
     settings: Settings,
     name: str,
     lay: Callable[[Correction], Emission],
-    warnings: list[str],
-) -> tuple[Prediction, Correction, Emission]:
+) -> tuple[Prediction, Correction, Emission, tuple[str, ...]]:
     """Correct, and simulate what was written.
 
     Parameters
@@ -196,12 +190,12 @@ def predict(
         Name of the program, for messages.
     lay : callable
         From a correction to the program that carries it.
-    warnings : list of str
-        Findings are appended.
 
     Returns
     -------
     Prediction, Correction, Emission
+    tuple of str
+        What is to be said of it.
 
     Raises
     ------
@@ -218,8 +212,7 @@ def predict(
     _, correction, notes, written, passes = settle(
         aim, before.nominal, lay=lay, cut=cut, radius=radius, limit=settings.limit, bound=settings.iterate
     )
-    warnings += [note for note in (*notes, *before.cautions) if note not in warnings]
-    return Prediction(before, passes), correction, written
+    return Prediction(before, passes), correction, written, (*notes, *before.cautions)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -249,7 +242,6 @@ def combined_displacement(
     corrected_before: bool,
     first: FirstCut | None,
     offset_at: Callable[[Deviation], Floats],
-    warnings: list[str],
 ) -> tuple[WantedDisplacement, Aim, Simulation, AxisTransfer, Machine]:
     """Displacement of touches that a simulation carries along the whole contour.
 
@@ -269,8 +261,6 @@ def combined_displacement(
         What cut the touched part, if not the program.
     offset_at : callable
         Program's own offset at a Deviation's points, mm.
-    warnings : list of str
-        Findings are appended.
 
     Returns
     -------
@@ -322,20 +312,21 @@ def combined_displacement(
 
     share = weights_at(setup, nominal, touched.foot) if table else None
     machine = identify_machine(goal, touched.normal, force, table, share)
+    notes: tuple[str, ...] = ()
     if table:
         # How soft each place is, is known now.
         setup = machine.of(setup)
         soft = _softness(setup, nominal, touched.foot, touched.normal)
         axes = identify(value, whole, removed, area * soft, touched.normal, touched.foot)
         if not machine.separate:
-            warnings.append(
+            notes += (
                 phrase(
                     "the touches do not tell the rows of [machine] stiffness_along apart: all are off by one "
                     "factor; touch at each of its places"
-                )
+                ),
             )
     if len(touched) > 1 and not axes.separate:
-        warnings.append(phrase("the touches do not tell the axes apart: both are taken as equally stiff"))
+        notes += (phrase("the touches do not tell the axes apart: both are taken as equally stiff"),)
     if first is None:
         before = cut[0]
     else:
@@ -358,7 +349,8 @@ def combined_displacement(
     yields = 1.0 + axes.along(areas, d.normal) * axes.depth / (depth if first is None else allowance * stood)
     wanted = base - settings.gain * (base - axes.correction(areas, d.normal))
     aim = Aim(d.contour, d.stretch, d.s, wanted, yields)
-    return _touches(parts, value, depth, area * soft, axes), aim, before, axes, machine
+    work = replace(_touches(parts, value, depth, area * soft, axes), notes=notes)
+    return work, aim, before, axes, machine
 
 
 def _softness(setup: Setup, nominal: Profile, place: Floats, normal: Floats) -> Floats:

@@ -34,7 +34,7 @@ def noisy(seed: int) -> Measurement:
 def examined(measurement: Measurement) -> tuple[plausibility.Finding, ...]:
     """What the model says of one part."""
     d = deviations(measurement, NOMINAL)
-    work = wanted_displacement([Part(d, np.zeros(len(d)), d.value)], NOMINAL, pipeline.Settings(), False, [])
+    work = wanted_displacement([Part(d, np.zeros(len(d)), d.value)], NOMINAL, pipeline.Settings(), False)
     assert work.separated is not None
     return plausibility.examine_separated(d, work.separated, NOMINAL, 0.6)
 

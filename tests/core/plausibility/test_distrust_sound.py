@@ -481,8 +481,8 @@ def parts_and_correction(profile: Profile, seed: int) -> tuple[Deviation, Deviat
 
     first = used(made.follow(profile, seed=seed), seed)
     settings = pipeline.Settings(filter=filter, limit=2.0)
-    work = wanted_displacement([Part(first, np.zeros(len(first)), first.value)], profile, settings, False, [])
-    correction = correction_through(work, profile, settings, [])
+    work = wanted_displacement([Part(first, np.zeros(len(first)), first.value)], profile, settings, False)
+    correction, _ = correction_through(work, profile, settings)
     stretches = profile.stretches()
 
     def shift(contour: int, s: np.ndarray) -> np.ndarray:

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from millcorr.errors import FormatError, UsageError
-from millcorr.readers import dmis, dprnt, mapped, msr
+from millcorr.readers import decoding, dmis, dprnt, mapped, msr
 from millcorr.readers.decimal_columns import decimal_words
-from millcorr.readers.decoding import blocks_of
+from millcorr.readers.names import Names
 from tests.core import measurement_files as files
 from tests.core import readers_fuzz
 
@@ -31,9 +31,8 @@ def outcome(format, data, options):
 def test_damaged_files_come_out_alike(format, monkeypatch):
     generator = random.Random(format)
     module, name = SHORTCUTS[format]
-    if hasattr(module, "_BLOCK"):
-        # Small enough for points to be cut in two by the end of a block, and for damage to leave whole blocks.
-        monkeypatch.setattr(module, "_BLOCK", 150)
+    # Small enough for points to be cut in two by the end of a piece, and for damage to leave whole pieces.
+    monkeypatch.setattr(decoding, "_PIECE", 150)
     candidates = readers_fuzz.large(format, 12)
     different = refused = 0
     for _ in range(400):
@@ -90,8 +89,57 @@ def test_what_is_no_word_is_left_to_the_line(lines):
     assert decimal_words(lines) is None
 
 
-def test_blocks_are_whole_lines_and_nothing_is_lost():
-    text = "ab\n" * 100 + "c" * 50 + "\n\nlast"
-    for size in (1, 3, 7, 64, 10_000):
-        blocks = list(blocks_of(text, size))
-        assert "".join(blocks) == text and all(block.endswith("\n") for block in blocks[:-1])
+DROPPED = b"\x00\x11\x12\x13\x14\x1a"
+
+
+def in_one(read, *arguments):
+    try:
+        return read(*arguments)
+    except FormatError as error:
+        return str(error)
+
+
+@pytest.mark.parametrize("drop", (b"", DROPPED))
+@pytest.mark.parametrize("size", (1, 3, 7, 64, 10_000))
+def test_pieces_are_whole_lines_of_the_same_text(size, drop, monkeypatch):
+    monkeypatch.setattr(decoding, "_PIECE", size)
+    generator = random.Random(size)
+    parts = [b"ab", b"c" * 50, b"\n", b"\r\n", b"\r", b" ", b"\x12", b"\x00", b"\x1a", b"\xb5", b"\x07", b"<xml "]
+    weights = [9, 1, 4, 4, 2, 2, 1, 0.3, 0.3, 0.1, 0.1, 0.1]
+    read = refused = 0
+    for _ in range(1500):
+        data = b"".join(generator.choices(parts, weights, k=generator.randrange(1, 40)))
+        wanted = in_one(decoding.decode, data, "file", drop)
+        found = in_one(lambda *of: list(decoding.pieces(*of)), data, "file", drop)
+        if isinstance(found, str):
+            refused += 1
+        else:
+            read += 1
+            assert all(piece.endswith("\n") for piece in found[:-1]), data
+            found = "".join(found)
+        assert found == wanted, data
+    assert read > 300 and refused > 30
+
+
+def test_plain_bytes_are_the_same_text():
+    generator = random.Random(5)
+    parts = [b"ab", b"\n", b"\r\n", b"\r", b" ", b"\x1a", b"\xb5", b"\x07", b"<xml "]
+    own = 0
+    for _ in range(1500):
+        data = b"".join(generator.choices(parts, [9, 4, 4, 0.5, 2, 0.3, 0.1, 0.1, 0.1], k=generator.randrange(1, 40)))
+        wanted, found = (in_one(read, data, "file") for read in (decoding.decode, decoding.plain))
+        own += found is data
+        assert found == wanted or found.decode().replace("\r\n", "\n") == wanted, data
+    assert 300 < own < 1400
+
+
+def test_a_name_a_point_is_as_a_tuple_of_them():
+    several = ("P1", "", "Öse", "12", "\udc80")
+    names = Names(iter(several))
+    assert names == several and several == names and names != several[:4] and names != Names(several[:4])
+    assert names == Names(several) and hash(names) == hash(several) and len(names) == 5
+    assert names[-1] == several[-1] and names[2] == "Öse" and names[1:3] == several[1:3] and list(names) == [*several]
+    assert names != (*several[:4], "x")
+    for beyond in (5, -6):
+        with pytest.raises(IndexError):
+            names[beyond]

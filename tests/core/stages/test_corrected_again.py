@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from millcorr import nc, pipeline
@@ -59,6 +59,8 @@ def wave(mean: float, swing: float, waves: int, total: float):
     waves=st.integers(1, 2),
     second=st.floats(-0.04, 0.04),
 )
+@example(name="contour", mean=0.0, share=0.7395780493051004, waves=1, second=0.02134915540026698)
+@example(name="levels", mean=0.19125311524629957, share=0.008529386942264907, waves=2, second=0.0)
 def test_three_corrections_up_to_the_limit(name: str, mean: float, share: float, waves: int, second: float) -> None:
     """What the program carries is known to a micrometre before the second and the third, and all add up."""
     program, nominal, radius, clear = start(name)
