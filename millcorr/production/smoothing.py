@@ -147,10 +147,13 @@ def form_that_stays(
         return None
     found = together([*known, points], np.ones(len(known) + 1), nominal, filter)
     stretch, s = places.along()
-    machine, std = found.at(stretch, s)
-    near = staying_share(found.unknown(stretch, s)) < 1.0
+    machine, _ = found.at(stretch, s)
+    unknown = found.unknown(stretch, s)
+    near = staying_share(unknown) < 1.0
     if not near.any():
         return None
+    # Of the form alone: how far the parts lie apart is no matter of its distance from its mean.
+    std = found.separated.sizes.form * np.sqrt(np.maximum(unknown, 0.0))
     band, scatter = found.separated.band, found.separated.random_std
     left = (machine + applied)[near]
     left = np.abs(left - left.mean())

@@ -52,6 +52,11 @@ WHITE_LEAST = 1e-4
 """No measured value is better than this, in mm: the best measuring machines repeat to 0.1 um, and a milled surface is
 rougher. What the rounding of the file's numbers adds comes on top (`Observed.rounding`)."""
 
+SMOOTHEST = 1e-3
+"""Where many points are suspects and less noise than this, mm, is found, outliers are looked for as if it were so much:
+no milled surface is smoother from point to point. Where a simulated one is, some humps on a flat to a hair were as
+likely a quarter of outliers as a form, and the last digit decided. They are settled with the noise as it is."""
+
 OUTLIERS = 0.01
 """Share of points that are expected to be wrong, before anything is known: a tenth to ten times as much moves the
 border between a far point and an outlier by half a standard deviation."""
@@ -211,6 +216,12 @@ class Gathered:
         systematic = np.where(self.kind == 1, 1.0, scale[:, None])
         out.cells = replace(self.cells, columns=self.cells.columns * systematic, scale=scale)
         out.value = scale[self.of] * self.value
+        return out
+
+    def no_smoother(self, least: float) -> Gathered:
+        """The same where no value is taken to be better than this, mm."""
+        out = copy.copy(self)
+        out.least = max(self.least, least)
         return out
 
     def step(self, form_length: float, nodes: float) -> float:
@@ -576,7 +587,18 @@ def _fitted(observed: Observed, stretches: Stretches) -> tuple[Gathered, Fit]:
         x = Likelihood(gathered, weight).minimum(found.x, _ROUNDS_OF_SEARCH)[1]
         return gathered, replace(found, x=x, weight=weight)
     few = gathered if len(observed) <= SEARCHED else Gathered(observed, stretches, SEARCHED)
-    gap = few.spacing
+    best, many = _likeliest(few, gathered, observed)
+    sizes = Likelihood(few, best.weight).sizes(best.x)
+    if many and math.hypot(sizes.process, sizes.white) < SMOOTHEST:
+        milled, _ = _likeliest(few.no_smoother(SMOOTHEST), gathered.no_smoother(SMOOTHEST), observed)
+        best = _settled(few, milled.weight, few.spacing, None)
+    if few is gathered:
+        return gathered, best
+    return gathered, replace(best, x=Likelihood(gathered, best.weight).minimum(best.x, _ROUNDS_OF_START)[1])
+
+
+def _likeliest(few: Gathered, gathered: Gathered, observed: Observed) -> tuple[Fit, bool]:
+    """The likeliest of the fits that different outliers lead to, and whether many points were suspects."""
     begun: list[Bools] = []
     fits: list[Fit] = []
     none = np.zeros(len(observed), dtype=bool)
@@ -584,17 +606,15 @@ def _fitted(observed: Observed, stretches: Stretches) -> tuple[Gathered, Fit]:
         wrong = _suspects(gathered, observed, half) if len(observed) >= _FEW else none
         if not any(np.array_equal(wrong, other) for other in begun):
             begun.append(wrong)
-            fits.append(_settled(few, np.where(wrong, IGNORED, 1.0), gap, fits[0].x if fits else None))
+            fits.append(_settled(few, np.where(wrong, IGNORED, 1.0), few.spacing, fits[0].x if fits else None))
             if not wrong.any() and fits[-1].weight.min() >= 0.5:
                 # Nothing stands out, neither beforehand nor of what was found.
                 break
-    if max(wrong.mean() for wrong in begun) > MANY_SUSPECTS:
+    many = max(wrong.mean() for wrong in begun) > MANY_SUSPECTS
+    if many:
         # Where all but some humps is flat to a hair, every point of a hump stands out, and the humps are form.
-        fits.append(_settled(few, np.ones(len(observed)), gap, None))
-    best = min(fits, key=lambda fit: fit.cost)
-    if few is gathered:
-        return gathered, best
-    return gathered, replace(best, x=Likelihood(gathered, best.weight).minimum(best.x, _ROUNDS_OF_START)[1])
+        fits.append(_settled(few, np.ones(len(observed)), few.spacing, None))
+    return min(fits, key=lambda fit: fit.cost), many
 
 
 CERTAIN = 0.0027

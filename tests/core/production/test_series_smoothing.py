@@ -19,7 +19,7 @@ from millcorr.production.journal import Entry
 from millcorr.production.places import Places
 from millcorr.production.points import Points, together
 from millcorr.production.process_control import Control, weights
-from millcorr.production.smoothing import PARTS, over_parts
+from millcorr.production.smoothing import PARTS, form_that_stays, over_parts
 from millcorr.separation import Filter, Observed
 from millcorr.separation.steps import Systematic
 from tests.core import loop_programs as programs
@@ -347,6 +347,21 @@ def test_a_form_is_kept_however_far_parts_lie_apart(apart: float) -> None:
     left = smoothed(series, 2.0, filter=AUTO, uncorrected=True).deviation / UM - form(stretch, s)
     # 300 points of 1 um on 300 mm, the form known to 0.3 um; lost, it would be 3.5.
     assert rms(left - left.mean()) < 0.5
+
+
+@pytest.mark.parametrize(("size", "apart"), [(5.0, 0.0), (5.0, 20.0), (0.0, 0.0), (0.0, 20.0)])
+def test_a_form_that_stays_is_told_however_far_parts_lie_apart(size: float, apart: float) -> None:
+    rng = np.random.default_rng(2)
+    form = waves(50.0, size)
+    series = [
+        noisy(rng, lambda k, s, n=n: n * apart + form(k, s), 1.0, offset=0.0, phase=0.1 + 0.8 * rng.random())
+        for n in range(3)
+    ]
+    former = [entry(part) for part in series[:-1]]
+    found = form_that_stays(former, series[-1], np.zeros(len(PLACES)), PLACES, NOMINAL, AUTO)
+    assert (found is not None) == (size > 0)
+    if found:
+        assert found[0] / UM == pytest.approx(size, abs=1.0) and found[2] == 3
 
 
 def test_a_series_of_an_older_journal_goes_on(tmp_path: Path) -> None:
