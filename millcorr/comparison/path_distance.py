@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from millcorr import progress
 from millcorr.arrays import Floats, Ints
 from millcorr.nc.toolpath import Kind, Plane, Toolpath
 
@@ -93,7 +94,10 @@ class PathDistance:
             Fraction of the move, 0 at its start.
         """
         if len(points) > BLOCK:
-            blocks = [self.nearest(points[k : k + BLOCK]) for k in range(0, len(points), BLOCK)]
+            blocks = []
+            for k in range(0, len(points), BLOCK):
+                progress.step()
+                blocks.append(self.nearest(points[k : k + BLOCK]))
             distances, rows, shares = zip(*blocks, strict=True)
             return np.concatenate(distances), np.concatenate(rows), np.concatenate(shares)
         distance = np.full(len(points), np.inf)
