@@ -596,7 +596,7 @@ def correction_through(
 
 
 def staying_share(unknown: Floats) -> Floats:
-    """How much of what a program carries stays at places, by the share of the form's variance that is open there.
+    """How much of what a program carries stays at places, by how much of the form's variance is open there.
 
     0 where less than half of it is, 1 where all is; (n,).
     """

@@ -684,7 +684,7 @@ class Grid:
     std : (m,) float64
         Standard uncertainty, mm.
     unknown : (m,) float64
-        Share of the form's variance that is open.
+        How much less is known than at the contour's place known best, as a share of the form's variance.
     """
 
     stretch: Ints
@@ -778,10 +778,10 @@ class Separated:
         return mean, self._from_grid(self._grid.std, stretch, s)
 
     def unknown(self, stretch: Ints, s: Floats) -> Floats:
-        """Share of the form's variance that the points leave open at any place, 0 to 1; (m,).
+        """How much less is known at any place than where most is, as a share of the form's variance, 0 to 1; (m,).
 
-        It is of the form alone: how well its constant is known, and the offsets of parts and heights, is no matter of
-        the place. NaN on a contour without points.
+        How well the offsets of all parts and heights are known is no matter of the place. NaN on a contour without
+        points.
         """
         return self._from_grid(self._grid.unknown, np.asarray(stretch, dtype=np.int64), np.asarray(s, dtype=np.float64))
 
@@ -896,9 +896,12 @@ def separate(
     of, at = _places(stretches, gathered.contours, sizes.form_length)
     column, _ = _columns(stretches, gathered.contours, of)
     variance, along = bound.variance(solved, of, at, column)
-    unknown = bound.open_share(solved, of, at, column, variance)
     band = _whole_band(_path(variance, along, of))
     variance = _over_sizes(coarse, drawn, bound.mean(solved, of, at, column), variance, of, at, column)
+    # What is as open at the place known best, as the offset of all parts is, is no matter of the place.
+    least = np.full(column.max(initial=-1) + 1, np.inf)
+    np.minimum.at(least, column, variance)
+    unknown = np.clip((variance - least[column]) / sizes.form**2, 0.0, 1.0)
     out = Separated(
         observed, stretches, filter, np.zeros(0), np.zeros(0), fit.weight, sizes, band,
         _level_differences(observed, gathered, bound, solved), _lean(observed, gathered, bound, solved, of, at), (),

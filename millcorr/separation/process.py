@@ -460,29 +460,10 @@ class Bound:
 
     def variance(self, solved: Solved, stretch: Ints, s: Floats, column: Ints) -> tuple[Floats, Floats]:
         """Variance of `mean` at places, and its covariance from each place to the next, mm2; (m,) each."""
-        return self.variance_of(solved, *self._form_and_constant(solved, stretch, s, column))
-
-    def open_share(self, solved: Solved, stretch: Ints, s: Floats, column: Ints, variance: Floats) -> Floats:
-        """Share of the form's variance that the values leave open, were the constants known, 0 to 1; (m,).
-
-        From the variance of `mean` at the places.
-        """
-        constant = self._constant(solved, *self._form_and_constant(solved, stretch, s, column))
-        out: Floats = (variance - (constant @ solved.spread * constant).sum(axis=1)) / solved.sizes.form**2
-        return out
-
-    def _form_and_constant(self, solved: Solved, stretch: Ints, s: Floats, column: Ints) -> tuple[Ints, Floats, Floats]:
-        """States, and so much of them and of each constant, that `mean` is the sum of."""
         rows, a = self.layout.read(stretch, s)
         unit = np.zeros((len(s), len(solved.constants) + 1))
         unit[np.arange(len(s)), column] = 1.0
-        return rows, solved.sizes.form * a, unit[:, :-1]
-
-    @staticmethod
-    def _constant(solved: Solved, rows: Ints, a: Floats, unit: Floats) -> Floats:
-        """What each constant that is wrong by 1 mm does to sums of states and constants; (m, k)."""
-        out: Floats = unit - (a[:, :, None] * solved.answer[rows]).sum(axis=1)
-        return out
+        return self.variance_of(solved, rows, solved.sizes.form * a, unit[:, :-1])
 
     def lean(self, solved: Solved, stretch: Ints, s: Floats, unit: Floats) -> tuple[Floats, Floats, Floats]:
         """Lean and so much of each constant, (k,), at places: mean, mm, variance and covariance to the next; (m,)."""
@@ -506,7 +487,8 @@ class Bound:
         progress.step()
         from scipy.linalg import cho_solve_banded
 
-        constant = self._constant(solved, rows, a, unit)
+        # What a constant that is wrong by 1 mm does to the sum.
+        constant = unit - (a[:, :, None] * solved.answer[rows]).sum(axis=1)
         spread = constant @ solved.spread
         variance: Floats = (spread * constant).sum(axis=1)
         along = np.append((spread[:-1] * constant[1:]).sum(axis=1), 0.0)

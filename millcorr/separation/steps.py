@@ -173,7 +173,7 @@ class Systematic:
         return self._of_step(*self.separated.at(*self.places.of(stretch, s)), stretch)
 
     def unknown(self, stretch: Ints, s: Floats) -> Floats:
-        """Share of the form's variance that the points leave open at any place, 0 to 1; (m,).
+        """How much less is known at any place than where most is, as a share of the form's variance, 0 to 1; (m,).
 
         1 on a contour without points, and on steps that are not known.
         """
