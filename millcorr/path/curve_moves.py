@@ -126,19 +126,19 @@ def fit_moves(intervals: Intervals, path: ExactPath, tolerance: float) -> tuple[
 
 def _risen_evenly(moves: Toolpath, owner: Ints) -> Toolpath:
     """Moves of which those of one owner rise by their share of its way: the path was displaced since it was divided."""
-    first = np.flatnonzero(np.diff(owner, prepend=-1))
-    group = np.cumsum(np.diff(owner, prepend=-1) != 0) - 1
-    low, high = moves.start[first, 2], moves.end[np.append(first[1:], len(owner)) - 1, 2]
+    begins = np.diff(owner, prepend=-1) != 0
+    first, last = np.flatnonzero(begins), np.append(begins[1:], True)
+    low, high = moves.start[first, 2], moves.end[last, 2]
     if not (low != high).any():
         return moves
+    group = np.cumsum(begins) - 1
     gone = np.cumsum(length_in_plane(moves))
     before = np.concatenate([[0.0], gone])[first]
     total = np.maximum(np.append(before[1:], gone[-1]) - before, 1e-12)
     share = (gone - before[group]) / total[group]
-    last = np.append(group[1:] != group[:-1], True)
     start, end = moves.start.copy(), moves.end.copy()
     end[:, 2] = np.where(last, high[group], low[group] + (high - low)[group] * share)
-    start[1:, 2] = np.where(group[1:] != group[:-1], start[1:, 2], end[:-1, 2])
+    start[1:, 2] = np.where(begins[1:], start[1:, 2], end[:-1, 2])
     centre = moves.centre.copy()
     centre[:, 2] = np.where(np.isfinite(centre[:, 0]), start[:, 2], centre[:, 2])
     return moves.with_moves(start=start, end=end, centre=centre)

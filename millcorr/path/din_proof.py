@@ -6,18 +6,16 @@ Motion codes, G90, G91 and the pole may come and go where places change: what th
 
 from __future__ import annotations
 
-import math
 import re
-from collections.abc import Sequence
 
 import numpy as np
 
-from millcorr.arrays import Bools, Ints
+from millcorr.arrays import Bools
 
 from .din_reading import bare, read
-from .klartext_proof import Script, feed_of, prove_by
+from .klartext_proof import Script, feed_of
 from .reading import line_starts
-from .text_proof import Content, Language, Text, TextProof
+from .text_proof import Content, Language, Text
 
 _PLACE_CODES = (0, 1, 2, 3, 5, 6, 10, 11, 12, 13, 15, 16, 24, 25, 29, 90, 91)
 _OWN_WORDS = re.compile(
@@ -29,26 +27,6 @@ _NUMBERED = re.compile(rb"(?mi)^((?:\xef\xbb\xbf)?[ \t]*/?[ \t]*)N[ \t]*(\d+)[ \
 _STATES_ONLY = re.compile(rb"G(?:0?[01235]|0?6|1[012356]|9[01])(?!\d)|F[\d.,]+")
 _OPENING = re.compile(rb"[ \t]*(?:%[^\r\n]*)?[ \t]*")
 _COMMENT = re.compile(rb"[ \t]*;[^\r\n]*")
-
-
-def prove(
-    original: bytes,
-    written: bytes,
-    may_change: Ints,
-    *,
-    header: Sequence[str] = (),
-    reach: float = math.inf,
-    tolerance: float = 0.001,
-    beside: Sequence[tuple[str, bytes]] = (),
-) -> TextProof:
-    """Prove that a written program in ISO code keeps everything of its original but places; see `prove_text`.
-
-    Raises
-    ------
-    LimitError
-        If anything else differs; names the line of the written text and what differs.
-    """
-    return prove_by(_SCRIPT, original, written, may_change, header=header, reach=reach, tolerance=tolerance)
 
 
 def _without_numbers(data: bytes) -> tuple[bytes, list[int]]:
@@ -115,7 +93,7 @@ def _restated(old: bytes, new: bytes) -> bool:
     )
 
 
-_SCRIPT = Script(
+SCRIPT = Script(
     Language(read=read, content=_content, restated=_restated, opening=_OPENING, comment=_COMMENT),
     _without_numbers,
     _led_lines,

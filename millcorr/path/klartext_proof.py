@@ -39,41 +39,6 @@ _PIECE = re.compile(
 _FEED = re.compile(rb"F[\d.,]+")
 
 
-def prove(
-    original: bytes,
-    written: bytes,
-    may_change: Ints,
-    *,
-    header: Sequence[str] = (),
-    reach: float = math.inf,
-    tolerance: float = 0.001,
-    beside: Sequence[tuple[str, bytes]] = (),
-) -> TextProof:
-    """Prove that a written plain-language program keeps everything of its original but places; see `prove_text`.
-
-    Parameters
-    ----------
-    original, written : bytes
-    may_change : sorted indices
-        Lines whose places may change; blocks of CC, APPR and DEP are added to them.
-    header : sequence of str
-    reach, tolerance : float
-        mm.
-    beside : sequence of (str, bytes)
-        Not looked at.
-
-    Returns
-    -------
-    TextProof
-
-    Raises
-    ------
-    LimitError
-        If anything else differs; names the line of the written text and what differs.
-    """
-    return prove_by(SCRIPT, original, written, may_change, header=header, reach=reach, tolerance=tolerance)
-
-
 @dataclass(frozen=True, slots=True)
 class Script:
     """One of HEIDENHAIN's two ways to write a program, as the proof takes it.
@@ -97,33 +62,52 @@ class Script:
     pole: re.Pattern[bytes]
     numbers_fit: Callable[[list[int], list[int]], bool]
 
+    def prove(
+        self,
+        original: bytes,
+        written: bytes,
+        may_change: Ints,
+        *,
+        header: Sequence[str] = (),
+        reach: float = math.inf,
+        tolerance: float = 0.001,
+        beside: Sequence[tuple[str, bytes]] = (),
+    ) -> TextProof:
+        """Prove that a written program keeps everything of its original but places in the plane of some blocks.
 
-def prove_by(
-    script: Script,
-    original: bytes,
-    written: bytes,
-    may_change: Ints,
-    *,
-    header: Sequence[str],
-    reach: float,
-    tolerance: float,
-) -> TextProof:
-    """Prove a written program of either way; see `prove`."""
-    led = script.led_lines(original)
-    if original == written:
-        return prove_text(original, written, may_change, language=script.language, unplaced=led)
-    (old, was), (new, now) = script.without_numbers(original), script.without_numbers(written)
-    if not script.numbers_fit(was, now):
-        raise LimitError(
-            phrase("the written program differs where it must not: its block numbers do not follow one another")
+        Parameters
+        ----------
+        original, written, header, reach, tolerance
+            As of `prove_text`.
+        may_change : sorted indices
+            Lines whose places may change; blocks of poles and leads are added to them.
+        beside : sequence of (str, bytes)
+            Not looked at.
+
+        Returns
+        -------
+        TextProof
+
+        Raises
+        ------
+        LimitError
+            If anything else differs; names the line of the written text and what differs.
+        """
+        led = self.led_lines(original)
+        if original == written:
+            return prove_text(original, written, may_change, language=self.language, unplaced=led)
+        (old, was), (new, now) = self.without_numbers(original), self.without_numbers(written)
+        if not self.numbers_fit(was, now):
+            raise LimitError(
+                phrase("the written program differs where it must not: its block numbers do not follow one another")
+            )
+        free = led.copy()
+        free[may_change] = True
+        starts = line_starts(old)
+        free[[i for i in range(len(free)) if self.pole.match(old[starts[i] : starts[i + 1]])]] = True
+        return prove_text(
+            old, new, free, header=header, reach=reach, tolerance=tolerance, language=self.language, unplaced=led
         )
-    free = led.copy()
-    free[may_change] = True
-    starts = line_starts(old)
-    free[[i for i in range(len(free)) if script.pole.match(old[starts[i] : starts[i + 1]])]] = True
-    return prove_text(
-        old, new, free, header=header, reach=reach, tolerance=tolerance, language=script.language, unplaced=led
-    )
 
 
 def led_lines(data: bytes) -> Bools:

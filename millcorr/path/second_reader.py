@@ -59,7 +59,7 @@ def prove(
 def _family(data: bytes) -> tuple[Callable[..., Reading], Callable[..., TextProof]]:
     """Reader and proof of the family of controls that a text is written for."""
     if din_reading.iso_of_heidenhain(data):
-        return din_reading.read, din_proof.prove
+        return din_reading.read, din_proof.SCRIPT.prove
     if klartext_reading.plain_language(data):
-        return klartext_reading.read, klartext_proof.prove
+        return klartext_reading.read, klartext_proof.SCRIPT.prove
     return reading.read, prove_text

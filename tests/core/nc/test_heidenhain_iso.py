@@ -250,7 +250,7 @@ def test_a_contour_at_three_depths_is_corrected_once() -> None:
     check(text, din_reading.read(text).moves)
     new = shifted(program, 0.02, all_of_it=True)
     assert new.count(b"X+5.02 Y+5") == 1 and new.count(b"G26 R5 F150") == 1
-    proof = din_proof.prove(text, new, np.arange(2, 18))
+    proof = din_proof.SCRIPT.prove(text, new, np.arange(2, 18))
     assert proof.largest_shift < 0.03
 
 
@@ -258,14 +258,14 @@ def test_the_proof_takes_nothing_else() -> None:
     text = text_of(START, "G41 X+10 F200", "Y+10 M8", "G25 R2", "X+0", "Y+0", "G00 G40 Z+9 M2")
     new = text.replace(b"Y+10", b"Y+10.01")
     lines = np.array([3, 4, 5, 6])
-    din_proof.prove(text, new, lines)
+    din_proof.SCRIPT.prove(text, new, lines)
     for old, other in (
         (b"M8", b"M9"), (b"F200", b"F300"), (b"Z+9", b"Z+8"), (b"G40", b"G41"), (b"N50", b"N55"), (b"G00", b"G01"),
         (b"G90 X+0", b"G91 X+0"), (b"M2", b""), (b"G41 X+10", b"G41 X+11"),
     ):  # fmt: skip
         assert old in new
         with pytest.raises(LimitError):
-            din_proof.prove(text, new.replace(old, other), lines)
+            din_proof.SCRIPT.prove(text, new.replace(old, other), lines)
 
 
 @settings(max_examples=examples(60), deadline=None, suppress_health_check=list(HealthCheck))

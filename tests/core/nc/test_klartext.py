@@ -398,7 +398,7 @@ PROVEN = """0 BEGIN PGM A MM
 
 
 def proven(written: bytes, free: list[int]) -> None:
-    klartext_proof.prove(PROVEN.encode(), written, np.array(free), reach=0.1)
+    klartext_proof.SCRIPT.prove(PROVEN.encode(), written, np.array(free), reach=0.1)
 
 
 def test_the_proof_takes_what_was_written_and_nothing_else() -> None:
