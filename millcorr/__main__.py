@@ -258,7 +258,7 @@ def _run(arguments: argparse.Namespace, output: Path | None) -> None:
                 option("document"),
                 " use ",
                 option("report"),
-                ", which writes points.csv",
+                ", which writes deviations.csv",
             )
         gcode = getattr(arguments, "gcode", None)
         done = verbs.correct_document(arguments.document, asked, operation=arguments.operation, gcode=gcode)

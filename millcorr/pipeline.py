@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -37,7 +38,7 @@ OUTLIER = phrase("an outlier: more probably wrong than right, by its neighbours"
 """Why a point is left out by the filter."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@dataclass(frozen=True, eq=False)
 class Result:
     """A correction and its proof.
 
@@ -125,6 +126,10 @@ class Result:
 
     def summary(self) -> dict[str, Any]:
         """The contents of report.json."""
+        return dict(self._summary)
+
+    @cached_property
+    def _summary(self) -> dict[str, Any]:
         curves = [c.as_dict() for contour in self.compensated.contours for c in contour.curves]
         first = curves[0]
         keys = ("degree", "poles", "weights", "knots", "multiplicities", "periodic")

@@ -65,6 +65,8 @@ def examine_parts(
     tuple of Finding
     """
     progress.step()
+    if len(parts) < 2:
+        return ()
     from scipy.spatial import cKDTree
 
     found = []

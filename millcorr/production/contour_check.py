@@ -195,9 +195,6 @@ def _stations(toolpath: Toolpath, rows: Ints) -> tuple[Floats, Ints]:
 PATH_COLUMNS = ("line", "x_path", "y_path", "contour", "s", "x", "y", "nx", "ny", "slope_deg")
 """Columns of contour.csv: the path, and the theoretical contour beside it."""
 
-POINT_COLUMNS = ("line", "x", "y", "z", "x_contact", "y_contact", "x_nominal", "y_nominal", "slope_deg", "error")
-"""Columns of points.csv: as measured, ball taken off, on the contour, error along the normal."""
-
 
 def path_lines(stations: PathStations) -> Iterator[bytes]:
     """Lines of contour.csv, in mm and degrees; the header first."""
@@ -213,14 +210,6 @@ def path_lines(stations: PathStations) -> Iterator[bytes]:
         slope_angle(stations.normal),
     )
     yield from lines(columns, (12,) * 9 + (9,))
-
-
-def point_lines(points: TouchedPoints) -> Iterator[bytes]:
-    """Lines of points.csv, in mm and degrees; the header first."""
-    progress.step()
-    yield ",".join(POINT_COLUMNS).encode() + b"\n"
-    angle = slope_angle(points.normal)
-    yield from lines((points.line, *points.measured.T, *points.contact.T, *points.foot.T, angle, points.error))
 
 
 def table(points: TouchedPoints) -> str:

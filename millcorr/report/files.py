@@ -27,7 +27,10 @@ from .page import page
 COLUMNS = ("s", "x", "y", "z", "nx", "ny", "deviation", "filtered", "used")
 """Columns of deviations.csv that other programs rely on; later versions only append."""
 
-MORE_COLUMNS = ("contour", "level", "predicted", "commanded", "line", "reason", "x_contact", "y_contact", "slope_deg")
+MORE_COLUMNS = (
+    *("contour", "level", "predicted", "commanded", "line", "reason"),
+    *("x_contact", "y_contact", "x_nominal", "y_nominal", "slope_deg"),
+)
 """Columns that follow, and `ms` behind them where a transfer function corrects: see docs/report.md."""
 
 FILES = (
@@ -35,7 +38,6 @@ FILES = (
     "report.json",
     "deviations.csv",
     "contour.csv",
-    "points.csv",
     "profile.json",
     "profile.step",
     "nominal.json",
@@ -54,7 +56,7 @@ def write(
     date: datetime.date | None = None,
     exports: Exports = NO_EXPORTS,
 ) -> list[Path]:
-    """Write report.html, report.json, deviations.csv, contour.csv, points.csv, profile.json and profile.step.
+    """Write report.html, report.json, deviations.csv, contour.csv, profile.json and profile.step.
 
     Everything is written beside its place first, so a failure leaves no half report; files of the same
     names are replaced, others in the directory stay.
@@ -96,7 +98,6 @@ def write(
             "report.json": [_json(summary(result, outputs=outputs, notes=notes))],
             "deviations.csv": deviation_lines(result),
             "contour.csv": contour_check.path_lines(contour_check.path_stations(result)),
-            "points.csv": contour_check.point_lines(contour_check.touched_points(result)),
             "profile.json": [_json(result.compensated.as_dict() | moved)],
             "profile.step": [step.text(result.compensated, name, date=midnight)],
             "nominal.json": [_json(result.nominal.as_dict())],
@@ -170,7 +171,7 @@ def deviation_lines(result: Result) -> Iterator[bytes]:
             *map(placed, (result.predicted, result.commanded)),
             measurement.lines,
             _reasons(result, rows),
-            *map(placed, (*contact.T, contour_check.slope_angle(d.normal))),
+            *map(placed, (*contact.T, *d.foot.T, contour_check.slope_angle(d.normal))),
             *([placed(elastic.transfer.ms)] if elastic is not None else []),
         )
     )

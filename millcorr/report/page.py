@@ -94,8 +94,7 @@ def page(
         parts,
         about="toolpath correction",
         files=f"Every {'simulated' if nothing_measured(result) else 'measured'} point is in <b>deviations.csv</b>, "
-        "the contour check in <b>contour.csv</b> and "
-        "<b>points.csv</b>, every number in <b>report.json</b>, the nominal in <b>nominal.json</b>, the "
+        "the contour check in <b>contour.csv</b>, every number in <b>report.json</b>, the nominal in <b>nominal.json</b>, the "
         "compensated profile as NURBS in <b>profile.json</b> and <b>profile.step</b>.",
         date=date,
     )

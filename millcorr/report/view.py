@@ -167,7 +167,7 @@ def path_and_contour(result: Result) -> Plot:
         + (", the ball's radius taken off along the contour's normal." if balls else ".")
     )
     if len(at) < len(points):
-        words.append(f"{len(at)} of {len(points)} points are drawn, the largest of each place; points.csv has all.")
+        words.append(f"{len(at)} of {len(points)} points are drawn, the largest of each place; deviations.csv has all.")
     return Plot(str(canvas), " ".join(words))
 
 

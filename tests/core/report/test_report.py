@@ -154,7 +154,6 @@ def test_writes_its_files_and_nothing_else(disc, tmp_path):
         "report.json",
         "deviations.csv",
         "contour.csv",
-        "points.csv",
         "profile.json",
         "profile.step",
         "nominal.json",
@@ -262,6 +261,8 @@ def test_csv_columns_and_round_trip(disc, tmp_path):
         # The part is round about the origin: the contact point is the measured one, the slope its polar angle + 90.
         "x_contact": points[:, 0],
         "y_contact": points[:, 1],
+        "x_nominal": 20.0 * points[:, 0] / np.hypot(points[:, 0], points[:, 1]),
+        "y_nominal": 20.0 * points[:, 1] / np.hypot(points[:, 0], points[:, 1]),
         "slope_deg": np.mod(np.degrees(np.arctan2(points[:, 1], points[:, 0])) + 90.0, 360.0),
     }
     for name, values in expected.items():
@@ -633,13 +634,11 @@ def test_an_offset_told_apart_by_two_depths_is_shown():
     assert "+5.00 µm in the mean" in text and "0.2500 in the mean" in text
 
 
-def test_contour_check_files_hold_path_and_points(disc, tmp_path):
+def test_contour_check_holds_the_path_beside_the_contour(disc, tmp_path):
     report.write(disc, tmp_path)
-    path, points = rows_of(tmp_path / "contour.csv"), rows_of(tmp_path / "points.csv")
+    path = rows_of(tmp_path / "contour.csv")
     np.testing.assert_allclose([np.hypot(float(r["x_path"]), float(r["y_path"])) for r in path], 25.0, atol=1e-9)
     np.testing.assert_allclose([np.hypot(float(r["x"]), float(r["y"])) for r in path], 20.0, atol=1e-9)
-    np.testing.assert_allclose([float(r["error"]) for r in points], disc.deviation.value, rtol=1e-9)
-    assert [int(r["line"]) for r in points] == disc.request.measurement.lines.tolist()
 
 
 def test_contact_points_stand_off_the_contour_at_the_stated_magnification():
