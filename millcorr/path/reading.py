@@ -343,30 +343,30 @@ def _piece(text: bytes) -> tuple[Bytes, Floats, Ints]:
         text = _PERCENT.sub(b"", text)
     if b"/" in text or b":" in text:
         text = _OPENING.sub(lambda m: m[1] + (b"O" if m[0].endswith(b":") else b""), text)
-    text = text.replace(b"*\n", b"\n").removesuffix(b"*") + b"\n"
+    # Every character belongs to a mark: the letter or the newline before it. A newline begins its line.
+    text = b"\n" + text.replace(b"*\n", b"\n").removesuffix(b"*") + b"\n"
     buffer = np.frombuffer(text, np.uint8)
     kind = _CLASS[buffer]
-    mark = np.flatnonzero(kind >= _LETTER)
-    line_of = np.cumsum(kind[mark] == _NEWLINE) - (kind[mark] == _NEWLINE)
-    word = np.flatnonzero(kind[mark] == _LETTER)
-    owner = np.cumsum(kind >= _LETTER) - 1
+    marked = kind >= _LETTER
+    mark = np.flatnonzero(marked)
+    owner = np.cumsum(marked, dtype=np.int32) - np.int32(1)
+    newline = kind[mark] == _NEWLINE
+    line_of = np.cumsum(newline) - 1
+    word = np.flatnonzero(~newline)
+    follows = np.append(mark[1:], len(buffer))
 
     at = np.flatnonzero(kind == _DIGIT)
-    digits = np.bincount(owner[at][owner[at] >= 0], minlength=len(mark))
-    last = np.cumsum(digits) - 1 + int((owner[at] < 0).sum())
-    power = last[owner[at]] - np.arange(len(at))
-    weight = (buffer[at] - 48.0) * _POWERS[np.clip(power, 0, _EXACT_DIGITS)]
-    total = np.bincount(np.maximum(owner[at], 0), weight, len(mark))
+    own = owner[at]
+    digits = np.bincount(own, minlength=len(mark))
+    power = np.cumsum(digits)[own] - np.arange(1, len(at) + 1)
+    total = np.bincount(own, (buffer[at] - 48.0) * _POWERS[np.minimum(power, _EXACT_DIGITS)], len(mark))
     points = np.flatnonzero(kind == _POINT)
-    pointed = np.bincount(np.maximum(owner[points], 0), minlength=len(mark))
-    follows = np.append(mark[1:], len(buffer))
+    pointed = np.bincount(owner[points], minlength=len(mark))
     decimals = np.zeros(len(mark), np.int64)
     decimals[owner[points]] = follows[owner[points]] - points - 1
     signs = np.flatnonzero(kind == _SIGN)
-    negative = np.zeros(len(mark), np.bool_)
-    negative[owner[signs[buffer[signs] == ord("-")]]] = True
-    value = total / _POWERS[np.clip(decimals, 0, _EXACT_DIGITS)]
-    value[negative] *= -1.0
+    value = total / _POWERS[np.minimum(decimals, _EXACT_DIGITS)]
+    value[owner[signs[buffer[signs] == ord("-")]]] *= -1.0
     for i in word[digits[word] > _EXACT_DIGITS].tolist():
         try:
             value[i] = float(text[mark[i] + 1 : follows[i]])
@@ -374,21 +374,15 @@ def _piece(text: bytes) -> tuple[Bytes, Floats, Ints]:
             value[i] = np.nan
 
     # A line is plain where every letter has one number: sign in front, one point at most, nothing else between.
-    letters = kind[mark] == _LETTER
-    strange = letters & ((digits == 0) | (pointed > 1))
-    # What stands before the first word of a line belongs to the newline before it.
-    tail = np.flatnonzero(~letters & (follows - mark > 1))
-    stray = [line_of[strange], line_of[tail] + 1, np.zeros(int(kind[0] < _LETTER), np.int64)]
-    for places in (np.flatnonzero(kind == _OTHER), signs[kind[np.maximum(signs - 1, 0)] != _LETTER]):
-        own = owner[places]
-        stray.append(np.where(own < 0, 0, line_of[own] + (kind[mark[own]] == _NEWLINE)))
-    odd = np.unique(np.concatenate(stray))
+    wrong = np.where(newline, follows - mark > 1, (digits == 0) | (pointed > 1))
+    places = (np.flatnonzero(kind == _OTHER), signs[kind[signs - 1] != _LETTER])
+    odd = np.unique(np.concatenate([line_of[wrong], *(line_of[owner[some]] for some in places)]))
     letter, number, line = buffer[mark[word]], value[word], line_of[word]
     if not len(odd):
         return letter, number, line
     plain = ~np.isin(line, odd)
     rows = text.split(b"\n")
-    more = [(*w, int(i)) for i in odd for w in _odd_words(rows[i])]
+    more = [(*w, int(i)) for i in odd for w in _odd_words(rows[i + 1])]
     extra = np.array(more, np.float64).reshape(-1, 3)
     letter = np.concatenate([letter[plain], extra[:, 0].astype(np.uint8)])
     number = np.concatenate([number[plain], extra[:, 1]])
