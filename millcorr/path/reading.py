@@ -440,10 +440,12 @@ class _Follower:
         self.file_line = file_line
         self.lines = len(starts) - 1
         letter, value, line = words
-        self.words = {c: (line[letter == ord(c)], value[letter == ord(c)]) for c in "GMXYZIJKRFTHPQ"}
-        if (letter > ord("Z")).any():
-            found = {name: letter == ord(c) for name, c in ADDRESS.items()}
-            self.words |= {name: (line[here], value[here]) for name, here in found.items() if here.any()}
+        there = np.bincount(letter, minlength=256)
+        names = {c: ord(c) for c in "GMXYZIJKRFTHPQ"} | {name: ord(c) for name, c in ADDRESS.items() if there[ord(c)]}
+        self.words = {}
+        for name, sign in names.items():
+            rows = np.flatnonzero(letter == sign) if there[sign] else np.empty(0, np.int64)
+            self.words[name] = line[rows], value[rows]
         where, code = self.words["G"]
         known = np.isfinite(code)
         self.code, self.code_line = np.rint(code[known] * 10).astype(np.int64), where[known]
