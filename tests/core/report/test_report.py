@@ -169,7 +169,7 @@ def test_replaces_a_report_and_leaves_other_files(disc, tmp_path):
     report.write(disc, tmp_path)
     assert "old" != (tmp_path / "report.html").read_text(encoding="utf-8")
     assert (tmp_path / "mine.txt").read_text() == "mine"
-    assert len(list(tmp_path.iterdir())) == 9
+    assert len(list(tmp_path.iterdir())) == 8
 
 
 @pytest.mark.parametrize("there", [True, False])
