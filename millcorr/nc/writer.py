@@ -21,6 +21,7 @@ from millcorr.messages import phrase
 from millcorr.nc.toolpath import Kind, Toolpath
 
 from .codes import CYCLES, INCH
+from .comment_texts import comment_texts
 from .emit import SAME, Emitter, Form, Move, State
 from .line import Line
 from .program import Program
@@ -29,7 +30,6 @@ from .style import Style
 from .uses import Uses
 from .words import BYTE_ORDER_MARK, COMMENT
 
-_HEADER_WIDTH = 96
 _LEAVES_FRAME = (28, 30, 53, 153)
 """G codes whose axis words are no places in the work frame."""
 PIECE = 1 << 16
@@ -317,20 +317,7 @@ def _with_header(data: bytes, style: Style, header: Sequence[str]) -> bytes:
     old = b"".join(COMMENT.findall(data)[:200])
     upper = old.upper() == old and old.lower() != old
     lines = []
-    for text in header:
-        plain = text.replace("\N{MICRO SIGN}", "u").replace("\N{GREEK SMALL LETTER MU}", "u")
-        plain = re.sub(r"[\x00-\x1f\x7f]+", " ", plain).encode("ascii", "replace").decode()
-        plain = plain.replace("(", "[").replace(")", "]")
-        for part in _wrapped(plain.upper() if upper else plain):
-            lines.append((f"({part})" if style.parentheses else f"; {part}").encode() + style.ending)
+    for text in comment_texts(header):
+        shown = (text.upper() if upper else text).replace("(", "[").replace(")", "]")
+        lines.append((f"({shown})" if style.parentheses else f"; {shown}").encode() + style.ending)
     return data[:top] + b"".join(lines) + data[top:]
-
-
-def _wrapped(text: str) -> list[str]:
-    """Text cut at blanks into pieces a control can show."""
-    out = [""]
-    for word in text.split(" "):
-        if out[-1] and len(out[-1]) + 1 + len(word) > _HEADER_WIDTH:
-            out.append("")
-        out[-1] += (" " if out[-1] else "") + word
-    return out

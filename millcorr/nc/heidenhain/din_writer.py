@@ -11,13 +11,14 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
+from millcorr.nc.comment_texts import comment_texts
 from millcorr.nc.repeated import agreed
 from millcorr.nc.toolpath import Toolpath
 
 from .blocks import Block, read_block
 from .din import CORNERS, MOTIONS, POLE, Modal, Sentence, Told, read_sentence
 from .din_program import DinCourse, DinProgram, told_in_iso
-from .writer import Line, Writer, comments_of
+from .writer import Line, Writer
 
 _BY_SENSE = {"-": 2, "+": 3, "": 5}
 _POLAR_BY_SENSE = {"-": 12, "+": 13, "": 15}
@@ -355,7 +356,7 @@ def _with_header(lines: list[tuple[Sentence, str]], header: Sequence[str]) -> li
     words = _Words(model, empty=True)
     opening = model.text[: model.number[1]] + " " if model.number[0] < model.number[1] else ""
     added = []
-    for text in comments_of(header):
+    for text in comment_texts(header):
         line = f"{opening}; {text}{words.tail}{lines[0][0].ending or chr(10)}"
         added.append((read_sentence(line, -1), line))
     return [*lines[:top], *added, *lines[top:]]

@@ -20,6 +20,7 @@ from millcorr.arrays import Bools
 from millcorr.errors import FormatError, InputError
 from millcorr.messages import message, option
 from millcorr.nc.codes import INCH
+from millcorr.nc.comment_texts import comment_texts
 from millcorr.nc.repeated import agreed
 from millcorr.nc.toolpath import Kind, Plane, Toolpath
 
@@ -29,7 +30,6 @@ from .draft import Draft, Numbers
 from .machine import AXES, Machine, Row
 from .program import KlartextProgram, scale_of
 
-_HEADER_WIDTH = 96
 _ACTS_AT_END = (0, 1, 2, 5, 9, 30, 60, 99)
 """Program stops, spindle and coolant off, cycle calls: they act when the moves of their block are done."""
 _ANGLE_DECIMALS = 4
@@ -963,28 +963,8 @@ def _with_header(lines: list[Line], program: KlartextProgram, header: Sequence[s
     top = next((i + 1 for i, line in enumerate(lines) if "BEGIN" in line.text.upper()), 0)
     numbered = program.style.number_step == 1
     added = []
-    for text in comments_of(header):
+    for text in comment_texts(header):
         body = f"; {text}"
         number = (0, 1) if numbered else (0, 0)
         added.append(Line(f"0 {body}" if numbered else body, program.style.ending.decode(), number, False))
     return [*lines[:top], *added, *lines[top:]]
-
-
-def comments_of(header: Sequence[str]) -> list[str]:
-    """Texts of comments as a control can show them."""
-    out = []
-    for text in header:
-        plain = text.replace("\N{MICRO SIGN}", "u").replace("\N{GREEK SMALL LETTER MU}", "u")
-        plain = re.sub(r"[\x00-\x1f\x7f]+", " ", plain).encode("ascii", "replace").decode()
-        out += _wrapped(plain)
-    return out
-
-
-def _wrapped(text: str) -> list[str]:
-    """Text cut at blanks into pieces a control can show."""
-    out = [""]
-    for word in text.split(" "):
-        if out[-1] and len(out[-1]) + 1 + len(word) > _HEADER_WIDTH:
-            out.append("")
-        out[-1] += (" " if out[-1] else "") + word
-    return out
