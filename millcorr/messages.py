@@ -58,6 +58,17 @@ class Accept:
 
 
 @dataclass(frozen=True, slots=True)
+class Accepted:
+    """Name of a finding that was accepted, and the place in XY, mm, that it is about, where it is about one."""
+
+    finding: str
+    place: tuple[float, float] | None = None
+
+    def __str__(self) -> str:
+        return self.finding
+
+
+@dataclass(frozen=True, slots=True)
 class Place:
     """File, and line from 1 where it is known, that a message is about."""
 
@@ -121,7 +132,7 @@ class Phrase:
         return self.template.format(*self.values)
 
 
-Piece = str | Option | Accept | Place | Length | Coordinates | Phrase
+Piece = str | Option | Accept | Accepted | Place | Length | Coordinates | Phrase
 
 
 class Wording:
@@ -131,7 +142,7 @@ class Wording:
         """Text of a phrase."""
         return text
 
-    def piece(self, piece: Option | Accept | Place | Length | Coordinates) -> str:
+    def piece(self, piece: Option | Accept | Accepted | Place | Length | Coordinates) -> str:
         """What is no text."""
         return str(piece)
 
@@ -246,6 +257,11 @@ class Message(str):
     def finding(self) -> str:
         """Name of the finding that stops a correction and can be accepted; empty where there is none."""
         return next((piece.finding for piece in self.pieces if isinstance(piece, Accept)), "")
+
+    @property
+    def accepted(self) -> tuple[Accepted, ...]:
+        """Findings of which it says that they were accepted."""
+        return tuple(piece for piece in self.pieces if isinstance(piece, Accepted))
 
     def in_words(self, wording: Wording) -> str:
         """The text as a front says it."""

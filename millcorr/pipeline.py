@@ -21,7 +21,7 @@ from .correction.settings import Settings as Settings
 from .correction.wanted_displacement import Elastic, WantedDisplacement
 from .geometry.correction import largest_correction
 from .geometry.profile import Profile
-from .messages import message, phrase
+from .messages import message, message_of, phrase
 from .path.moves import Regeneration
 from .path.verification import Verification
 from .process.prediction.predicted_correction import FirstCut, Prediction
@@ -175,6 +175,11 @@ class Result:
             "moves": {"changed": self.regeneration.changed, "written": len(self.regeneration.toolpath)},
             "inputs": self.inputs(),
             "settings": {name: getattr(self.request.settings, name) for name in Settings.__slots__},
+            "accepted": [
+                {"finding": one.finding, "place": one.place and list(one.place)}
+                for text in self.warnings
+                for one in message_of(text).accepted
+            ],
             "advice": list(self.advice),
             "warnings": list(self.warnings),
         }

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 
 from millcorr.correction.settings import Settings
 from millcorr.errors import MillcorrError
-from millcorr.messages import Accept, Coordinates, Length, Option, Place, Wording, message_of, mm, phrase
+from millcorr.messages import Accept, Accepted, Coordinates, Length, Option, Place, Wording, message_of, mm, phrase
 from millcorr.options import field_name, options_of
 from millcorr.readers.reading import Reading
 from millcorr.report.length_unit import MM, LengthUnit
@@ -24,7 +24,7 @@ LENGTHS = {one.field for noun in (Settings, Reading) for one in options_of(noun)
 class InFields(Wording):
     """Options by their fields, lengths in FreeCAD's unit, in English: what documents store and reports show."""
 
-    def piece(self, piece: Option | Accept | Place | Length | Coordinates) -> str:
+    def piece(self, piece: Option | Accept | Accepted | Place | Length | Coordinates) -> str:
         """A piece; accepting a finding is a button, and no words."""
         match piece:
             case Option():

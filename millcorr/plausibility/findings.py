@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 
 from millcorr.errors import DistrustError, UsageError
-from millcorr.messages import message, option, phrase
+from millcorr.messages import Accepted, message, option, phrase
 
 NAMES = (
     "unit",
@@ -107,7 +107,8 @@ def refuse_dangerous(findings: Iterable[Finding], accepted: Collection[str], sou
             raise DistrustError(
                 f"{source}: ", finding.text, finding=finding.name, place=finding.place, figure=finding.figure
             )
-        notes.append(phrase("accepted {}: {}", finding.name, finding.text) if finding.dangerous else finding.text)
+        accept = Accepted(finding.name, finding.place)
+        notes.append(phrase("accepted {}: {}", accept, finding.text) if finding.dangerous else finding.text)
     return tuple(notes)
 
 

@@ -94,8 +94,9 @@ def page(
         parts,
         about="toolpath correction",
         files=f"Every {'simulated' if nothing_measured(result) else 'measured'} point is in <b>deviations.csv</b>, "
-        "the contour check in <b>contour.csv</b>, every number in <b>report.json</b>, the nominal in <b>nominal.json</b>, the "
-        "compensated profile as NURBS in <b>profile.json</b> and <b>profile.step</b>.",
+        "the contour check in <b>contour.csv</b>, every number in <b>report.json</b>, "
+        "the nominal in <b>nominal.json</b>, "
+        "the compensated profile as NURBS in <b>profile.json</b> and <b>profile.step</b>.",
         date=date,
     )
 

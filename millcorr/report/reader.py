@@ -9,7 +9,7 @@ from contextvars import ContextVar
 from dataclasses import dataclass
 from typing import Any
 
-from millcorr.messages import Accept, Coordinates, Length, Option, Place, Wording, message_of, mm, um
+from millcorr.messages import Accept, Accepted, Coordinates, Length, Option, Place, Wording, message_of, mm, um
 
 from .length_unit import MM, LengthUnit
 
@@ -94,7 +94,7 @@ class _InUnit(Wording):
     def template(self, text: str) -> str:
         return _reader.get().wording.template(text)
 
-    def piece(self, piece: Option | Accept | Place | Length | Coordinates) -> str:
+    def piece(self, piece: Option | Accept | Accepted | Place | Length | Coordinates) -> str:
         if isinstance(piece, Length):
             return unit().said(piece)
         return unit().coordinates(piece) if isinstance(piece, Coordinates) else _reader.get().wording.piece(piece)

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -15,9 +14,6 @@ OPEN = 0.05
 
 MANY_OUTLIERS = 0.1
 """From this share on a word is said of outliers (`millcorr.plausibility.separated`): below it every file has them."""
-
-_ACCEPTED = re.compile(r"(?:^|: )accepted ([a-z-]+): ")
-_PLACE = re.compile(r"X(-?\d+\.\d+) Y(-?\d+\.\d+)")
 
 
 def what_to_do(summary: Mapping[str, Any]) -> tuple[Message, Message]:
@@ -37,11 +33,10 @@ def what_to_do(summary: Mapping[str, Any]) -> tuple[Message, Message]:
     points, outliers, largest = summary["points"], summary["outliers"], summary["correction"]
     found = points["read"] - len(points["rejected"])
     place = xy(*largest["place"])
-    for text in summary["warnings"]:
-        if accepted := _ACCEPTED.search(text):
-            named = _PLACE.search(text)
-            there = xy(float(named[1]), float(named[2])) if named else place
-            return phrase("look at {}", there), phrase("{} was accepted and is not resolved", accepted[1])
+    if summary["accepted"]:
+        first = summary["accepted"][0]
+        there = xy(*first["place"]) if first["place"] else place
+        return phrase("look at {}", there), phrase("{} was accepted and is not resolved", first["finding"])
     if len(outliers) > MANY_OUTLIERS * max(found, 1):
         worst = max(outliers, key=lambda row: abs(row["value"] - row["expected"]))
         return (

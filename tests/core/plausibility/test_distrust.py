@@ -62,6 +62,7 @@ def test_accepted_findings_are_recorded(name: str) -> None:
     result = run(DANGEROUS[name][0], accept=(name,))
     assert any(w.startswith(f"accepted {name}: ") for w in result.warnings)
     assert name in result.request.settings.in_words()
+    assert [one["finding"] for one in result.summary()["accepted"]] == [name]
 
 
 def test_the_units_the_other_way() -> None:

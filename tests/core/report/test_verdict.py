@@ -16,6 +16,7 @@ def summary(**changed: Any) -> dict[str, Any]:
         "outliers": [],
         "unmeasured": 0.0,
         "correction": {"largest": -0.0123, "place": [1.5, -2.0]},
+        "accepted": [],
         "warnings": [],
         "foreseen": None,
         "filtered": {"mean": 0.003, "std": 0.004},
@@ -52,11 +53,13 @@ def outliers(count: int) -> list[dict[str, float]]:
         ({"random_std": 0.0051}, "measure again or average parts: 5.1 um do not repeat, only 5.0 um do"),
         ({"random_std": float("nan")}, "use it: "),
         (
-            {"warnings": ["accepted unmeasured: 70 % of it, between X3.000 Y4.500 and X9.000 Y1.000"]},
+            {"accepted": [{"finding": "unmeasured", "place": [3.0, 4.5]}, {"finding": "scale", "place": None}]},
             "look at X3.000 Y4.500: unmeasured was accepted and is not resolved",
         ),
-        ({"warnings": ["accepted scale: 100 %"]}, "look at X1.500 Y-2.000: scale was accepted and is not resolved"),
-        ({"warnings": ["b.csv: accepted scale: 100 %"]}, "look at X1.500 Y-2.000: scale was accepted"),
+        (
+            {"accepted": [{"finding": "scale", "place": None}]},
+            "look at X1.500 Y-2.000: scale was accepted and is not resolved",
+        ),
         ({"foreseen": {"combined": None}, "random_std": 1.0}, "use it, and measure the first part: the cut moves"),
     ],
 )
