@@ -50,7 +50,7 @@ _SKIPPED = re.compile(
 _BLANKS = b" \t\r\x0b\x0c\x1a"
 _PERCENT = re.compile(rb"(?m)^(?:[Nn]\d+)?%[^\n]*|\A\$[^\n]*%(?=\n)")
 _OPENING = re.compile(rb"(?m)^((?:N\d+)?)(?:/[1-9]?|:(?=\d))")
-_ODD_WORD = re.compile(rb"([A-Z\xc0-\xdc])([-+]?(?:\d+\.?\d*|\.\d+)(?![\d.=#])|[-+]?#|=)")
+_ODD_WORD = re.compile(rb"([A-Z\xc0-\xde])([-+]?(?:\d+\.?\d*|\.\d+)(?![\d.=#])|[-+]?#|=)")
 
 _DIGIT, _POINT, _SIGN, _OTHER, _LETTER, _NEWLINE = range(6)
 _CLASS = np.full(256, _OTHER, np.uint8)
@@ -140,6 +140,8 @@ class Reading(ReadOnlyArrays):
         X or Y is stated.
     feed_word : (lines,) float64
         Number of the F word in force behind each line.
+    corner_feed : (moves,) float64
+        Number of an F word for corners that have a feed of their own; NaN for other moves.
     moves : PlainMoves
     """
 
@@ -151,6 +153,7 @@ class Reading(ReadOnlyArrays):
     motion: Ints
     in_plane: Bools
     feed_word: Floats
+    corner_feed: Floats
     moves: PlainMoves
 
 
@@ -594,11 +597,14 @@ class _Follower:
         feeding = self.group({930: 93, 940: 94, 950: 95}, 94)
         stated_f, f = self.column("F")
         changed = np.diff(feeding, prepend=94) != 0
-        feed = _held(stated_f | changed, np.where(stated_f & (feeding == 94), f * scale / 60.0, np.nan), np.nan)
+        feed = _held(stated_f | changed, np.where(stated_f & (feeding == 94), f * scale / 60.0, np.nan), np.nan)[moving]
+        corner_feed = np.broadcast_to(np.nan, len(moving))
         if wanted := self._wanted_corners(moving, kind, scale):
             row, columns = self._corners(wanted, moving, kind, start, end, centre, sweep, plane)
             kind, start, end, centre, sweep = columns
+            corner_feed, per_minute = (self._corner_feeds(moving, row, unit) for unit in (np.ones(self.lines), scale))
             moving, control = moving[row], control[row]
+            feed = np.where(np.isnan(per_minute), feed[row], per_minute / 60.0)
         moves = PlainMoves(
             kind,
             start,
@@ -607,7 +613,7 @@ class _Follower:
             sweep,
             control,
             plane[moving],
-            np.where(kind == Kind.RAPID, np.nan, feed[moving]),
+            np.where(kind == Kind.RAPID, np.nan, feed),
             self._tool()[moving],
             self.group({400: 0, 410: 1, 411: 1, 420: -1, 421: -1}, 0)[moving],
             offset[moving],
@@ -622,8 +628,23 @@ class _Follower:
             motion,
             in_plane,
             _held(stated_f, f, np.nan),
+            corner_feed,
             moves,
         )
+
+    def _corner_feeds(self, moving: Ints, row: Ints, scale: Floats) -> Floats:
+        """Feed, in units of `scale`, of corners that have their own, by the line before them; NaN for other moves.
+
+        `row` is the move that each one is or, from the second of equal ones on, whose corner it is.
+        """
+        feed = np.zeros(self.lines)
+        if (modal := self.of("FRCM")) is not None:
+            feed = _held(modal[0], modal[1] * scale, 0.0)
+        if (once := self.of("FRC")) is not None:
+            feed = np.where(once[0], once[1] * scale, feed)
+        corner = np.diff(row, prepend=-1) == 0
+        out: Floats = np.where(corner & (feed[moving[row]] != 0), feed[moving[row]], np.nan)
+        return out
 
     def _wanted_corners(self, moving: Ints, kind: Ints, scale: Floats) -> dict[int, tuple[str, float]]:
         """What is to be made of the corners behind moves, by their rows."""

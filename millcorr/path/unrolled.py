@@ -23,7 +23,7 @@ ADDRESS = {
     name: bytes([0xC0 + k]).decode("latin-1")
     for k, name in enumerate(
         "X=IC Y=IC Z=IC X=AC Y=AC Z=AC I=AC J=AC K=AC RND CHR CHF ANG AR TURN I1 J1 K1 FRAME ARC RNDM "
-        "AP AP=AC AP=IC RP RP=IC POLE PX PY".split()
+        "AP AP=AC AP=IC RP RP=IC POLE PX PY FRC FRCM".split()
     )
 }
 """Letters, beyond those of ASCII, that stand for addresses of several."""
@@ -313,7 +313,7 @@ def _computes(before: str) -> bool:
 
 _NAMED = re.compile(
     r"(?<![A-Z_#$])(?:(?P<mode>[XYZIJK]1?|[CAR]R|[AR]P)\s*=\s*(?P<how>AC|IC|DC|ACP|ACN)\s*\("
-    r"|(?P<name>CR|AR|AP|RP|TURN|RNDM|RND|CHR|CHF|ANG|[IJK]1|[XYZIJKFPQL])\s*=(?!=)"
+    r"|(?P<name>CR|AR|AP|RP|TURN|FRCM|FRC|RNDM|RND|CHR|CHF|ANG|[IJK]1|[XYZIJKFPQL])\s*=(?!=)"
     r"|,\s*(?P<corner>[RCA])\s*=?"
     r"|(?P<word>CIP|CT|MCALL|A?TRANS|A?ROTS?|A?MIRROR|A?SCALE|SUPA|G153)(?![A-Z_=])"
     r"|(?P<letter>[A-Z])(?=\s*[-+]?\s*(?:[\[#]|VC?\d|Q[LRS]?\d)))"
