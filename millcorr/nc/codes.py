@@ -62,11 +62,18 @@ INITIAL = {
 
 FRAME_ON = {
     920: phrase("G92 shifts the frame"),
+    923: phrase("G92.3 shifts the frame"),
     LOCAL_SHIFT: phrase("G52 turns the frame"),
     100: phrase("G10 may change a work offset"),
+    110: phrase("G11 shifts or turns the frame"),
     680: phrase("G68 rotates the frame"),
     681: phrase("G68.1 rotates the frame"),
     682: phrase("G68.2 tilts the plane"),
+    683: phrase("G68.3 tilts the plane"),
+    684: phrase("G68.4 tilts the plane"),
+    685: phrase("G68.5 turns the frame"),
+    925: phrase("G92.5 turns the frame"),
+    2540: phrase("G254 lets the work offset turn with the part"),
     510: phrase("G51 scales the frame"),
     511: phrase("G51.1 mirrors the frame"),
     1010: phrase("G101 mirrors the frame"),
@@ -85,11 +92,14 @@ FRAME_ON = {
     round(10 * MODAL_CALL): phrase("MCALL calls a cycle behind every move"),
 }
 FRAME_OFF: dict[int, tuple[int, ...]] = {
-    921: (920,),
-    922: (920,),
+    921: (920, 923),
+    922: (920, 923),
     110: (100,),
-    690: (680, 681, 682),
-    691: (680, 681, 682),
+    100: (110,),
+    690: (680, 681, 682, 683, 684),
+    691: (680, 681, 682, 683, 684),
+    695: (685,),
+    2550: (2540,),
     500: (510,),
     501: (511,),
     1000: (1010,),
@@ -114,7 +124,33 @@ PROGRAM_ENDS = (2, 30, 99)
 
 # The axis words of a line with one of these are not the target of a move.
 NOT_A_TARGET = frozenset(
-    [40, 100, 281, 301, 520, 920, 921, 922, 923, 500, 501, 510, 511, 650, 660, 680, 682, 71, 1070, *SHIFTS]
+    [
+        40,
+        100,
+        110,
+        281,
+        301,
+        520,
+        920,
+        921,
+        922,
+        923,
+        500,
+        501,
+        510,
+        511,
+        650,
+        660,
+        680,
+        682,
+        683,
+        684,
+        685,
+        925,
+        71,
+        1070,
+        *SHIFTS,
+    ]
 )
 HARMLESS = frozenset(
     [code for group in GROUPS.values() for code in group]

@@ -290,7 +290,10 @@ class _Follower:
         if code == 71 or code == 1070:
             return number("C") != 0
         if code == 100:
-            return number("L") in (0, 2, 20)
+            # Without any word it ends what Okuma's G11 has begun.
+            return number("L") in (0, 2, 20) and bool(self.any_of("XYZLPR")[line])
+        if code == 110:
+            return bool(self.any_of("XYZP")[line])
         if code == 160:
             return not self.column("H")[0][line]
         return True

@@ -33,14 +33,63 @@ _EXACT_DIGITS = 15
 _PATHS = {0: Kind.RAPID, 10: Kind.LINE, 20: Kind.ARC, 30: Kind.ARC, 50: Kind.CUBIC}
 _NO_PATH = (330, *range(380, 390), 730, 740, 760, 800, 810, 820, 830, 840, 850, 860, 870, 880, 890)
 _CYCLES = (730, 740, 760, 810, 820, 830, 840, 850, 860, 870, 880, 890)
-_NO_TARGET = (40, 71, 100, 281, 301, 500, 501, 510, 511, 520, 650, 660, 680, 682, 920, 921, 922, 923, 1070)
+_NO_TARGET = (
+    40,
+    71,
+    100,
+    110,
+    281,
+    301,
+    500,
+    501,
+    510,
+    511,
+    520,
+    650,
+    660,
+    680,
+    682,
+    683,
+    684,
+    685,
+    925,
+    920,
+    921,
+    922,
+    923,
+    1070,
+)
 """Tenths of G codes beside which axis words are no target: dwell, frames, macros."""
 _LOCAL = 520
 _POLAR = ("RP", "RP=IC", "AP", "AP=AC", "AP=IC")
-_NEW_FRAME = (100, 500, 501, 510, 511, 650, 680, 681, 682, 690, 691, 920, 921, 922, 923)
-_OFFSETS = (*range(540, 600), *range(1100, 1300, 10), 5000, *range(5050, 6000, 10))
+_OFFSETS = (*range(540, 600), 1540, *range(1100, 1300, 10), 5000, *range(5050, 6000, 10))
+_FRAMES = (
+    ((920, 923), (921, 922)),
+    ((680, 681, 682, 683, 684), (690, 691)),
+    ((685,), (695,)),
+    ((925,), ()),
+    ((2540,), (2550,)),
+    ((510,), (500,)),
+    ((511,), (501,)),
+    ((1010,), (1000,)),
+    ((121,), (131,)),
+    ((1120,), (1130,)),
+    ((434, 435), (430, 490)),
+    ((2340,), (2350,)),
+    ((660,), (670,)),
+)
+"""Codes that put places elsewhere, and those that end it."""
 _HOME = (280, 300)
 _MACHINE = (530, 1530)
+FAMILIAR = frozenset(
+    [
+        *_PATHS, *_CYCLES, *_NO_TARGET, *_OFFSETS, *_HOME, *_MACHINE, *(c for on, off in _FRAMES for c in (*on, *off)),
+        170, 180, 190, 200, 210, 700, 710, 7000, 7100, 900, 901, 910, 911, 400, 410, 411, 420, 421, 431, 432, 440,
+        800, 930, 940, 950, 980, 990, 70, 80, 150, 160, 51, 90, 600, 601, 610, 611, 620, 630, 640, 960, 970,
+        1030, 1870, 4500, 4510, 6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450,
+    ]
+)  # fmt: skip
+"""Codes behind which the machine stands where the text says; behind any other it may stand anywhere."""
 
 _SKIPPED = re.compile(
     rb'\([^()\n]*\)|;[^\n]*|((?<![A-Z_])T(?:\d*[ \t]*=)?[ \t]*)?"([^"\n]*)"'
@@ -449,13 +498,14 @@ class _Follower:
         self.file_line = file_line
         self.lines = len(starts) - 1
         letter, value, line = words
-        self.words = {c: (line[letter == ord(c)], value[letter == ord(c)]) for c in "GMXYZIJKRFTHPQ"}
+        self.words = {c: (line[letter == ord(c)], value[letter == ord(c)]) for c in "GMXYZIJKRFTHPQLABC"}
         if (letter > ord("Z")).any():
             found = {name: letter == ord(c) for name, c in ADDRESS.items()}
             self.words |= {name: (line[here], value[here]) for name, here in found.items() if here.any()}
         where, code = self.words["G"]
         known = np.isfinite(code)
         self.code, self.code_line = np.rint(code[known] * 10).astype(np.int64), where[known]
+        self.present = frozenset(np.unique(self.code).tolist())
 
     def column(self, letter: str) -> tuple[Bools, Floats]:
         progress.step()
@@ -488,7 +538,8 @@ class _Follower:
 
     def having(self, *codes: int) -> Bools:
         out = np.zeros(self.lines, np.bool_)
-        out[self.code_line[np.isin(self.code, codes)]] = True
+        if not self.present.isdisjoint(codes):
+            out[self.code_line[np.isin(self.code, codes)]] = True
         return out
 
     def group(self, members: dict[int, int], initial: int, without: Bools | None = None) -> Ints:
@@ -536,7 +587,7 @@ class _Follower:
             target &= ~framed[0]
         cycle = np.isin(motion, _CYCLES)
         offset, lost = self._frames()
-        gone = self._called() | (home & ~named)
+        gone = self._called() | (home & ~named) | self._strange(named)
         machine = self.having(*_MACHINE)
         moving = np.flatnonzero(
             (target & (named | (np.isin(motion, (20, 30, _BY_POINT, _TANGENT)) & arcs_named))) | home
@@ -787,6 +838,11 @@ class _Follower:
                 middle = s + (e - s) / (1 - np.exp(1j * turn)) if turn else middle
             centre[n], sweep[n] = (middle.real, middle.imag), turn
 
+    def _strange(self, named: Bools) -> Bools:
+        """Lines with codes that are not known, or with a G5.1 that goes somewhere."""
+        out: Bools = self.having(*self.present - FAMILIAR) | (self.having(51) & named)
+        return out
+
     def _called(self) -> Bools:
         """Lines behind which a subprogram has left the machine somewhere."""
         out = self.having(650)
@@ -807,19 +863,43 @@ class _Follower:
         number[extended] = 541000 + np.where(p_stated, p, 0.0)[extended]
         # Okuma: G15 Hn chooses the offset, and G54 to G59 with H the tool length.
         okuma = self.having(150) & h_stated
-        lengths = self.having(430, 440, 490) | (offsets & h_stated & ~extended & ~self.having(430, 440))
-        offsets = offsets & (~lengths | self.having(430, 440, 490))
+        signed = self.having(430, 431, 432, 440, 490)
+        lengths = signed | (offsets & h_stated & ~extended & ~signed)
+        offsets = offsets & (~lengths | signed)
         number[okuma] = 150000 + h[okuma]
         offset = _held(offsets | okuma, number, 540000.0)
-        length = _held(lengths, np.where(self.having(490), -1.0, np.nan_to_num(h, nan=0.0)), -1.0)
-        new = self.having(*_NEW_FRAME)
-        for turned in filter(None, map(self.of, "ABC")):
-            new |= self.having(_LOCAL) & turned[0] & (turned[1] != 0)
+        longer_by = np.where(self.having(490), -1.0, np.nan_to_num(h, nan=0.0))
+        for code in (431, 432, 440):
+            longer_by = longer_by + 1e4 * code * self.having(code)
+        length = _held(lengths, longer_by, -1.0)
+        new = self._reframed()
         if (frame := self.of("FRAME")) is not None:
             new |= frame[0] & (frame[1] == 2)
         moved = new | (np.diff(offset, prepend=540000.0) != 0)
         longer = moved | (np.diff(length, prepend=-1.0) != 0)
         return np.nan_to_num(offset).astype(np.int64), np.column_stack([moved, moved, longer])
+
+    def _reframed(self) -> Bools:
+        """Lines behind which places are elsewhere: where a frame is put on, and where one that is on ends."""
+        l_stated, what = self.column("L")
+        bare = ~self.naming("XYZLPR")
+        here = self.having(100) & (~l_stated | np.isin(what, (0, 2, 20))) & ~bare
+        pairs = [(self.having(*on), self.having(*off)) for on, off in _FRAMES]
+        pairs.append((here, self.having(110, *_OFFSETS)))
+        # Okuma's shift and turn.
+        pairs.append((self.having(110) & self.naming("XYZP"), self.having(100) & bare))
+        pairs.append((self.having(160) & ~self.column("H")[0], self.having(150)))
+        for codes, letters in (((_LOCAL,), "ABC"), ((71,), "C"), ((1070,), "C")):
+            turned = np.zeros(self.lines, np.bool_)
+            for letter in letters:
+                turned |= np.nan_to_num(self.column(letter)[1]) != 0
+            pairs.append((self.having(*codes) & turned, self.having(*codes) & ~turned))
+        out = np.zeros(self.lines, np.bool_)
+        for on, off in pairs:
+            if on.any():
+                was = np.concatenate([[False], _held(on | off, on, False)[:-1]])
+                out |= on | (off & was)
+        return out
 
     def _tool(self) -> Ints:
         stated, number = self.column("T")

@@ -534,7 +534,7 @@ class _Machine:
         p, many = (re.search(letter + r"\s*0*(\d+)", text) for letter in "PL")
         if code[-1] in ("99", "17"):
             return self._leave(i, p)
-        if p is None or re.search(r"H\s*\d", text):
+        if p is None or re.search(r"[HQ]\s*\d", text):
             return self._lost_call(i)
         times = int(many[1]) if many else 1
         if code[-1] == "97":
