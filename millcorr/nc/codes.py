@@ -14,6 +14,7 @@ UNSTATED = -1
 CIRCLE_BY_POINT, TANGENT_CIRCLE = 9876.1, 9876.2
 SHIFT, SHIFT_MORE, NEW_FRAME, OTHER_FRAME = 9876.3, 9876.4, 9876.5, 9876.6
 MODAL_CALL, MODAL_CALL_OFF = 9876.7, 9876.8
+SWIVEL, SWIVEL_OFF = 9876.9, 9877.0
 
 SIEMENS_ARCS = (round(10 * CIRCLE_BY_POINT), round(10 * TANGENT_CIRCLE))
 LOCAL_SHIFT = 520
@@ -89,6 +90,7 @@ FRAME_ON = {
     660: phrase("G66 calls a macro at every move"),
     930: phrase("G93 states the feed as inverse time"),
     round(10 * OTHER_FRAME): phrase("ROT, MIRROR or SCALE changes the frame"),
+    round(10 * SWIVEL): phrase("CYCLE800 swivels the frame"),
     round(10 * MODAL_CALL): phrase("MCALL calls a cycle behind every move"),
 }
 FRAME_OFF: dict[int, tuple[int, ...]] = {
@@ -111,6 +113,7 @@ FRAME_OFF: dict[int, tuple[int, ...]] = {
     490: (434, 435),
     2350: (2340,),
     670: (660,),
+    round(10 * SWIVEL_OFF): (round(10 * SWIVEL),),
     round(10 * MODAL_CALL_OFF): (round(10 * MODAL_CALL),),
     940: (930,),
     950: (930,),

@@ -460,7 +460,8 @@ def _odd_words(text: bytes) -> list[tuple[int, float]]:
     while (shorter := re.sub(rb"\[[^\[\]]*\]|<[^<>]*>|#+\d+", b"#", text)) != text:
         text = shorter
     if re.search(rb"[A-Z_]{2}", text):
-        return []
+        # A cycle by its name, marked as a call that is not followed.
+        return [(ord("M"), 98.0)] if text.startswith(b"M98") else []
     words = []
     for m in _ODD_WORD.finditer(text):
         try:
@@ -597,6 +598,9 @@ class _Follower:
         endless = self._endless()
         # The columns and words of the axes, which most of a long text is, are not kept beside what follows from them.
         self.words |= dict.fromkeys("XYZ", (np.empty(0, np.int64), np.empty(0)))
+        # A cycle that is repeated by increments ends where the control counts; under G99 it ends at R.
+        repeated = cycle & ~modal_absolute & self.naming("KL")
+        at_r = cycle & named & (self.group({980: 98, 990: 99}, 98) == 99)
         for a in range(3):
             stated, value = axes.pop(0)
             absolute = modal_absolute
@@ -606,6 +610,7 @@ class _Follower:
                     absolute = np.where(own[0], way_of == "AC", absolute)
             unknown = gone | (endless & (a < 2))
             unknown |= (home | machine) & stated
+            unknown |= at_r if a == 2 else repeated
             # The Z of a canned cycle is the bottom of its hole, not where it ends.
             stated = stated & (target & ~cycle if a == 2 else target)
             fixed = lost[:, a] | unknown | (stated & (absolute | np.isnan(value)))

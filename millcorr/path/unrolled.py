@@ -520,6 +520,8 @@ class _Machine:
         self._assign(i)
         if re.search(r"G\s*6[56](?![\d.])", text):
             self.known.clear()
+        if re.match(r"\s*(?:CYCLE(?!832)|POCKET|SLOT|HOLES|LONGHOLE)", text):
+            return self._lost_call(i)
         code = re.findall(r"M\s*0*(2|30|99|17|97|98|198)(?![\d.=])", text)
         if self.heads.get(text.strip()) == i:
             # A program's head (Okuma's OSUB) calls nothing.

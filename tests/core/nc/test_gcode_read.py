@@ -271,6 +271,9 @@ def test_carriage_returns_alone_end_lines() -> None:
         ("X1 Y2|G0 X1", [1, 0]),
         ("G0 X0|CYCLE800(1)|G90 G0 X5", [0, 0]),
         ("G0 X0 Y0|G92.2|G92.3|G1 X2 F1|G92.1|X3", [0, 1, 0]),
+        ('G0 X0 Y0|CYCLE800(1,"TC",0,57,0,0,0,0,0,30,0,0,0,1)|G90 G1 X2 F1|CYCLE800()|G90 G1 X3', [0, 1, 0]),
+        ('G0 X0 Y0|CYCLE800(1,"TC",0,57,0,0,0,0.,0,0,0,0,0,1)|G90 G1 X2 F1', [0, 0]),
+        ('G0 X0 Y0|CYCLE800(1,"TC",0,57,0,0,0,0,0,R5,0,0,0,1)|G90 G1 X2 F1', [0, 1]),
         # Mazak's and Haas's frames; Okuma's, which G10 alone ends.
         ("G0 X0 Y0|G68.5 X0 Y0 Z0 I0 J0 K1 R90|G1 X2 F1|G69.5|X3", [0, 1, 0]),
         ("G0 X0 Y0|G254|G1 X2 F1|G255|X3", [0, 1, 0]),
