@@ -14,6 +14,7 @@ UNSTATED = -1
 CIRCLE_BY_POINT, TANGENT_CIRCLE = 9876.1, 9876.2
 SHIFT, SHIFT_MORE, NEW_FRAME, OTHER_FRAME = 9876.3, 9876.4, 9876.5, 9876.6
 MODAL_CALL, MODAL_CALL_OFF = 9876.7, 9876.8
+SWIVEL, SWIVEL_OFF = 9876.9, 9877.0
 
 SIEMENS_ARCS = (round(10 * CIRCLE_BY_POINT), round(10 * TANGENT_CIRCLE))
 LOCAL_SHIFT = 520
@@ -62,11 +63,18 @@ INITIAL = {
 
 FRAME_ON = {
     920: phrase("G92 shifts the frame"),
+    923: phrase("G92.3 shifts the frame"),
     LOCAL_SHIFT: phrase("G52 turns the frame"),
     100: phrase("G10 may change a work offset"),
+    110: phrase("G11 shifts or turns the frame"),
     680: phrase("G68 rotates the frame"),
     681: phrase("G68.1 rotates the frame"),
     682: phrase("G68.2 tilts the plane"),
+    683: phrase("G68.3 tilts the plane"),
+    684: phrase("G68.4 tilts the plane"),
+    685: phrase("G68.5 turns the frame"),
+    925: phrase("G92.5 turns the frame"),
+    2540: phrase("G254 lets the work offset turn with the part"),
     510: phrase("G51 scales the frame"),
     511: phrase("G51.1 mirrors the frame"),
     1010: phrase("G101 mirrors the frame"),
@@ -82,14 +90,18 @@ FRAME_ON = {
     660: phrase("G66 calls a macro at every move"),
     930: phrase("G93 states the feed as inverse time"),
     round(10 * OTHER_FRAME): phrase("ROT, MIRROR or SCALE changes the frame"),
+    round(10 * SWIVEL): phrase("CYCLE800 swivels the frame"),
     round(10 * MODAL_CALL): phrase("MCALL calls a cycle behind every move"),
 }
 FRAME_OFF: dict[int, tuple[int, ...]] = {
-    921: (920,),
-    922: (920,),
+    921: (920, 923),
+    922: (920, 923),
     110: (100,),
-    690: (680, 681, 682),
-    691: (680, 681, 682),
+    100: (110,),
+    690: (680, 681, 682, 683, 684),
+    691: (680, 681, 682, 683, 684),
+    695: (685,),
+    2550: (2540,),
     500: (510,),
     501: (511,),
     1000: (1010,),
@@ -101,6 +113,7 @@ FRAME_OFF: dict[int, tuple[int, ...]] = {
     490: (434, 435),
     2350: (2340,),
     670: (660,),
+    round(10 * SWIVEL_OFF): (round(10 * SWIVEL),),
     round(10 * MODAL_CALL_OFF): (round(10 * MODAL_CALL),),
     940: (930,),
     950: (930,),
@@ -114,7 +127,33 @@ PROGRAM_ENDS = (2, 30, 99)
 
 # The axis words of a line with one of these are not the target of a move.
 NOT_A_TARGET = frozenset(
-    [40, 100, 281, 301, 520, 920, 921, 922, 923, 500, 501, 510, 511, 650, 660, 680, 682, 71, 1070, *SHIFTS]
+    [
+        40,
+        100,
+        110,
+        281,
+        301,
+        520,
+        920,
+        921,
+        922,
+        923,
+        500,
+        501,
+        510,
+        511,
+        650,
+        660,
+        680,
+        682,
+        683,
+        684,
+        685,
+        925,
+        71,
+        1070,
+        *SHIFTS,
+    ]
 )
 HARMLESS = frozenset(
     [code for group in GROUPS.values() for code in group]

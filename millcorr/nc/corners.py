@@ -29,11 +29,25 @@ class Corner:
         "r" a radius, "c" what is cut off each side, "d" the length of the chamfer.
     size : float
         mm.
+    feed : float
+        Feed in the corner, mm/s; NaN where none is known.
     """
 
     row: int
     kind: str
     size: float
+    feed: float
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Made:
+    """The move in place of a corner: a chamfer has no centre."""
+
+    corner: Corner
+    start: Floats
+    end: Floats
+    centre: Vector | None
+    sweep: float
 
 
 def rounded(toolpath: Toolpath, corners: list[Corner]) -> tuple[Toolpath, list[int]]:
@@ -55,7 +69,7 @@ def rounded(toolpath: Toolpath, corners: list[Corner]) -> tuple[Toolpath, list[i
     """
     start, end, sweep = toolpath.start.copy(), toolpath.end.copy(), toolpath.sweep.copy()
     failed: list[int] = []
-    made: list[tuple[int, Floats, Floats, Vector | None, float]] = []
+    made: list[_Made] = []
     for corner in corners:
         i, j = corner.row, corner.row + 1
         found = _corner(toolpath, start, end, sweep, corner) if _can(toolpath, i, j) else None
@@ -72,7 +86,7 @@ def rounded(toolpath: Toolpath, corners: list[Corner]) -> tuple[Toolpath, list[i
                 from_, to = (start[row, :2], place[:2]) if row == i else (place[:2], end[row, :2])
                 sweep[row] = _turn(from_, to, toolpath.centre[row, :2], float(sweep[row]))
             at[row] = place
-        made.append((i, a, b, centre, turn))
+        made.append(_Made(corner, a, b, centre, turn))
     return _inserted(toolpath.with_moves(start=start, end=end, sweep=sweep), made), failed
 
 
@@ -222,22 +236,22 @@ def _turn(start: Floats, end: Floats, centre: Floats, sense: float) -> float:
     return angle if angle <= 0 else angle - 2 * math.pi
 
 
-def _inserted(toolpath: Toolpath, made: list[tuple[int, Floats, Floats, Vector | None, float]]) -> Toolpath:
+def _inserted(toolpath: Toolpath, made: list[_Made]) -> Toolpath:
     """Moves with others inserted behind some of them."""
     if not made:
         return toolpath
-    rows: Ints = np.array([row for row, *_ in made], np.int64)
-    more = toolpath.take(rows)
+    rows: Ints = np.array([m.corner.row for m in made], np.int64)
     centre = np.full((len(rows), 3), np.nan)
-    for k, (_, first, _, middle, _) in enumerate(made):
-        if middle is not None:
-            centre[k] = [*middle, first[2]]
-    more = more.with_moves(
-        kind=np.array([Kind.LINE if m[3] is None else Kind.ARC for m in made], np.int64),
-        start=np.array([m[1] for m in made]),
-        end=np.array([m[2] for m in made]),
+    for k, m in enumerate(made):
+        if m.centre is not None:
+            centre[k] = [*m.centre, m.start[2]]
+    more = toolpath.take(rows).with_moves(
+        kind=np.array([Kind.LINE if m.centre is None else Kind.ARC for m in made], np.int64),
+        start=np.array([m.start for m in made]),
+        end=np.array([m.end for m in made]),
         centre=centre,
-        sweep=np.array([m[4] for m in made]),
+        sweep=np.array([m.sweep for m in made]),
+        feed=np.array([m.corner.feed for m in made]),
         control=np.full((len(rows), 4), np.nan),
     )
     order = np.argsort(np.concatenate([np.arange(len(toolpath)), rows]), kind="stable")

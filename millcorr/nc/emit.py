@@ -205,6 +205,10 @@ class Emitter:
             self._free(line, "s")
             line.set_number(i, "0")
 
+    def _take_corner_feed(self, line: Line) -> None:
+        """Take FRC= off a line whose corner is written out: its number is the F of the move in its place."""
+        line.remove("!")
+
     def _take_feed(self, line: Line) -> None:
         feed = line.number("F")
         if feed is not None:
@@ -358,6 +362,7 @@ class Emitter:
         spline = self._code(line) == 5
         for letter in "xyzuvwijkp" + _LEANING:
             self._take_away(line, letter)
+        self._take_corner_feed(line)
         for letter in "XYZIJKRPQ" if spline or self._code(line) in (2, 3) else "XYZ":
             line.remove(letter)
         if i >= 0:
@@ -399,6 +404,7 @@ class Emitter:
         polar = any(letter in line.letters for letter in "hotq")
         for letter in _LEANING + ("ijk" if not self._absolute_centre(line) else ""):
             self._take_away(line, letter)
+        self._take_corner_feed(line)
         end, values, redundant = self._axis_words(line, move)
         code = move.code
         had_radius = line.find("R") >= 0 and self._code(line) in (2, 3)

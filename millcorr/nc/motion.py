@@ -290,7 +290,10 @@ class _Follower:
         if code == 71 or code == 1070:
             return number("C") != 0
         if code == 100:
-            return number("L") in (0, 2, 20)
+            # Without any word it ends what Okuma's G11 has begun.
+            return number("L") in (0, 2, 20) and bool(self.any_of("XYZLPR")[line])
+        if code == 110:
+            return bool(self.any_of("XYZP")[line])
         if code == 160:
             return not self.column("H")[0][line]
         return True
@@ -529,43 +532,67 @@ class _Follower:
             compensation=compensation[rows],
             tool=self._tool()[rows],
         )
-        toolpath = self._cornered(toolpath, scale)
+        toolpath = self._cornered(toolpath, scale, mode == 94)
         modal = Modal(motion, plane, distance, arc_distance, unit, feed_word, shift)
         return toolpath, modal, tuple(sorted(self.stretches, key=lambda s: (s.first, s.last)))
 
-    def _cornered(self, toolpath: Toolpath, scale: Floats) -> Toolpath:
+    def _cornered(self, toolpath: Toolpath, scale: Floats, per_minute: Bools) -> Toolpath:
         """Moves with the corners that the control rounds or breaks."""
         if not self.any_of("rcds").any():
             return toolpath
         source = toolpath.source
-        found: list[Corner] = []
+        found: list[tuple[int, str, float]] = []
         for letter in "rcd":
             stated, size = self.column(letter)
             # A word on a line that does not move is the one of the corner before it.
             for line in np.flatnonzero(stated).tolist():
                 row = int(np.searchsorted(source, line, side="right")) - 1
                 if row >= 0 and source[row] == line:
-                    found.append(Corner(row, letter, float(size[line] * scale[line])))
+                    found.append((row, letter, float(size[line] * scale[line])))
                 else:
                     self._mark(np.array([line]), phrase("a corner word without a move"))
         stated, size = self.column("s")
         if stated.any():
-            own = {c.row for c in found}
+            own = {row for row, *_ in found}
             held = _held(stated, np.where(stated, size * scale, 0.0), 0.0)[source]
             # Between moves that leave the plane, or plunge, there are no corners to be rounded.
             z = np.nan_to_num([toolpath.start[:, 2], toolpath.end[:, 2]], nan=np.inf)
             flat = (toolpath.plane == Plane.XY) & (z[0] == z[1])
             rows = np.flatnonzero((held[:-1] != 0) & flat[:-1] & flat[1:])
-            found += [Corner(k, "r", float(held[k])) for k in rows.tolist() if k not in own]
-        once, modal = self.column("!")[0][source], self.column("&")
-        slowed = once | (_held(modal[0], np.where(modal[0], modal[1], 0.0), 0.0)[source] != 0)
-        for row in sorted(c.row for c in found if slowed[c.row]):
-            self._mark(np.unique(source[row : row + 2]), phrase("FRC= or FRCM= gives a corner a feed of its own"))
-        toolpath, failed = rounded(toolpath, sorted(found, key=lambda c: c.row))
+            found += [(k, "r", float(held[k])) for k in rows.tolist() if k not in own]
+        feed, known = self._feeds_of_corners(toolpath, scale, per_minute)
+        corners: list[Corner] = []
+        for row, letter, size_of in sorted(found):
+            lines = np.unique(source[row : row + 2])
+            pair = slice(row, row + 2)
+            if corners and corners[-1].row == row:
+                self._mark(lines, phrase("two corner words on one line"))
+                continue
+            if not known[pair].all():
+                self._mark(lines, phrase("the feed of the corner is not known"))
+            elif not (feed[pair] == feed[row]).all() and not np.isnan(feed[pair]).all():
+                self._mark(lines, phrase("the control's settings decide which of two feeds holds in the corner"))
+            corners.append(Corner(row, letter, size_of, float(feed[row])))
+        toolpath, failed = rounded(toolpath, corners)
         for row in failed:
             lines = np.unique(source[row : row + 2])
             self._mark(lines, phrase("a corner rounding or chamfer that is not followed"))
         return toolpath
+
+    def _feeds_of_corners(self, toolpath: Toolpath, scale: Floats, per_minute: Bools) -> tuple[Floats, Bools]:
+        """Feed of a corner that a move begins or ends, by what its line says, mm/s, and whether it is known, (moves,).
+
+        FRC= of the line, else FRCM= in force, else F. Machine data 20201 decides whether what the line before the
+        corner says holds in it, or what the line behind it says.
+        """
+        lines = toolpath.source
+        (once, own), (modal_stated, modal) = self.column("!"), self.column("&")
+        held = _held(modal_stated, modal * scale, 0.0)[lines]
+        stated = once[lines] | (held != 0)
+        value = np.where(once[lines], own[lines] * scale[lines], held) / 60.0
+        # Where F is not known, what is stated for the corner would hold on behind it.
+        known = per_minute[lines] & np.isfinite(toolpath.feed) & (value > 0)
+        return np.where(stated, value, toolpath.feed), known | ~stated
 
     def _opaque(self) -> Bools:
         progress.step()

@@ -419,7 +419,9 @@ class _Runner:
 
     def _called_by_code(self, line: int, code: float) -> int:
         number, count = self._word(line, "P"), self._word(line, "L")
-        if number is None or not np.isfinite(number) or self._word(line, "H") is not None:
+        # H and Q begin at a line within the subprogram.
+        within = self._word(line, "H") is not None or self._word(line, "Q") is not None
+        if number is None or not np.isfinite(number) or within:
             return self._unknown_call(line, phrase("a subprogram is called"))
         times = 1 if count is None else int(count)
         if code == 97:

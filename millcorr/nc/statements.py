@@ -23,6 +23,8 @@ from .codes import (
     OTHER_FRAME,
     SHIFT,
     SHIFT_MORE,
+    SWIVEL,
+    SWIVEL_OFF,
     TANGENT_CIRCLE,
 )
 from .expressions import UnknownValue, evaluate, evaluate_factor, variable
@@ -455,11 +457,20 @@ class _Line:
             if token == "DEF":
                 return self._definition(found.end())
             return self._behind_bracket(found.end())
+        if token == "CYCLE800":
+            code = SWIVEL if self._swivels(found.end()) else SWIVEL_OFF
+            out.pieces.append(Piece("G", code, place, found.end(), token))
         if token == "M17" or token in ("RET", "RTS"):
             self._steers(place, phrase("the program returns"))
             return len(text)
         self._steers(place, phrase("{} is not plain ISO code", token), "call" if token.startswith(_CALLS) else "flow")
         return len(text)
+
+    def _swivels(self, place: int) -> bool:
+        """Whether a CYCLE800 whose arguments begin here shifts or turns: from the fifth to the thirteenth."""
+        found = re.compile(r"\s*\((.*)\)").match(self.text, place)
+        arguments = found[1].split(",") if found else []
+        return any(not re.fullmatch(r"[+-]?0*\.?0*", argument.strip()) for argument in arguments[4:13])
 
     def _definition(self, place: int) -> int:
         """DEF REAL DEPTH=5, N: names with their first values."""

@@ -249,10 +249,13 @@ class _Writer:
         if len(a) != len(b) or _differ(a, b, rows, rows).any():
             self.program.require_plain(self.old.source == line)
         codes = [i for i in range(len(text.words)) if text.letter(i) == "G"]
-        if not codes and self._state_before(line).motion != state.motion:
+        before = self._state_before(line)
+        if not codes and before.motion != state.motion:
             raise FormatError(
                 phrase("the motion code before this line has changed: state it here"), name, form.line + 1
             )
+        if text.find("F") < 0 and before.feed != state.feed and not math.isnan(before.feed):
+            raise FormatError(phrase("the feed before this line has changed: state it here"), name, form.line + 1)
         for k, axis in enumerate("XYZ"):
             end = float(a.end[0, k])
             off = abs(state.position[k] - float(a.start[0, k]))

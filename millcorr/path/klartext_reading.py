@@ -879,4 +879,5 @@ def _reading(text: bytes, starts: Ints, lines: Ints, steps: list[_Step], reader:
     motion = np.full(len(lines), 10, np.int64)
     motion[line] = np.where(kind == Kind.ARC, np.where(turn < 0, 20, 30), np.where(kind == Kind.RAPID, 0, 10))
     in_plane = np.array(reader.in_plane, np.bool_)
-    return Reading(text, starts, text, starts, lines, motion, in_plane, words, moves)
+    corners = np.broadcast_to(np.nan, len(moves))
+    return Reading(text, starts, text, starts, lines, motion, in_plane, words, corners, moves)

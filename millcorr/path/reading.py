@@ -33,14 +33,63 @@ _EXACT_DIGITS = 15
 _PATHS = {0: Kind.RAPID, 10: Kind.LINE, 20: Kind.ARC, 30: Kind.ARC, 50: Kind.CUBIC}
 _NO_PATH = (330, *range(380, 390), 730, 740, 760, 800, 810, 820, 830, 840, 850, 860, 870, 880, 890)
 _CYCLES = (730, 740, 760, 810, 820, 830, 840, 850, 860, 870, 880, 890)
-_NO_TARGET = (40, 71, 100, 281, 301, 500, 501, 510, 511, 520, 650, 660, 680, 682, 920, 921, 922, 923, 1070)
+_NO_TARGET = (
+    40,
+    71,
+    100,
+    110,
+    281,
+    301,
+    500,
+    501,
+    510,
+    511,
+    520,
+    650,
+    660,
+    680,
+    682,
+    683,
+    684,
+    685,
+    925,
+    920,
+    921,
+    922,
+    923,
+    1070,
+)
 """Tenths of G codes beside which axis words are no target: dwell, frames, macros."""
 _LOCAL = 520
 _POLAR = ("RP", "RP=IC", "AP", "AP=AC", "AP=IC")
-_NEW_FRAME = (100, 500, 501, 510, 511, 650, 680, 681, 682, 690, 691, 920, 921, 922, 923)
-_OFFSETS = (*range(540, 600), *range(1100, 1300, 10), 5000, *range(5050, 6000, 10))
+_OFFSETS = (*range(540, 600), 1540, *range(1100, 1300, 10), 5000, *range(5050, 6000, 10))
+_FRAMES = (
+    ((920, 923), (921, 922)),
+    ((680, 681, 682, 683, 684), (690, 691)),
+    ((685,), (695,)),
+    ((925,), ()),
+    ((2540,), (2550,)),
+    ((510,), (500,)),
+    ((511,), (501,)),
+    ((1010,), (1000,)),
+    ((121,), (131,)),
+    ((1120,), (1130,)),
+    ((434, 435), (430, 490)),
+    ((2340,), (2350,)),
+    ((660,), (670,)),
+)
+"""Codes that put places elsewhere, and those that end it."""
 _HOME = (280, 300)
 _MACHINE = (530, 1530)
+FAMILIAR = frozenset(
+    [
+        *_PATHS, *_CYCLES, *_NO_TARGET, *_OFFSETS, *_HOME, *_MACHINE, *(c for on, off in _FRAMES for c in (*on, *off)),
+        170, 180, 190, 200, 210, 700, 710, 7000, 7100, 900, 901, 910, 911, 400, 410, 411, 420, 421, 431, 432, 440,
+        800, 930, 940, 950, 980, 990, 70, 80, 150, 160, 51, 90, 600, 601, 610, 611, 620, 630, 640, 960, 970,
+        1030, 1870, 4500, 4510, 6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450,
+    ]
+)  # fmt: skip
+"""Codes behind which the machine stands where the text says; behind any other it may stand anywhere."""
 
 _SKIPPED = re.compile(
     rb'\([^()\n]*\)|;[^\n]*|((?<![A-Z_])T(?:\d*[ \t]*=)?[ \t]*)?"([^"\n]*)"'
@@ -50,7 +99,7 @@ _SKIPPED = re.compile(
 _BLANKS = b" \t\r\x0b\x0c\x1a"
 _PERCENT = re.compile(rb"(?m)^(?:[Nn]\d+)?%[^\n]*|\A\$[^\n]*%(?=\n)")
 _OPENING = re.compile(rb"(?m)^((?:N\d+)?)(?:/[1-9]?|:(?=\d))")
-_ODD_WORD = re.compile(rb"([A-Z\xc0-\xdc])([-+]?(?:\d+\.?\d*|\.\d+)(?![\d.=#])|[-+]?#|=)")
+_ODD_WORD = re.compile(rb"([A-Z\xc0-\xde])([-+]?(?:\d+\.?\d*|\.\d+)(?![\d.=#])|[-+]?#|=)")
 
 _DIGIT, _POINT, _SIGN, _OTHER, _LETTER, _NEWLINE = range(6)
 _CLASS = np.full(256, _OTHER, np.uint8)
@@ -140,6 +189,8 @@ class Reading(ReadOnlyArrays):
         X or Y is stated.
     feed_word : (lines,) float64
         Number of the F word in force behind each line.
+    corner_feed : (moves,) float64
+        Number of an F word for corners that have a feed of their own; NaN for other moves.
     moves : PlainMoves
     """
 
@@ -151,6 +202,7 @@ class Reading(ReadOnlyArrays):
     motion: Ints
     in_plane: Bools
     feed_word: Floats
+    corner_feed: Floats
     moves: PlainMoves
 
 
@@ -402,7 +454,8 @@ def _odd_words(text: bytes) -> list[tuple[int, float]]:
     while (shorter := re.sub(rb"\[[^\[\]]*\]|<[^<>]*>|#+\d+", b"#", text)) != text:
         text = shorter
     if re.search(rb"[A-Z_]{2}", text):
-        return []
+        # A cycle by its name, marked as a call that is not followed.
+        return [(ord("M"), 98.0)] if text.startswith(b"M98") else []
     words = []
     for m in _ODD_WORD.finditer(text):
         try:
@@ -441,7 +494,7 @@ class _Follower:
         self.lines = len(starts) - 1
         letter, value, line = words
         there = np.bincount(letter, minlength=256)
-        names = {c: ord(c) for c in "GMXYZIJKRFTHPQ"} | {name: ord(c) for name, c in ADDRESS.items() if there[ord(c)]}
+        names = {c: ord(c) for c in "GMXYZIJKRFTHPQLABC"} | {name: ord(c) for name, c in ADDRESS.items() if there[ord(c)]}
         self.words = {}
         for name, sign in names.items():
             rows = np.flatnonzero(letter == sign) if there[sign] else np.empty(0, np.int64)
@@ -449,6 +502,7 @@ class _Follower:
         where, code = self.words["G"]
         known = np.isfinite(code)
         self.code, self.code_line = np.rint(code[known] * 10).astype(np.int64), where[known]
+        self.present = frozenset(np.unique(self.code).tolist())
 
     def column(self, letter: str) -> tuple[Bools, Floats]:
         progress.step()
@@ -481,7 +535,8 @@ class _Follower:
 
     def having(self, *codes: int) -> Bools:
         out = np.zeros(self.lines, np.bool_)
-        out[self.code_line[np.isin(self.code, codes)]] = True
+        if not self.present.isdisjoint(codes):
+            out[self.code_line[np.isin(self.code, codes)]] = True
         return out
 
     def group(self, members: dict[int, int], initial: int, without: Bools | None = None) -> Ints:
@@ -529,7 +584,7 @@ class _Follower:
             target &= ~framed[0]
         cycle = np.isin(motion, _CYCLES)
         offset, lost = self._frames()
-        gone = self._called() | (home & ~named)
+        gone = self._called() | (home & ~named) | self._strange(named)
         machine = self.having(*_MACHINE)
         moving = np.flatnonzero(
             (target & (named | (np.isin(motion, (20, 30, _BY_POINT, _TANGENT)) & arcs_named))) | home
@@ -539,6 +594,9 @@ class _Follower:
         endless = self._endless()
         # The columns and words of the axes, which most of a long text is, are not kept beside what follows from them.
         self.words |= dict.fromkeys("XYZ", (np.empty(0, np.int64), np.empty(0)))
+        # A cycle that is repeated by increments ends where the control counts; under G99 it ends at R.
+        repeated = cycle & ~modal_absolute & self.naming("KL")
+        at_r = cycle & named & (self.group({980: 98, 990: 99}, 98) == 99)
         for a in range(3):
             stated, value = axes.pop(0)
             absolute = modal_absolute
@@ -548,6 +606,7 @@ class _Follower:
                     absolute = np.where(own[0], way_of == "AC", absolute)
             unknown = gone | (endless & (a < 2))
             unknown |= (home | machine) & stated
+            unknown |= at_r if a == 2 else repeated
             # The Z of a canned cycle is the bottom of its hole, not where it ends.
             stated = stated & (target & ~cycle if a == 2 else target)
             fixed = lost[:, a] | unknown | (stated & (absolute | np.isnan(value)))
@@ -590,11 +649,14 @@ class _Follower:
         feeding = self.group({930: 93, 940: 94, 950: 95}, 94)
         stated_f, f = self.column("F")
         changed = np.diff(feeding, prepend=94) != 0
-        feed = _held(stated_f | changed, np.where(stated_f & (feeding == 94), f * scale / 60.0, np.nan), np.nan)
+        feed = _held(stated_f | changed, np.where(stated_f & (feeding == 94), f * scale / 60.0, np.nan), np.nan)[moving]
+        corner_feed = np.broadcast_to(np.nan, len(moving))
         if wanted := self._wanted_corners(moving, kind, scale):
             row, columns = self._corners(wanted, moving, kind, start, end, centre, sweep, plane)
             kind, start, end, centre, sweep = columns
+            corner_feed, per_minute = (self._corner_feeds(moving, row, unit) for unit in (np.ones(self.lines), scale))
             moving, control = moving[row], control[row]
+            feed = np.where(np.isnan(per_minute), feed[row], per_minute / 60.0)
         moves = PlainMoves(
             kind,
             start,
@@ -603,7 +665,7 @@ class _Follower:
             sweep,
             control,
             plane[moving],
-            np.where(kind == Kind.RAPID, np.nan, feed[moving]),
+            np.where(kind == Kind.RAPID, np.nan, feed),
             self._tool()[moving],
             self.group({400: 0, 410: 1, 411: 1, 420: -1, 421: -1}, 0)[moving],
             offset[moving],
@@ -618,8 +680,23 @@ class _Follower:
             motion,
             in_plane,
             _held(stated_f, f, np.nan),
+            corner_feed,
             moves,
         )
+
+    def _corner_feeds(self, moving: Ints, row: Ints, scale: Floats) -> Floats:
+        """Feed, in units of `scale`, of corners that have their own, by the line before them; NaN for other moves.
+
+        `row` is the move that each one is or, from the second of equal ones on, whose corner it is.
+        """
+        feed = np.zeros(self.lines)
+        if (modal := self.of("FRCM")) is not None:
+            feed = _held(modal[0], modal[1] * scale, 0.0)
+        if (once := self.of("FRC")) is not None:
+            feed = np.where(once[0], once[1] * scale, feed)
+        corner = np.diff(row, prepend=-1) == 0
+        out: Floats = np.where(corner & (feed[moving[row]] != 0), feed[moving[row]], np.nan)
+        return out
 
     def _wanted_corners(self, moving: Ints, kind: Ints, scale: Floats) -> dict[int, tuple[str, float]]:
         """What is to be made of the corners behind moves, by their rows."""
@@ -762,6 +839,11 @@ class _Follower:
                 middle = s + (e - s) / (1 - np.exp(1j * turn)) if turn else middle
             centre[n], sweep[n] = (middle.real, middle.imag), turn
 
+    def _strange(self, named: Bools) -> Bools:
+        """Lines with codes that are not known, or with a G5.1 that goes somewhere."""
+        out: Bools = self.having(*self.present - FAMILIAR) | (self.having(51) & named)
+        return out
+
     def _called(self) -> Bools:
         """Lines behind which a subprogram has left the machine somewhere."""
         out = self.having(650)
@@ -782,19 +864,43 @@ class _Follower:
         number[extended] = 541000 + np.where(p_stated, p, 0.0)[extended]
         # Okuma: G15 Hn chooses the offset, and G54 to G59 with H the tool length.
         okuma = self.having(150) & h_stated
-        lengths = self.having(430, 440, 490) | (offsets & h_stated & ~extended & ~self.having(430, 440))
-        offsets = offsets & (~lengths | self.having(430, 440, 490))
+        signed = self.having(430, 431, 432, 440, 490)
+        lengths = signed | (offsets & h_stated & ~extended & ~signed)
+        offsets = offsets & (~lengths | signed)
         number[okuma] = 150000 + h[okuma]
         offset = _held(offsets | okuma, number, 540000.0)
-        length = _held(lengths, np.where(self.having(490), -1.0, np.nan_to_num(h, nan=0.0)), -1.0)
-        new = self.having(*_NEW_FRAME)
-        for turned in filter(None, map(self.of, "ABC")):
-            new |= self.having(_LOCAL) & turned[0] & (turned[1] != 0)
+        longer_by = np.where(self.having(490), -1.0, np.nan_to_num(h, nan=0.0))
+        for code in (431, 432, 440):
+            longer_by = longer_by + 1e4 * code * self.having(code)
+        length = _held(lengths, longer_by, -1.0)
+        new = self._reframed()
         if (frame := self.of("FRAME")) is not None:
             new |= frame[0] & (frame[1] == 2)
         moved = new | (np.diff(offset, prepend=540000.0) != 0)
         longer = moved | (np.diff(length, prepend=-1.0) != 0)
         return np.nan_to_num(offset).astype(np.int64), np.column_stack([moved, moved, longer])
+
+    def _reframed(self) -> Bools:
+        """Lines behind which places are elsewhere: where a frame is put on, and where one that is on ends."""
+        l_stated, what = self.column("L")
+        bare = ~self.naming("XYZLPR")
+        here = self.having(100) & (~l_stated | np.isin(what, (0, 2, 20))) & ~bare
+        pairs = [(self.having(*on), self.having(*off)) for on, off in _FRAMES]
+        pairs.append((here, self.having(110, *_OFFSETS)))
+        # Okuma's shift and turn.
+        pairs.append((self.having(110) & self.naming("XYZP"), self.having(100) & bare))
+        pairs.append((self.having(160) & ~self.column("H")[0], self.having(150)))
+        for codes, letters in (((_LOCAL,), "ABC"), ((71,), "C"), ((1070,), "C")):
+            turned = np.zeros(self.lines, np.bool_)
+            for letter in letters:
+                turned |= np.nan_to_num(self.column(letter)[1]) != 0
+            pairs.append((self.having(*codes) & turned, self.having(*codes) & ~turned))
+        out = np.zeros(self.lines, np.bool_)
+        for on, off in pairs:
+            if on.any():
+                was = np.concatenate([[False], _held(on | off, on, False)[:-1]])
+                out |= on | (off & was)
+        return out
 
     def _tool(self) -> Ints:
         stated, number = self.column("T")

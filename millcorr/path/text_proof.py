@@ -35,7 +35,7 @@ _ON_CIRCLE, _ON_CIRCLE_RELATIVE = 0.0127, 0.001
 
 _TOKEN = re.compile(
     r"(?P<comment>\([^()]*\)|;.*|\"[^\"]*\"?)|(?P<skip>/[1-9]?)|(?P<end>\*[ \t]*$)"
-    r"|(?P<letter>[A-Za-z\xc0-\xdc])[ \t]*(?P<number>[-+]?(?:[ \t]*[0-9.])+)|(?P<other>[^ \t\r\n\x0b\x0c\x1a])"
+    r"|(?P<letter>[A-Za-z\xc0-\xde])[ \t]*(?P<number>[-+]?(?:[ \t]*[0-9.])+)|(?P<other>[^ \t\r\n\x0b\x0c\x1a])"
 )
 _PATH_CODES = (0.0, 1.0, 2.0, 3.0, 5.0)
 _PATH_WORD = re.compile(rb"[Gg]0?[01235](?![0-9.])")
@@ -50,7 +50,8 @@ _SHOWN = 40
 _HEIGHTS = ("Z", ADDRESS["Z=IC"], ADDRESS["Z=AC"])
 _CENTRES = tuple(ADDRESS[name] for name in ("I=AC", "J=AC"))
 _PLACES = tuple(
-    ADDRESS[name] for name in "X=IC Y=IC X=AC Y=AC RND CHR CHF RNDM ANG AR I1 J1 K1 ARC AP AP=AC AP=IC RP RP=IC".split()
+    ADDRESS[name]
+    for name in "X=IC Y=IC X=AC Y=AC RND CHR CHF RNDM FRC ANG AR I1 J1 K1 ARC AP AP=AC AP=IC RP RP=IC".split()
 )
 _OWN_WORDS = (ADDRESS["FRAME"], ADDRESS["POLE"])
 _NOT_THERE = "{} of a move that was not to change is not what it was"
@@ -176,7 +177,7 @@ def prove_text(
     top, added = _header_lines(original, written, header, language)
     starts = line_starts(written)
     body = written[: starts[top]] + written[starts[top + added] :] if added else written
-    prover = _Prover((original, body), may_change, top, added, tolerance, beside, language)
+    prover = _Prover((original, body), may_change, top, added, reach, tolerance, beside, language)
     prover.prove()
     shift, line = prover.largest_shift(unplaced)
     if shift > reach:
@@ -329,6 +330,11 @@ class Text:
         """Its moves."""
         return self.reading.moves
 
+    def feed(self, rows: Ints) -> Floats:
+        """Number of the F word at which some moves run; NaN before any."""
+        own = self.reading.corner_feed[rows]
+        return np.where(np.isnan(own), self.reading.feed_word[self.moves.line[rows]], own)
+
     def start(self, i: int) -> Floats:
         """Position before a line; NaN where unknown."""
         row = int(self.first[i])
@@ -366,6 +372,7 @@ class _Prover:
         may_change: Bools | Ints | Sequence[int],
         top: int,
         added: int,
+        reach: float,
         tolerance: float,
         beside: Sequence[tuple[str, bytes]],
         language: Language,
@@ -380,7 +387,7 @@ class _Prover:
         may[np.flatnonzero(given) if given.dtype == np.bool_ else given.astype(np.int64)] = True
         self.free = may[lines]
         self.top, self.added = top, added
-        self.tolerance = tolerance
+        self.reach, self.tolerance = reach, tolerance
         self.source = np.full(len(self.new), -1, np.int64)
         self.fixed = np.zeros(len(self.new), np.bool_)
         self.acts = np.zeros(len(self.new), np.bool_)
@@ -482,7 +489,7 @@ class _Prover:
         if len(rows) != len(there) or (to_new[a.line[rows]] != lines).any():
             self.refuse(int(lines[0]) if len(lines) else 0, "moves of lines that were not to change are not the same")
         in_plane = self.old.reading.in_plane[a.line[rows]]
-        feed, now = (t.reading.feed_word[t.moves.line[r]] for t, r in ((self.old, rows), (self.new, there)))
+        feed, now = (t.feed(r) for t, r in ((self.old, rows), (self.new, there)))
         off = np.where(in_plane[:, None], a.end[rows, :2] - b.end[there, :2], 0.0)
         bends = np.flatnonzero((a.kind[rows] >= Kind.ARC) & (a.kind[rows] == b.kind[there]))
         shape, bent = (
@@ -513,6 +520,8 @@ class _Prover:
         self.skip_old[first:last] = [len(c.skip) for c in contents]
         turns = {c.turns for c in contents}
         strays = any(c.stray for c in contents)
+        # Written out, a corner with a feed of its own states it, and the line behind it the one before.
+        slowed = self._slowed(first, last)
         waiting = [(i, c) for i, c in enumerate(contents, first) if not c.bare]
         needed = max((k + 1 for k, (_, c) in enumerate(waiting) if not c.droppable), default=0)
         # `goal` is the height that the last line which states one has not reached yet.
@@ -524,12 +533,12 @@ class _Prover:
             if w == len(self.new) and wanted is not None:
                 self._differs(w, wanted[0])
             c, reached = self.new.content(w), float(self.new.end(w)[2])
-            j = self._matching(waiting, k, c, w, height) if math.isnan(goal) and not c.bare else -1
+            j = self._matching(waiting, k, c, w, height, slowed) if math.isnan(goal) and not c.bare else -1
             if j >= 0:
                 i, k = waiting[j][0], j + 1
                 self.source[w], self.late[w], self.acts[w] = i, c.late, not c.droppable
                 goal = float(self.old.end(i)[2]) if c.height is not None else math.nan
-            elif not (c.bare or self._inserted(c, wanted, height, reached, goal)):
+            elif not (c.bare or self._inserted(c, wanted, height, reached, goal, slowed)):
                 if k < needed and wanted is not None:
                     self._differs(w, wanted[0])
                 self._differs_in_run(last, stop, range(at, w + 1))
@@ -548,24 +557,36 @@ class _Prover:
             self.refuse(w - 1, f"F{b:g} in force in place of F{a:g}")
         return w
 
+    def _slowed(self, first: int, last: int) -> bool:
+        """Whether some lines of the original hold a corner with a feed of its own."""
+        return bool(np.isfinite(self.old.reading.corner_feed[self.old.first[first] : self.old.first[last]]).any())
+
     def _inserted(
-        self, c: Content, wanted: tuple[int, Content] | None, height: float, reached: float, goal: float
+        self,
+        c: Content,
+        wanted: tuple[int, Content] | None,
+        height: float,
+        reached: float,
+        goal: float,
+        slowed: bool,
     ) -> bool:
         """Whether a line may stand between those of the original: on the way to a height that one of them states."""
-        if c.rest or (c.feed is not None and (wanted is None or not _ahead(c, wanted[1]))):
+        if c.rest or (c.feed is not None and not slowed and (wanted is None or not _ahead(c, wanted[1]))):
             return False
         to = goal
         if math.isnan(goal) and wanted is not None and wanted[1].height is not None:
             to = float(self.old.end(wanted[0])[2])
         return c.height is None or _between(height, reached, to) or abs(reached - goal) <= ARITHMETIC
 
-    def _matching(self, waiting: list[tuple[int, Content]], k: int, c: Content, w: int, height: float) -> int:
+    def _matching(
+        self, waiting: list[tuple[int, Content]], k: int, c: Content, w: int, height: float, slowed: bool
+    ) -> int:
         """Which of the waiting lines a written one is, past such as may have gone with their move; -1 for none."""
         while k < len(waiting):
             i, o = waiting[k]
-            if (o.rest, o.skip, _number(o.feed)) == (c.rest, c.skip, _number(c.feed)) and self._height_kept(
-                i, o, w, c, height
-            ):
+            restated = slowed and o.feed is None and not o.bare
+            same_feed = _number(o.feed) == _number(c.feed) or restated
+            if (o.rest, o.skip) == (c.rest, c.skip) and same_feed and self._height_kept(i, o, w, c, height):
                 return k
             if not o.droppable:
                 break
@@ -585,10 +606,12 @@ class _Prover:
 
     def _same_states(self, first: int, last: int, at: int, until: int) -> None:
         """Kind of motion, feed, height and the like follow one another in a block as they did."""
-        (was, heights, _), (now, reached, lines) = (
+        (was, heights, _, ways), (now, reached, lines, _) = (
             self._states(self.old, self.skip_old, first, last),
             self._states(self.new, self.skip_new, at, until),
         )
+        # The feed of a corner stands on no line: only where there was hardly a way has it gone with its move.
+        longest = 2 * self.reach if self._slowed(first, last) else math.inf
         if was.shape == now.shape and (was == now).all() and _alike(heights, reached, ARITHMETIC).all():
             return
         i = j = 1
@@ -603,35 +626,43 @@ class _Prover:
             elif same and _between(float(reached[j - 1]), float(reached[j]), float(heights[i])):
                 j += 1
             elif (
-                i + 1 < len(was) and not was[i - 1 : i + 2, 0].any() and abs(heights[i] - heights[i - 1]) <= ARITHMETIC
+                i + 1 < len(was)
+                and not was[i - 1 : i + 2, 0].any()
+                and abs(heights[i] - heights[i - 1]) <= ARITHMETIC
+                and ways[i] <= longest
             ):
                 # The move has vanished among others that cut; what comes next is compared with the one before it.
-                was, heights = np.delete(was, i, axis=0), np.delete(heights, i)
+                was, heights, ways = np.delete(was, i, axis=0), np.delete(heights, i), np.delete(ways, i)
             else:
                 w = int(lines[min(j, len(now) - 1)]) if len(lines) else at
                 self.refuse(w, "heights, feeds or kinds of motion do not follow one another as in the original")
 
-    def _states(self, text: Text, skip: Ints, first: int, last: int) -> tuple[Floats, Floats, Ints]:
-        """State and height of the move before some lines and of those in them, each run of equal ones once."""
+    def _states(self, text: Text, skip: Ints, first: int, last: int) -> tuple[Floats, Floats, Ints, Floats]:
+        """State and height of the move before some lines and of those in them, each run of equal ones once.
+
+        Beside them the line of the first of the run, and how far apart the ends of its moves are in all, mm.
+        """
         rows = np.arange(text.first[first] - 1, text.first[last])
         m = text.moves
         if rows[0] < 0:
             rows = rows[1:]
         lines = m.line[rows]
         rapid = (m.kind[rows] == Kind.RAPID) & (np.abs(text.reading.motion[lines]) < 100)
-        feed = np.where(rapid, -1.0, np.nan_to_num(text.reading.feed_word[lines], nan=-2.0))
+        feed = np.where(rapid, -1.0, np.nan_to_num(text.feed(rows), nan=-2.0))
         state = np.column_stack(
             [rapid, feed, m.tool[rows], m.plane[rows], m.compensation[rows], m.offset[rows], skip[lines]]
         ).astype(np.float64)
         height = np.nan_to_num(m.end[rows, 2], nan=_UNKNOWN)
+        ways = np.nan_to_num(np.hypot(*(m.end[rows, :2] - m.start[rows, :2]).T))
         if text.first[first] == 0:
             state = np.vstack([np.full(7, -3.0), state])
             height, lines = np.concatenate([[_UNKNOWN], height]), np.concatenate([[first], lines])
+            ways = np.concatenate([[0.0], ways])
         else:
             # The mark of block delete is read only inside of blocks.
             state[0, 6] = -1
         new = np.concatenate([[True], (state[1:] != state[:-1]).any(axis=1) | (height[1:] != height[:-1])])
-        return state[new], height[new], lines[new]
+        return state[new], height[new], lines[new], np.add.reduceat(ways, np.flatnonzero(new))
 
     def _possible_arcs(self) -> None:
         """Arcs and splines on changed lines are ones that a control can make."""

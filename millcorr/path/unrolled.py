@@ -23,7 +23,7 @@ ADDRESS = {
     name: bytes([0xC0 + k]).decode("latin-1")
     for k, name in enumerate(
         "X=IC Y=IC Z=IC X=AC Y=AC Z=AC I=AC J=AC K=AC RND CHR CHF ANG AR TURN I1 J1 K1 FRAME ARC RNDM "
-        "AP AP=AC AP=IC RP RP=IC POLE PX PY".split()
+        "AP AP=AC AP=IC RP RP=IC POLE PX PY FRC FRCM".split()
     )
 }
 """Letters, beyond those of ASCII, that stand for addresses of several."""
@@ -313,7 +313,7 @@ def _computes(before: str) -> bool:
 
 _NAMED = re.compile(
     r"(?<![A-Z_#$])(?:(?P<mode>[XYZIJK]1?|[CAR]R|[AR]P)\s*=\s*(?P<how>AC|IC|DC|ACP|ACN)\s*\("
-    r"|(?P<name>CR|AR|AP|RP|TURN|RNDM|RND|CHR|CHF|ANG|[IJK]1|[XYZIJKFPQL])\s*=(?!=)"
+    r"|(?P<name>CR|AR|AP|RP|TURN|FRCM|FRC|RNDM|RND|CHR|CHF|ANG|[IJK]1|[XYZIJKFPQL])\s*=(?!=)"
     r"|,\s*(?P<corner>[RCA])\s*=?"
     r"|(?P<word>CIP|CT|MCALL|A?TRANS|A?ROTS?|A?MIRROR|A?SCALE|SUPA|G153)(?![A-Z_=])"
     r"|(?P<letter>[A-Z])(?=\s*[-+]?\s*(?:[\[#]|VC?\d|Q[LRS]?\d)))"
@@ -520,6 +520,8 @@ class _Machine:
         self._assign(i)
         if re.search(r"G\s*6[56](?![\d.])", text):
             self.known.clear()
+        if re.match(r"\s*(?:CYCLE(?!832)|POCKET|SLOT|HOLES|LONGHOLE)", text):
+            return self._lost_call(i)
         code = re.findall(r"M\s*0*(2|30|99|17|97|98|198)(?![\d.=])", text)
         if self.heads.get(text.strip()) == i:
             # A program's head (Okuma's OSUB) calls nothing.
@@ -534,7 +536,7 @@ class _Machine:
         p, many = (re.search(letter + r"\s*0*(\d+)", text) for letter in "PL")
         if code[-1] in ("99", "17"):
             return self._leave(i, p)
-        if p is None or re.search(r"H\s*\d", text):
+        if p is None or re.search(r"[HQ]\s*\d", text):
             return self._lost_call(i)
         times = int(many[1]) if many else 1
         if code[-1] == "97":

@@ -3164,12 +3164,20 @@ In einem Terminal tut dies dasselbe:
         <translation>G92 verschiebt das Koordinatensystem</translation>
     </message>
     <message>
+        <source>G92.3 shifts the frame</source>
+        <translation>G92.3 verschiebt das Koordinatensystem</translation>
+    </message>
+    <message>
         <source>G52 turns the frame</source>
         <translation>G52 verändert das Koordinatensystem</translation>
     </message>
     <message>
         <source>G10 may change a work offset</source>
         <translation>G10 kann eine Nullpunktverschiebung ändern</translation>
+    </message>
+    <message>
+        <source>G11 shifts or turns the frame</source>
+        <translation>G11 verschiebt oder dreht das Koordinatensystem</translation>
     </message>
     <message>
         <source>G68 rotates the frame</source>
@@ -3182,6 +3190,26 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>G68.2 tilts the plane</source>
         <translation>G68.2 schwenkt die Ebene</translation>
+    </message>
+    <message>
+        <source>G68.3 tilts the plane</source>
+        <translation>G68.3 schwenkt die Ebene</translation>
+    </message>
+    <message>
+        <source>G68.4 tilts the plane</source>
+        <translation>G68.4 schwenkt die Ebene</translation>
+    </message>
+    <message>
+        <source>G68.5 turns the frame</source>
+        <translation>G68.5 dreht das Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>G92.5 turns the frame</source>
+        <translation>G92.5 dreht das Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>G254 lets the work offset turn with the part</source>
+        <translation>G254 lässt die Nullpunktverschiebung mit dem Werkstück drehen</translation>
     </message>
     <message>
         <source>G51 scales the frame</source>
@@ -3242,6 +3270,10 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>ROT, MIRROR or SCALE changes the frame</source>
         <translation>ROT, MIRROR oder SCALE ändert das Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>CYCLE800 swivels the frame</source>
+        <translation>CYCLE800 schwenkt das Koordinatensystem</translation>
     </message>
     <message>
         <source>MCALL calls a cycle behind every move</source>
@@ -3416,16 +3448,20 @@ In einem Terminal tut dies dasselbe:
         <translation>G53 fährt im Maschinensystem</translation>
     </message>
     <message>
-        <source>FRC= or FRCM= gives a corner a feed of its own</source>
-        <translation>FRC= oder FRCM= gibt einer Ecke einen eigenen Vorschub</translation>
-    </message>
-    <message>
         <source>a corner rounding or chamfer that is not followed</source>
         <translation>eine Eckenrundung oder Fase, die nicht verfolgt wird</translation>
     </message>
     <message>
         <source>{}, G90 or G91 is not stated afresh behind it</source>
         <translation>{}, G90 oder G91 steht danach nicht neu</translation>
+    </message>
+    <message>
+        <source>two corner words on one line</source>
+        <translation>zwei Eckenwörter in einer Zeile</translation>
+    </message>
+    <message>
+        <source>the feed of the corner is not known</source>
+        <translation>der Vorschub der Ecke ist nicht bekannt</translation>
     </message>
     <message>
         <source>this way to state an arc is not followed</source>
@@ -3438,6 +3474,10 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>a corner word without a move</source>
         <translation>ein Eckenwort ohne Bewegung</translation>
+    </message>
+    <message>
+        <source>the control's settings decide which of two feeds holds in the corner</source>
+        <translation>die Einstellungen der Steuerung entscheiden, welcher von zwei Vorschüben in der Ecke gilt</translation>
     </message>
     <message>
         <source>{} SUB without its ENDSUB</source>
@@ -3638,6 +3678,10 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>the motion code before this line has changed: state it here</source>
         <translation>die Wegbedingung vor diesem Satz hat sich geändert: geben Sie sie hier an</translation>
+    </message>
+    <message>
+        <source>the feed before this line has changed: state it here</source>
+        <translation>der Vorschub vor dieser Zeile hat sich geändert: hier angeben</translation>
     </message>
     <message>
         <source>the position before this line has changed, but not its move: {}</source>

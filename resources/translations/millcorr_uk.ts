@@ -3164,12 +3164,20 @@ In a terminal, this does the same:
         <translation>G92 зміщує систему координат</translation>
     </message>
     <message>
+        <source>G92.3 shifts the frame</source>
+        <translation>G92.3 зсуває систему координат</translation>
+    </message>
+    <message>
         <source>G52 turns the frame</source>
         <translation>G52 змінює систему координат</translation>
     </message>
     <message>
         <source>G10 may change a work offset</source>
         <translation>G10 може змінити зсув нуля</translation>
+    </message>
+    <message>
+        <source>G11 shifts or turns the frame</source>
+        <translation>G11 зсуває або повертає систему координат</translation>
     </message>
     <message>
         <source>G68 rotates the frame</source>
@@ -3182,6 +3190,26 @@ In a terminal, this does the same:
     <message>
         <source>G68.2 tilts the plane</source>
         <translation>G68.2 нахиляє площину</translation>
+    </message>
+    <message>
+        <source>G68.3 tilts the plane</source>
+        <translation>G68.3 нахиляє площину</translation>
+    </message>
+    <message>
+        <source>G68.4 tilts the plane</source>
+        <translation>G68.4 нахиляє площину</translation>
+    </message>
+    <message>
+        <source>G68.5 turns the frame</source>
+        <translation>G68.5 повертає систему координат</translation>
+    </message>
+    <message>
+        <source>G92.5 turns the frame</source>
+        <translation>G92.5 повертає систему координат</translation>
+    </message>
+    <message>
+        <source>G254 lets the work offset turn with the part</source>
+        <translation>G254 дає зміщенню нуля повертатися разом із деталлю</translation>
     </message>
     <message>
         <source>G51 scales the frame</source>
@@ -3242,6 +3270,10 @@ In a terminal, this does the same:
     <message>
         <source>ROT, MIRROR or SCALE changes the frame</source>
         <translation>ROT, MIRROR або SCALE змінює систему координат</translation>
+    </message>
+    <message>
+        <source>CYCLE800 swivels the frame</source>
+        <translation>CYCLE800 повертає систему координат</translation>
     </message>
     <message>
         <source>MCALL calls a cycle behind every move</source>
@@ -3416,16 +3448,20 @@ In a terminal, this does the same:
         <translation>G53 рухає в системі верстата</translation>
     </message>
     <message>
-        <source>FRC= or FRCM= gives a corner a feed of its own</source>
-        <translation>FRC= або FRCM= задає для кута власну подачу</translation>
-    </message>
-    <message>
         <source>a corner rounding or chamfer that is not followed</source>
         <translation>заокруглення кута або фаска, що не відстежується</translation>
     </message>
     <message>
         <source>{}, G90 or G91 is not stated afresh behind it</source>
         <translation>{}, G90 чи G91 після цього не вказано наново</translation>
+    </message>
+    <message>
+        <source>two corner words on one line</source>
+        <translation>два слова кута в одному рядку</translation>
+    </message>
+    <message>
+        <source>the feed of the corner is not known</source>
+        <translation>подача на куті невідома</translation>
     </message>
     <message>
         <source>this way to state an arc is not followed</source>
@@ -3438,6 +3474,10 @@ In a terminal, this does the same:
     <message>
         <source>a corner word without a move</source>
         <translation>слово кута без руху</translation>
+    </message>
+    <message>
+        <source>the control's settings decide which of two feeds holds in the corner</source>
+        <translation>налаштування верстата з ЧПК вирішують, яка з двох подач діє на куті</translation>
     </message>
     <message>
         <source>{} SUB without its ENDSUB</source>
@@ -3638,6 +3678,10 @@ In a terminal, this does the same:
     <message>
         <source>the motion code before this line has changed: state it here</source>
         <translation>код руху перед цим кадром змінився: вкажіть його тут</translation>
+    </message>
+    <message>
+        <source>the feed before this line has changed: state it here</source>
+        <translation>подача перед цим рядком змінилася: укажіть її тут</translation>
     </message>
     <message>
         <source>the position before this line has changed, but not its move: {}</source>

@@ -116,7 +116,10 @@ def moves(contour: Contour, at: str, family: str) -> list[str]:
 
 
 def all_rounded(contour: Contour) -> list[str]:
-    """Siemens' lines around the contour: RNDM= where the radius of the corners changes, chamfers on their own."""
+    """Siemens' lines around the contour: RNDM= where the radius of the corners changes, chamfers on their own.
+
+    Corners have a feed of their own.
+    """
     lines, modal = [f"G41 D1 G1 X{number(contour.start[0])} Y{number(contour.start[1])} F400."], 0.0
     for edge in contour.edges:
         line = f"X{number(edge.end[0])} Y{number(edge.end[1])}"
@@ -130,7 +133,8 @@ def all_rounded(contour: Contour) -> list[str]:
         elif size != modal:
             line, modal = f"{line} RNDM={number(size)}", size
         lines.append(line)
-    return [*lines, f"G40 G1 X{number(contour.outside[0])} Y{number(contour.outside[1])} RNDM=0"]
+    lines[0] += " FRCM=150"
+    return [*lines, f"G40 G1 X{number(contour.outside[0])} Y{number(contour.outside[1])} RNDM=0 FRCM=0"]
 
 
 def about_poles(contour: Contour) -> list[str]:

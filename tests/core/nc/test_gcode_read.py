@@ -270,6 +270,17 @@ def test_carriage_returns_alone_end_lines() -> None:
         ("G0 X0|G1 X5 ,C1 F1|X7", [0, 1, 1]),
         ("X1 Y2|G0 X1", [1, 0]),
         ("G0 X0|CYCLE800(1)|G90 G0 X5", [0, 0]),
+        ("G0 X0 Y0|G92.2|G92.3|G1 X2 F1|G92.1|X3", [0, 1, 0]),
+        ('G0 X0 Y0|CYCLE800(1,"TC",0,57,0,0,0,0,0,30,0,0,0,1)|G90 G1 X2 F1|CYCLE800()|G90 G1 X3', [0, 1, 0]),
+        ('G0 X0 Y0|CYCLE800(1,"TC",0,57,0,0,0,0.,0,0,0,0,0,1)|G90 G1 X2 F1', [0, 0]),
+        ('G0 X0 Y0|CYCLE800(1,"TC",0,57,0,0,0,0,0,R5,0,0,0,1)|G90 G1 X2 F1', [0, 1]),
+        # Mazak's and Haas's frames; Okuma's, which G10 alone ends.
+        ("G0 X0 Y0|G68.5 X0 Y0 Z0 I0 J0 K1 R90|G1 X2 F1|G69.5|X3", [0, 1, 0]),
+        ("G0 X0 Y0|G254|G1 X2 F1|G255|X3", [0, 1, 0]),
+        ("G0 X0 Y0|G11 X10 Y5 P30|G1 X2 F1|G10|X3", [0, 1, 0]),
+        ("G0 X0 Y0|G11|G1 X2 F1", [0, 0]),
+        # A call that begins at a line within the subprogram.
+        ("G0 X0 Y0|M98 P2 Q3 L2|G90 G1 X2 F1|M30|O2|G1 X5|N3 Y5|M99", [0, 0]),
     ],
 )
 def test_opaque_moves(text: str, opaque: list[int]) -> None:

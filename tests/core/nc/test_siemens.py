@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Siemens' modal rounding and polar positions, as the programming manuals describe them.
+"""Siemens' modal rounding, feeds of corners and polar positions, as the programming manuals describe them.
 
 SINUMERIK 840D/840Di/810D, Fundamentals, 10.2004, 6FC5 298-7AB00-0BP1; 840D sl, 11/2006, 6FC5398-1BP10-2BA0; SINUMERIK
 ONE, 12/2019, 6FC5398-2EP40-0BA0. The numbers are other ones than theirs.
@@ -86,16 +86,104 @@ def test_a_contour_in_a_subprogram_is_corrected_under_the_rounding_of_its_caller
 
 
 def test_what_the_manual_leaves_open_is_not_corrected() -> None:
-    """A radius that a side is too short for would be made smaller, by how much is not said; feeds of corners."""
+    """A radius that a side is too short for would be made smaller, by how much is not said."""
     for line in (
         "X40 RNDM=30|Y20",
-        "X40 RNDM=2 FRCM=50|Y20",
-        "X40 RND=2 FRC=50|Y20",
+        "X40 RND=2 CHR=2|Y20",
         "X40 RNDM=R9|Y20",
         "G0 X9 RNDM=1|Y2",
     ):
         program = nc.parse(HEAD + "G1 F100\n" + line.replace("|", "\n") + "\nX-50\nM30\n")
         assert program.opaque_moves()[1:3].all(), line
+
+
+# -- FRC=, FRCM= ----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("slowed", "feeds"),
+    [
+        # Modal, from a line of its own too, to FRCM=0; once, beside that; F holds again behind the corner.
+        ("FRCM=50|X40 RND=2|Y20 CHR=1|X20|Y40|FRCM=0|X0", [100, 50, 100, 50, 100, 100, 100]),
+        ("X40 RNDM=2 FRCM=50|Y20|X20 Y30 RNDM=0 FRCM=0|X0", None),
+        ("X40 RND=2 FRC=50|Y20 RND=3 FRC=50|X20 FRC=50|Y40", [100, 50, 100, 50, 100, 100]),
+        ("FRCM=30|X40 RND=2 FRC=50|Y20 FRC=50|X0", [100, 50, 100, 100]),
+        ("R5=50|X40 RND=2 FRC=R5|Y20 FRC=R5|X0", [100, 50, 100, 100]),
+        ("F=R9|R9=7|F100 X40 RND=2|Y20", [100, 100, 100]),
+        ("G70|FRCM=5|X4 RND=.2 F100|Y2|G71", [2540, 127, 2540]),
+    ],
+)
+def test_a_corner_runs_at_its_own_feed(slowed: str, feeds: list[float] | None) -> None:
+    text = HEAD + "G1 F100\n" + slowed.replace("|", "\n") + "\nM30\n"
+    program = nc.parse(text)
+    check(text.encode(), moves_of(text.encode()))
+    assert nc.write(program, program.toolpath.with_moves()) == text.encode()
+    if feeds is None:
+        assert program.opaque
+    else:
+        assert not program.opaque
+        np.testing.assert_allclose(program.toolpath.feed[1:] * 60, feeds, rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        # Machine data decide whether the block before the corner, or the one behind it, gives its feed.
+        "X40 RND=2 FRC=50|Y20",
+        "X40 RND=2|Y20 FRC=50",
+        "X40 RND=2|Y20 F200",
+        "X40 RNDM=2 FRCM=50|Y20 FRCM=0",
+        "FRCM=R9|X40 RND=2|Y20",
+        "FRCM=-1|X40 RND=2|Y20",
+        "G95|FRCM=.1|X40 RND=2 F.2|Y20",
+    ],
+)
+def test_a_corner_whose_feed_the_program_leaves_open_is_not_corrected(line: str) -> None:
+    program = nc.parse(HEAD + "G1 F100\n" + line.replace("|", "\n") + "\nX-50\nM30\n")
+    assert program.opaque_moves()[1:3].all() and any("feed" in s.reason for s in program.opaque)
+    assert not program.opaque_moves()[-1]
+
+
+SLOWED = HEAD + "FRCM=50\nN5 G1 X40 RND=2 F100\nY20 CHR=1 FRC=40\nN7 X20 FRC=40\nY40 F90\nX0 FRCM=0\nM30\n"
+WRITTEN_OUT = HEAD + (
+    "FRCM=50\nN5 G1 X38.03 F100\nG3 X40.03 Y2 I0 J2 F50\nG1 Y19 F100\nX39 Y20 F40\n"
+    "N7 X20 F100\nY40 F90\nX0 FRCM=0\nM30\n"
+)
+
+
+def test_a_corner_written_out_states_its_feed_and_the_line_behind_it_the_one_before() -> None:
+    text = SLOWED.replace("Y20 CHR=1 FRC=40", "Y20 CHR=1").replace("N7 X20 FRC=40", "N7 X20")
+    out = moved(text, [1, 2, 3])
+    assert out == WRITTEN_OUT.replace("F40", "F50")
+    prove_text(text.encode(), out.encode(), [3, 4, 5])
+
+
+def test_the_proof_holds_the_feed_of_every_corner() -> None:
+    slowed = SLOWED.replace("N5 G1 X40 RND=2 F100", "N5 G1 X40 RND=2 F100 FRC=40")
+    written = WRITTEN_OUT.replace("J2 F50", "J2 F40")
+    prove_text(slowed.encode(), written.encode(), [3, 4, 5], reach=0.1)
+    for old, new in (
+        ("J2 F40", "J2 F41"),
+        ("J2 F40", "J2"),
+        ("Y19 F100", "Y19"),
+        ("Y20 F40", "Y20"),
+        ("N7 X20 F100", "N7 X20"),
+        ("FRCM=50", "FRCM=60"),
+        ("FRCM=0", "FRCM=1"),
+        ("Y40 F90", "Y40"),
+    ):
+        with pytest.raises(LimitError):
+            prove_text(slowed.encode(), written.replace(old, new).encode(), [3, 4, 5], reach=0.1)
+    # A corner that stays.
+    with pytest.raises(LimitError):
+        prove_text(slowed.encode(), slowed.replace("CHR=1 FRC=40", "CHR=1").encode(), [3, 4, 5], reach=0.1)
+
+
+def test_a_feed_before_a_line_that_stays_is_not_changed() -> None:
+    """Behind the corner comes a cycle, whose feed is the one in force."""
+    text = HEAD + "FRCM=50\nG1 X40 RND=2 F100\nY20\nG81 X9 Y9 Z-5 R2\nG80\nM30\n"
+    out = moved(text, [1, 2, 3])
+    assert "Y20 F100\nG81" in out
 
 
 # -- AP=, RP= -------------------------------------------------------------------------------------------------

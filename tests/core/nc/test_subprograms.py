@@ -99,6 +99,38 @@ def test_what_never_runs_and_what_steers_must_stay() -> None:
             prove_text(text.encode(), text.replace("X5.Y1.", "X5.01Y1.").replace(a, b).encode(), free)
 
 
+HAAS = """%
+O00017 (STEPS)
+T3 M06
+G00 G90 G54 X10. Y5. S4000 M03
+G43 H03 Z5.
+G01 Z0 F150.
+M97 P700 L4 (FOUR TIMES THE LINES FROM N700)
+{more}G00 G90 Z5.
+M30
+N700 (A COMMENT BEHIND THE NUMBER)
+G01 G91 Z-0.25
+G90 X32.
+G91 Z-0.25
+G90 X10.
+M99
+%
+"""
+
+
+def test_steps_by_a_local_subprogram_as_haas_has_them() -> None:
+    """M97 as in the Haas mill operator's manual (96-8000): N700 holds only a comment, G90 and G91 take turns."""
+    program = nc.parse(HAAS.format(more=""))
+    assert not program.opaque
+    path = program.toolpath
+    steps = path.take(path.kind != Kind.RAPID)
+    np.testing.assert_allclose(steps.end[1::2, 2], -0.25 * np.arange(1, 9), atol=1e-12)
+    np.testing.assert_allclose(steps.end[2::2, 0], [32.0, 10.0] * 4, atol=1e-12)
+    # Behind L4 once more, by M98 of a program beside it, which is not there.
+    more = nc.parse(HAAS.format(more="M98 P1234 L2\n"))
+    assert "O1234" in more.opaque[0].reason and len(more.toolpath) == len(path)
+
+
 @pytest.mark.parametrize(
     ("text", "reason"),
     [

@@ -11,8 +11,10 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 
 from millcorr import nc
+from millcorr.errors import FormatError
+from millcorr.nc.codes import HARMLESS
 from millcorr.nc.toolpath import Kind, Toolpath
-from millcorr.path.reading import PlainMoves
+from millcorr.path.reading import FAMILIAR, PlainMoves
 from millcorr.path.second_reader import moves_of
 from tests.core import loop_programs, rs274
 from tests.core.nc.test_gcode_linuxcnc import compare, motions_of
@@ -193,3 +195,18 @@ def test_linuxcnc_sees_the_same(made: Made) -> None:
     np.put_along_axis(centre, axes, m.centre, axis=1)
     path = Toolpath(m.kind, m.start, m.end, centre, m.sweep, m.control, m.plane, m.feed, m.line, m.compensation, m.tool)
     compare(path, motions_of(made.text))
+
+
+@pytest.mark.parametrize("places", ["", " X3 Y4"])
+def test_both_readers_lose_the_position_behind_the_same_codes(places: str) -> None:
+    """What is unknown to one reader only would let a program that is right be refused, or a frame pass unseen."""
+    # From 98760 on the first reader has numbers for words that are no G codes.
+    for tenths in sorted(code for code in HARMLESS | FAMILIAR | {120, 130, 470, 1500} if code < 98760):
+        text = f"G21\nG0 X1 Y2 Z3\nG{tenths / 10:g}{places}\nG90 G1 X5 F100\nG90 G1 X5 Y5 Z5\n"
+        try:
+            path = nc.parse(text).toolpath
+        except FormatError:
+            continue
+        ends = moves_of(text.encode()).end
+        assert ends.shape == path.end.shape, tenths
+        np.testing.assert_array_equal(np.isfinite(ends), np.isfinite(path.end), f"G{tenths / 10:g}")

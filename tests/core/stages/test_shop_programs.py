@@ -89,6 +89,25 @@ def test_homing_behind_the_lead_out_stays_as_it_is(home: str) -> None:
     assert lines[1] == ":1234"
 
 
+@pytest.mark.parametrize(
+    "cycle",
+    [
+        "G12 I5. D1 F100.",
+        "G47 P0 X-50. Y0. I45. J3. R1. Z-.2 F50. (TEXT)",
+        "G31 X-40. F50.",
+        "G91 G81 X5. Z-3. R-1. L3 F50.\nG80 G90",
+        "G99 G81 X-50. Y0. Z-3. R2. F50.\nG80",
+        "CYCLE81(5,0,2,-5)\nG0 Z30.",
+        'CYCLE800(1,"TC",0,57,0,0,0,0,0,30,0,0,0,1)\nG90 G0 X5. Y5.\nCYCLE800()',
+    ],
+)
+def test_what_is_not_followed_elsewhere_does_no_harm(cycle: str) -> None:
+    """Pockets, engraving, a skip, drilling: where the machine stands behind them no reader knows, and none has to."""
+    text = HOME.replace("N140 {home}", f"N132 G0 X-40. Y0.\nN134 G1 Z-1. F50.\nN136 {cycle}\nN138 G0 Z25.")
+    _, lines = corrected(text, rectangle(0.0, 0.0, 60.0, 40.0) + [0.03, 0.0])
+    assert f"N136 {cycle}" in "\n".join(lines) and "N80 X64.97" in lines
+
+
 def test_a_hole_drilled_where_the_lead_ends_is_not_moved() -> None:
     """A canned cycle at the end of a lead would go along unseen: that is refused with its line."""
     text = HOME.format(home="G81 Z-5. R2. F100.")
