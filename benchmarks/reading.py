@@ -10,6 +10,7 @@ the process's peak grows by while it reads, in a process of its own. Every reade
 
 from __future__ import annotations
 
+import base64
 import importlib.util
 import io
 import os
@@ -148,6 +149,8 @@ def plain_parse(format: str, data: bytes) -> None:
         for points in root.iter("{*}Points", "{*}Normals"):
             if len(points.text) > LONG:
                 np.array(points.text.split(), dtype=np.float64)
+        for points in root.iter("{*}BinaryPoints", "{*}BinaryNormals"):
+            np.frombuffer(base64.b64decode(points.text))
         return
     import pandas  # type: ignore[import-not-found,import-untyped,unused-ignore]
 

@@ -9,6 +9,11 @@ decimal, since both are exact and division rounds once (Clinger, How to read flo
 rows with more of them, or anything else, is left to `numpy.loadtxt`.
 
 The bytes of a file are read where they are, a block at a time: neither a text nor a second copy of it is made.
+
+No library takes its place: of 300,000 rows of three numbers `numpy.loadtxt` takes 1.8 times as long from the bytes
+and 2.2 times from lines, `numpy.array` of the words and `float` 3.4 times; a pattern for letters and numbers takes 3.5
+times as long as `decimal_words`. `loadtxt` also passes over empty lines without telling which, and the line of every
+point is kept; and it knows no decimal comma. `benchmarks/reading.py` compares whole files.
 """
 
 from __future__ import annotations

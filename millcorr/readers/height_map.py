@@ -157,8 +157,8 @@ class _Map:
         self.corners = (0.0, 0.0, 0.0, 0.0)
         self.place = (0, 0)
         self.places = array("q")
-        point = Element(begin=self._open_point, text=self._take_height)
-        others = Element(lambda name: point if name == "point" else others)
+        self.point = Element(begin=self._open_point, text=self._take_height)
+        others = Element(lambda name: self.point if name == "point" else others)
         self.root = Element(others.inside, begin=self._open_map)
 
     def _open_map(self, attributes: dict[str, str], line: int) -> None:
@@ -185,7 +185,8 @@ class _Map:
                 phrase("point {}, {} is there twice", i, j), self.lines[row] if row < len(self.lines) else None
             )
 
-    def _take_height(self, content: str, line: int) -> None:
+    def _take_height(self, content: str) -> None:
+        line = self.point.line
         left, low, right, high = self.corners
         x = left + (right - left) * self.place[0] / (self.size[0] - 1)
         y = low + (high - low) * self.place[1] / (self.size[1] - 1)

@@ -21,12 +21,17 @@ from millcorr.readers.measurement import Basis, Measurement
 
 from .names import Names
 from .parts import chosen_part
-from .qif_document import NO_VECTOR, POINTS, Document, Feature, PointSet, Reference
+from .qif_document import POINTS, Document, Features, set_name
 from .source import MM_PER_INCH, Source, shown
 from .xml_events import parse
 
 STATED_TOLERANCE = 1e-6
 """A stored profile value this near, in mm, shows what a location is."""
+
+_SAME = 1e-9
+"""A location this near, in mm, to a touch is the touch."""
+_MOVED = 1e-3
+"""In mm; distance by which a location misses its touch's radius and still is the touch compensated."""
 
 _CURVES = {"PointDefinedCurve", "PointDefinedSurface", "OtherCurve", "OtherSurface"}
 
@@ -73,28 +78,28 @@ def read(source: Source) -> Measurement:
     document = Document(source)
     try:
         parse(source, "QIFDocument", document.root)
-        _keep_part(source, document)
-        return _Joined(source, document).measurement()
+        return _Joined(source, document, _wanted(source, document)).measurement()
     finally:
         document.forget()
 
 
-def _keep_part(source: Source, document: Document) -> None:
-    """Leave in the document what the part that the caller wants has measured. In place.
+def _wanted(source: Source, document: Document) -> frozenset[int]:
+    """Results of the part that the caller wants, and -1: what stands in no result belongs to every part.
 
     Results follow each other on one part as long as none of their features is one that the part has. Features
     without an item or nominal, and points without a feature, do not show what they are: one result a part has them.
     """
     of_result: list[set[str]] = [set() for _ in document.results]
-    counts = [0] * len(of_result)
-    for m in document.measured.values():
-        if m.result >= 0:
-            of_result[m.result].add(m.reference)
-            counts[m.result] += 1
-    in_features = {of.id for m in document.measured.values() for of in m.sets}
-    for s in document.sets.values():
-        if s.result >= 0 and s.id not in in_features and not counts[s.result]:
-            of_result[s.result].add("")
+    features, sets = document.measured, document.sets
+    for result, reference in zip(features.results, features.references, strict=True):
+        if result >= 0:
+            of_result[result].add(reference)
+    with_features = {result for result in features.results if result >= 0}
+    in_features = set(document.references.ids)
+    for label, row in sets.rows.items():
+        result = sets.results[row]
+        if result >= 0 and result not in with_features and label not in in_features:
+            of_result[result].add("")
     parts: list[list[int]] = []
     known: set[str] = set()
     for result, own in enumerate(of_result):
@@ -113,9 +118,7 @@ def _keep_part(source: Source, document: Document) -> None:
         )
         for part in parts
     ]
-    wanted = {-1, *parts[chosen_part(source, titles)]}
-    document.measured = {label: m for label, m in document.measured.items() if m.result in wanted}
-    document.sets = {label: s for label, s in document.sets.items() if s.result in wanted}
+    return frozenset((-1, *parts[chosen_part(source, titles)]))
 
 
 class _Rows(NamedTuple):
@@ -130,9 +133,22 @@ class _Rows(NamedTuple):
 class _Joined:
     """Rows of the measurement, joined from a document's records."""
 
-    def __init__(self, source: Source, document: Document) -> None:
+    def __init__(self, source: Source, document: Document, wanted: frozenset[int]) -> None:
         self.source = source
         self.document = document
+        kinds, results = document.measured.kinds, document.measured.results
+        self.measured = [row for row, result in enumerate(results) if result in wanted]
+        """Rows of the features measured on the part."""
+        self.features = [row for row in self.measured if kinds[row] in POINTS]
+        """Those whose location is the point measured."""
+        self.sets = {label: row for label, row in document.sets.rows.items() if document.sets.results[row] in wanted}
+        """Rows of the part's point sets, by id."""
+        of = document.references
+        self.references: dict[int, list[int]] = {}
+        """Rows of the references to these sets, by the row of the feature that refers."""
+        for row, (feature, label) in enumerate(zip(of.features, of.ids, strict=True)):
+            if label in self.sets and results[feature] in wanted:
+                self.references.setdefault(feature, []).append(row)
         self.notes: list[str] = []
         self.inferred = ""
         """What shows whether points are centres where the file does not say so itself."""
@@ -175,16 +191,15 @@ class _Joined:
 
     def measurement(self) -> Measurement:
         document, source = self.document, self.source
-        features = [m for m in document.measured.values() if m.kind in POINTS]
-        sets = self._own_sets(features)
-        if not features and not sets:
-            raise source.error(phrase("no measured points; {} measured features without any", len(document.measured)))
+        sets = self._own_sets()
+        if not self.features and not sets:
+            raise source.error(phrase("no measured points; {} measured features without any", len(self.measured)))
         self.factors, self.factor = self._units()
         self.rows = self._touches()
         parts: list[tuple[tuple[Floats, ...], Ints, Iterable[str]]] = []
-        if features:
-            parts.append(self._of_features(features))
-        parts += [self._of_set(s, rows) for s, rows in sets]
+        if self.features:
+            parts.append(self._of_features())
+        parts += [self._of_set(label, rows) for label, rows in sets]
         points, nominal, normals, radii, stated = (
             _stacked(column) for column in zip(*(p[0] for p in parts), strict=True)
         )
@@ -214,13 +229,22 @@ class _Joined:
 
     def _touches(self) -> _Rows:
         """Points of all sets in mm, with what their sets say of them."""
-        sets, table = self.document.sets.values(), self.document.touches
+        sets, table = self.document.sets, self.document.touches
+        firsts = np.array(sets.first)
         factors = np.ones(len(table))
-        for s in sets if any(s.unit for s in sets) else ():
-            factors[s.first : s.first + s.count] = self._factor(s.unit, s.line) / self.factor
+        for row in range(len(sets)) if any(sets.units) else ():
+            own = slice(sets.first[row], sets.first[row] + sets.counts[row])
+            factors[own] = self._factor(sets.units[row], sets.lines[row]) / self.factor
         factors *= self.factor
         # The tables' own memory: of a scan another copy would be as large as the file.
         compensated, radii = np.frombuffer(table.compensated), np.frombuffer(table.radius) * factors
+        wrong = np.flatnonzero((radii <= 0) & ~(compensated > 0))
+        if len(wrong):
+            row = int(np.searchsorted(firsts, wrong[0], side="right")) - 1
+            label = next(label for label, place in sets.rows.items() if place == row)
+            raise self.source.error(
+                phrase("point set {}: its ProbeRadius is not positive", set_name(label)), sets.lines[row]
+            )
         radii = np.where(compensated > 0, _CONTACT, np.where(np.isnan(compensated), _UNKNOWN, radii))
         points = np.frombuffer(table.points).reshape(-1, 3)
         if (factors != 1.0).any():
@@ -229,114 +253,150 @@ class _Joined:
         normals, lines = np.frombuffer(table.normals).reshape(-1, 3), np.frombuffer(table.lines, dtype=np.int64)
         return _Rows(points, normals, radii, lines)
 
-    def _own_sets(self, features: list[Feature]) -> list[tuple[PointSet, Ints]]:
+    def _own_sets(self) -> list[tuple[str, Ints]]:
         """Sets of curve and surface features with the rows wanted of them; all where these and points are absent."""
-        document = self.document
+        sets, of, kinds = self.document.sets, self.document.references, self.document.measured.kinds
         wanted: dict[str, Bools] = {}
-        for m in document.measured.values():
-            for of in m.sets if m.kind in _CURVES else ():
-                if of.id in document.sets:
-                    rows = wanted.setdefault(of.id, np.zeros(document.sets[of.id].count, dtype=np.bool_))
-                    rows[self._span(of)] = True
-        chosen = [(s, s.first + np.flatnonzero(wanted[s.id])) for s in document.sets.values() if s.id in wanted]
-        if not chosen and not features:
-            return [(s, np.arange(s.first, s.first + s.count)) for s in document.sets.values()]
-        used = {of.id for m in features for of in m.sets} | wanted.keys()
-        kinds: dict[str, int] = {}
-        for m in document.measured.values():
-            if m.kind not in POINTS | _CURVES:
-                for label in document.sets.keys() & ({of.id for of in m.sets} - used):
-                    kinds[m.kind.lower()] = kinds.get(m.kind.lower(), 0) + document.sets[label].count
-        if kinds:
-            left = ", ".join(phrase("{} of {} features", count, kind) for kind, count in sorted(kinds.items()))
-            self.notes.append(phrase("points left out: {}", left))
+        for feature in self.measured:
+            for row in self.references.get(feature, ()) if kinds[feature] in _CURVES else ():
+                label = of.ids[row]
+                rows = wanted.setdefault(label, np.zeros(sets.counts[self.sets[label]], dtype=np.bool_))
+                rows[self._span(row)] = True
+        chosen = [(label, sets.first[row] + np.flatnonzero(wanted[label])) for label, row in self.sets.items()
+                  if label in wanted]  # fmt: skip
+        if not chosen and not self.features:
+            return [
+                (label, np.arange(sets.first[row], sets.first[row] + sets.counts[row]))
+                for label, row in self.sets.items()
+            ]
+        used = {of.ids[row] for feature in self.features for row in self.references.get(feature, ())} | wanted.keys()
+        left: dict[str, int] = {}
+        for feature in self.measured:
+            kind = kinds[feature].lower()
+            if kinds[feature] not in POINTS | _CURVES:
+                for label in {of.ids[row] for row in self.references.get(feature, ())} - used:
+                    left[kind] = left.get(kind, 0) + sets.counts[self.sets[label]]
+        if left:
+            told = ", ".join(phrase("{} of {} features", count, kind) for kind, count in sorted(left.items()))
+            self.notes.append(phrase("points left out: {}", told))
         return chosen
 
-    def _of_features(self, features: list[Feature]) -> tuple[tuple[Floats, ...], Ints, list[str]]:
-        document, rows = self.document, self.rows
-        names, wanted, normals = [], [], []
-        for m in features:
-            if m.location is None:
-                raise self.source.error(phrase("measured point {} has no Location", m.id), m.line)
-            item, ideal = self._ideal(m)
-            names.append((item.name if item is not None else "") or m.id)
-            normals.append((ideal.normal if ideal is not None else None) or m.normal or NO_VECTOR)
-            wanted.append(m if ideal is None or ideal.location is None else ideal)
-        points, nominal = self._places(features), self._places(wanted)
-        nominal[[m is w for m, w in zip(features, wanted, strict=True)]] = np.nan
-        single = np.array([s.first for s in document.sets.values() if s.count == 1], dtype=np.int64)
-        at_point = dict(zip(map(tuple, rows.points[single].tolist()), rows.radii[single].tolist(), strict=True))
-        radii = np.array([at_point.get(tuple(p), np.nan) for p in points.tolist()])
-        for row in np.flatnonzero(np.isnan(radii)).tolist():
-            radii[row] = self._radius(points[row], features[row])
-        stated = np.array([document.values.get(m.id, np.nan) for m in features]) * self.factor
-        directions = np.array(normals)
-        self._decide(radii, points, nominal, directions, stated)
-        lines = np.array([m.line for m in features], dtype=np.int64)
-        return (points, nominal, directions, radii, stated), lines, names
+    def _of_features(self) -> tuple[tuple[Floats, ...], Ints, list[str]]:
+        document, features = self.document, self.features
+        measured, nominals = document.measured, document.nominals
+        ids = list(measured.rows)
+        items, ideals = self._ideals(ids)
+        names = [
+            (document.items.names[item] if item >= 0 else "") or ids[row]
+            for row, item in zip(features, items.tolist(), strict=True)
+        ]
+        points = self._places(measured, np.array(features))
+        missing = np.flatnonzero(np.isnan(points[:, 0]))
+        if len(missing):
+            row = features[missing[0]]
+            raise self.source.error(phrase("measured point {} has no Location", ids[row]), measured.lines[row])
+        with_ideal = ideals >= 0
+        nominal = np.full(points.shape, np.nan)
+        nominal[with_ideal] = self._places(nominals, ideals[with_ideal])
+        normals = np.array(measured.normals).reshape(-1, 3)[features]
+        if with_ideal.any():
+            wanted = np.array(nominals.normals).reshape(-1, 3)[ideals]
+            said = with_ideal & ~np.isnan(wanted[:, 0])
+            normals[said] = wanted[said]
+        radii = self._radii(points)
+        stated = np.array([document.values.get(ids[row], np.nan) for row in features]) * self.factor
+        self._decide(radii, points, nominal, normals, stated)
+        return (points, nominal, normals, radii, stated), np.array(measured.lines)[features], names
 
-    def _places(self, features: list[Feature]) -> Floats:
+    def _places(self, table: Features, rows: Ints) -> Floats:
         """Locations in mm, (n, 3)."""
-        places: Floats = np.array([m.location for m in features], dtype=np.float64)
-        factors: Floats = np.array([self._factor(m.unit, m.line) for m in features])
-        places *= factors[:, None]
+        places: Floats = np.array(table.locations).reshape(-1, 3)[rows]
+        if any(table.units):
+            factors = [self._factor(table.units[row], table.lines[row]) for row in rows.tolist()]
+            places *= np.array(factors)[:, None]
+        else:
+            places *= self.factor
         return places
 
-    def _span(self, of: Reference) -> slice:
+    def _span(self, reference: int) -> slice:
         """Which points of its set a reference means."""
-        count = self.document.sets[of.id].count
-        last = of.last or count
-        if not 1 <= of.first <= last <= count and count:
+        of = self.document.references
+        label, first, line = of.ids[reference], of.first[reference], of.lines[reference]
+        count = self.document.sets.counts[self.sets[label]]
+        last = of.last[reference] or count
+        if not 1 <= first <= last <= count and count:
             raise self.source.error(
-                phrase("points {} to {} are wanted of point set {}, which has {}", of.first, last, of.id, count),
-                of.line,
+                phrase("points {} to {} are wanted of point set {}, which has {}", first, last, label, count), line
             )
-        return slice(of.first - 1, last)
+        return slice(first - 1, last)
 
-    def _ideal(self, m: Feature) -> tuple[Feature | None, Feature | None]:
+    def _ideals(self, ids: list[str]) -> tuple[Ints, Ints]:
+        """Rows of the point features' items and nominals; -1 for none."""
         document = self.document
-        if not m.reference:
-            return None, None
-        item = document.items.get(m.reference)
-        if item is None:
-            if m.reference in document.nominals:
-                return None, document.nominals[m.reference]
-            raise self.source.error(
-                phrase(
-                    "measured point {} refers to feature item {}, which is not in the file", m.id, shown(m.reference)
-                ),
-                m.line,
-            )
-        if not item.reference:
-            return item, None
-        if item.reference not in document.nominals:
-            raise self.source.error(
-                phrase(
-                    "feature item {} refers to nominal {}, which is not in the file", item.id, shown(item.reference)
-                ),
-                item.line,
-            )
-        return item, document.nominals[item.reference]
+        measured, items, nominals = document.measured, document.items, document.nominals
+        found = []
+        labels: list[str] = []
+        for row in self.features:
+            reference = measured.references[row]
+            item, ideal = items.rows.get(reference, -1), -1
+            if item >= 0:
+                wanted = items.references[item]
+                ideal = nominals.rows.get(wanted, -1) if wanted else -1
+                if wanted and ideal < 0:
+                    labels = labels or list(items.rows)
+                    raise self.source.error(
+                        phrase(
+                            "feature item {} refers to nominal {}, which is not in the file",
+                            labels[item],
+                            shown(wanted),
+                        ),
+                        items.lines[item],
+                    )
+            elif reference:
+                ideal = nominals.rows.get(reference, -1)
+                if ideal < 0:
+                    raise self.source.error(
+                        phrase(
+                            "measured point {} refers to feature item {}, which is not in the file",
+                            ids[row],
+                            shown(reference),
+                        ),
+                        measured.lines[row],
+                    )
+            found.append((item, ideal))
+        both = np.array(found, dtype=np.int64)
+        return both[:, 0], both[:, 1]
 
-    def _radius(self, point: Floats, m: Feature) -> float:
-        """Radius between a feature's location and the surface by what its point set says of it."""
-        document, rows = self.document, self.rows
-        of = next((of for of in m.sets if of.id in document.sets), None)
-        if of is None or not document.sets[of.id].count:
-            return _UNKNOWN
-        first = document.sets[of.id].first
-        span = self._span(of)
-        own = slice(first + span.start, first + span.stop)
-        radii = rows.radii[own]
-        if (radii == _CONTACT).all():
-            return _CONTACT
+    def _radii(self, points: Floats) -> Floats:
+        """Radius between each feature's location and the surface by what its point set says of it, (n,)."""
+        sets, touches = self.document.sets, self.rows
+        out = np.full(len(points), _UNKNOWN)
+        single = np.full(len(points), -1)
+        for place, feature in enumerate(self.features):
+            reference = next(iter(self.references.get(feature, ())), -1)
+            row = self.sets[self.document.references.ids[reference]] if reference >= 0 else -1
+            if row < 0 or not sets.counts[row]:
+                continue
+            span = self._span(reference)
+            if span.stop - span.start == 1:
+                single[place] = sets.first[row] + span.start
+                continue
+            own = slice(sets.first[row] + span.start, sets.first[row] + span.stop)
+            if (touches.radii[own] == _CONTACT).all():
+                out[place] = _CONTACT
+                continue
+            with np.errstate(over="ignore", invalid="ignore"):
+                away = np.linalg.norm(touches.points[own] - points[place], axis=1)
+            if away.min() <= _SAME:
+                out[place] = touches.radii[own][away.argmin()]
+        alone = np.flatnonzero(single >= 0)
+        own_radii = touches.radii[single[alone]]
         with np.errstate(over="ignore", invalid="ignore"):
-            away = np.linalg.norm(rows.points[own] - point, axis=1)
-        nearest = int(away.argmin())
-        if away[nearest] <= 1e-9:
-            return float(radii[nearest])
-        # The location is the centre moved by the radius: it was compensated after the touch.
-        return _CONTACT if len(away) == 1 and abs(away[0] - radii[0]) <= 1e-3 else _UNKNOWN
+            away = np.linalg.norm(touches.points[single[alone]] - points[alone], axis=1)
+            # The location is the centre moved by the radius: it was compensated after the touch.
+            moved = np.abs(away - own_radii) <= _MOVED
+        out[alone] = np.where((own_radii == _CONTACT) | (away <= _SAME), own_radii, np.where(moved, _CONTACT, _UNKNOWN))
+        return out
 
     def _decide(self, radii: Floats, points: Floats, nominal: Floats, normals: Floats, stated: Floats) -> None:
         """What stored profile values show of locations that no set explains, and of the rest of the file. In place."""
@@ -361,13 +421,13 @@ class _Joined:
         if worst > 1e-4:
             self.notes.append(phrase("stored profile values differ from (P - N) . n - r by up to {}", mm(worst, ".4f")))
 
-    def _of_set(self, s: PointSet, of: Ints) -> tuple[tuple[Floats, ...], Ints, Iterable[str]]:
+    def _of_set(self, label: str, of: Ints) -> tuple[tuple[Floats, ...], Ints, Iterable[str]]:
         rows, n = self.rows, len(of)
         nothing = np.broadcast_to(np.nan, (n, 3))
         # All points of the only set are not copied.
         which = slice(None) if n == len(rows.lines) else of
         columns = (rows.points[which], nothing, rows.normals[which], rows.radii[which], nothing[:, 0])
-        name = s.name
+        name = set_name(label)
         return columns, rows.lines[which], (f"{name}.{k}" for k in range(1, n + 1))
 
     def _ball(self, radii: Floats) -> float | Floats:

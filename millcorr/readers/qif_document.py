@@ -8,7 +8,10 @@ import binascii
 import math
 import re
 from array import array
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
+from itertools import repeat
 from typing import NoReturn
 
 import numpy as np
@@ -18,7 +21,7 @@ from millcorr.messages import phrase
 
 from .fields import NUMBER
 from .source import Source, shown
-from .xml_events import Element
+from .xml_events import NOTHING, Element
 
 POINTS = frozenset({"Point", "EdgePoint"})
 """Kinds of features whose location is a point that was measured."""
@@ -32,10 +35,11 @@ _SAID = {
     "ProbeRadius": ("ProbeRadius", "ProbeRadii", "BinaryProbeRadii"),
 }
 """Children of a point set, by what they say."""
+_KEYS = {name: key for key, names in _SAID.items() for name in names}
 _FLAGS = {"true": 1.0, "1": 1.0, "false": 0.0, "0": 0.0}
 _OWN = " "
 """No id begins so, but those under which the touches that stand in a feature are kept."""
-_UNSAID = array("d", [math.nan])
+_UNSAID = (math.nan,)
 _FOREIGN_FRAMES = ("CoordinateSystemId", "TransformId", "TranformId", "Units")
 """Children of a point set that give it a frame or unit of its own; the schema of 3.0 has the third, misspelt."""
 
@@ -47,48 +51,81 @@ Vector = tuple[float, float, float]
 NO_VECTOR = (math.nan, math.nan, math.nan)
 
 
-@dataclass(frozen=True, slots=True)
-class Reference:
-    """Points `first` to `last`, from 1, of a point set; `last` is 0 for all of them."""
+class Features:
+    """Point features in one of their roles, or all features that were measured: a row each.
 
-    id: str
-    line: int
-    first: int = 1
-    last: int = 0
+    Columns, for there are hundreds of thousands: an object each would take longer than the file's XML.
+
+    Attributes
+    ----------
+    rows : dict of str to int
+        Row by id.
+    kinds, references, names, units : list of str
+        Empty where the file says none.
+    lines, results : array of int
+        Results: which of the document's holds it; -1 for none.
+    locations, normals : array of float
+        Three a row; NaN where the file says none.
+    """
+
+    def __init__(self) -> None:
+        self.rows: dict[str, int] = {}
+        self.kinds: list[str] = []
+        self.references: list[str] = []
+        self.names: list[str] = []
+        self.units: list[str] = []
+        self.lines, self.results = array("q"), array("q")
+        self.locations, self.normals = array("d"), array("d")
+
+    def __len__(self) -> int:
+        return len(self.lines)
 
 
-@dataclass(slots=True)
-class Feature:
-    """Point feature in one of its roles, or any feature that was measured."""
+class References:
+    """Points `first` to `last`, from 1, of the point set `ids` that a row of the measured `features` refers to.
 
-    kind: str
-    id: str
-    line: int
-    result: int
-    """Which of the document's results holds it; -1 for none."""
-    location: Vector | None = None
-    normal: Vector | None = None
-    reference: str = ""
-    name: str = ""
-    sets: tuple[Reference, ...] = ()
-    unit: str = ""
+    `last` is 0 for all of them.
+    """
+
+    def __init__(self) -> None:
+        self.ids: list[str] = []
+        self.features, self.lines = array("q"), array("q")
+        self.first, self.last = array("q"), array("q")
+
+    def add(self, feature: int, label: str, line: int, first: int = 1, last: int = 0) -> None:
+        """Add a reference."""
+        self.ids.append(label)
+        self.features.append(feature)
+        self.lines.append(line)
+        self.first.append(first)
+        self.last.append(last)
 
 
-@dataclass(slots=True)
-class PointSet:
-    """Measured point set: `count` rows from `first` of the document's `Touches`."""
+class PointSets:
+    """Measured point sets: a row each, of `counts` rows from `first` of the document's `Touches`."""
 
-    id: str
-    line: int
-    count: int
-    unit: str
-    result: int
-    first: int
+    def __init__(self) -> None:
+        self.rows: dict[str, int] = {}
+        self.units: list[str] = []
+        self.lines, self.results = array("q"), array("q")
+        self.counts, self.first = array("q"), array("q")
 
-    @property
-    def name(self) -> str:
-        """What to call it: its id, or the feature whose own touches it holds."""
-        return phrase("of feature {}", self.id.removeprefix(_OWN)) if self.id.startswith(_OWN) else self.id
+    def __len__(self) -> int:
+        return len(self.lines)
+
+    def add(self, label: str, line: int, result: int, unit: str, count: int, first: int) -> None:
+        """Add a set."""
+        self.rows[label] = len(self.lines)
+        self.units.append(unit)
+        self.lines.append(line)
+        self.results.append(result)
+        self.counts.append(count)
+        self.first.append(first)
+
+
+def set_name(label: str) -> str:
+    """What to call a point set: its id, or the feature whose own touches it holds."""
+    return phrase("of feature {}", label.removeprefix(_OWN)) if label.startswith(_OWN) else label
 
 
 class Touches:
@@ -113,14 +150,6 @@ class Touches:
     def __len__(self) -> int:
         return len(self.lines)
 
-    def begin(self, line: int) -> None:
-        """Begin a touch of which nothing is said yet."""
-        self.lines.append(line)
-        self.points.extend(NO_VECTOR)
-        self.normals.extend(NO_VECTOR)
-        self.compensated.append(math.nan)
-        self.radius.append(math.nan)
-
 
 @dataclass(slots=True)
 class Unit:
@@ -137,10 +166,9 @@ class Document:
 
     def __init__(self, source: Source) -> None:
         self.source = source
-        self.nominals: dict[str, Feature] = {}
-        self.items: dict[str, Feature] = {}
-        self.measured: dict[str, Feature] = {}
-        self.sets: dict[str, PointSet] = {}
+        self.nominals, self.items, self.measured = Features(), Features(), Features()
+        self.references = References()
+        self.sets = PointSets()
         self.touches = Touches()
         self.values: dict[str, float] = {}
         """Stored profile value by the feature measurement: the farthest from 0 where there are several."""
@@ -148,14 +176,17 @@ class Document:
         self.results: list[tuple[str, int]] = []
         """Id and line of every MeasurementResults."""
         self.result = -1
-        self.feature = Feature("", "", 0, -1)
-        self.own = Touches()
-        """Touches that stand in the feature that is open."""
-        self.set = PointSet("", 0, 0, "", -1, 0)
-        self.said: dict[str, array[float]] = {}
-        """What the point set that is open has said."""
+        self.id, self.line, self.unit = "", 0, ""
+        """Of the feature or point set that is open."""
+        self.count = 0
+        """Points of the point set that is open."""
+        self.before = 0
+        """Touches before the feature that is open."""
+        self.said: dict[str, str] = {}
+        """Text of the elements inside the record that is open, by their names."""
+        self.touch: dict[str, str] = {}
+        """As `said`, of the MeasurePoint that is open inside a feature."""
         self.valued: list[str] = []
-        self.value: float | None = None
         self.span = ""
         """Which points of a set a reference means, as it stands there."""
         self.root = Element(self._anywhere)
@@ -175,15 +206,15 @@ class Document:
         if role and role[1] and (role[1] in POINTS or role[2] in ("Measurement", "Actual")):
             return self._feature(role[1], {"Nominal": "nominals", "Item": "items"}.get(role[2], "measured"))
         if name == "MeasuredPointSet":
-            fields = {name: self._set_field(key, name) for key, names in _SAID.items() for name in names}
-            fields |= {name: self._foreign(name) for name in _FOREIGN_FRAMES}
-            return Element(fields.get, begin=self._open_set, end=self._close_set)
+            fields = self._kept(self.said, *(name for names in _SAID.values() for name in names))
+            inside = fields | {name: self._foreign(name) for name in _FOREIGN_FRAMES}
+            return Element(inside.get, begin=self._open_set, end=partial(self._close_set, fields))
         if _PROFILE_VALUE.fullmatch(name):
-            ids = Element({"Id": Element(text=lambda content, _: self.valued.append(content.strip()))}.get)
-            value = Element(text=self._take_value)
+            ids = Element({"Id": Element(text=self.valued.append)}.get)
+            value = self._kept(self.said, "Value")["Value"]
             return Element(
                 lambda name: value if name == "Value" else ids if name.startswith("Feature") else None,
-                begin=self._open_value, end=self._close_value,
+                begin=self._open_value, end=partial(self._close_value, value),
             )  # fmt: skip
         if name == "FileUnits":
             return self._units(primary=False)
@@ -191,9 +222,15 @@ class Document:
             return Element(self._anywhere, begin=self._open_result, end=self._close_result)
         return self.root
 
+    @staticmethod
+    def _kept(said: dict[str, str], *names: str) -> dict[str, Element]:
+        """Elements whose text is kept by their names until their record ends."""
+        return {name: Element(text=partial(said.__setitem__, name)) for name in names}
+
     def _units(self, *, primary: bool) -> Element:
         """FileUnits, or the PrimaryUnits among them."""
-        fields = {"UnitName": Element(text=self._take_unit_name), "Factor": Element(text=self._take_factor)}
+        factor = Element(text=lambda content: self._take_factor(content, factor.line))
+        fields = {"UnitName": Element(text=self._take_unit_name), "Factor": factor}
         unit = Element(lambda name: fields.get(name, unit_part))
         unit_part = Element(unit.inside)
         unit.begin, unit.idle = lambda _, line: self.units.append(Unit(line, primary)), False
@@ -207,40 +244,46 @@ class Document:
         return units
 
     def _feature(self, kind: str, name: str) -> Element:
+        fields = self._kept(self.said, "Location", "Normal", "FeatureNominalId", "FeatureItemId", "FeatureName")
+        fields["Location"].begin = self._open_location
+        inside, others = dict(fields), NOTHING
+        if name == "measured":
+            referred = Element(begin=self._open_reference, text=lambda content: self._take_set(content, referred.line))
+
+            def refers(name: str) -> Element | None:
+                return referred if name.endswith("PointSetId") else None
+
+            told = self._kept(self.touch, "Point", "Normal", "Compensated", "ProbeRadius")
+            touch = Element(told.get, begin=self._open_touch)
+            touch.end = partial(self._close_touch, touch, told)
+            inside["PointList"] = Element(lambda name: touch if name == "MeasurePoint" else refers(name))
+            others = Element(refers)
+
         def begin(attributes: dict[str, str], line: int) -> None:
-            self.feature = Feature(kind, self._id(attributes, line), line, self.result)
+            self.said.clear()
+            self.id, self.line, self.unit = self._id(attributes, line), line, ""
+            self.before = len(self.touches)
 
         def end() -> None:
-            feature, group = self.feature, getattr(self, name)
-            self._once(feature.id, group, feature.line)
-            group[feature.id] = feature
-            if self.own:
-                if name == "measured":
-                    self._add_touches(feature)
-                self.own = Touches()
+            said, label, group = self.said, self.id, getattr(self, name)
+            self._once(label, group.rows, group.lines)
+            location, normal = said.get("Location"), said.get("Normal")
+            group.locations.extend(
+                NO_VECTOR if location is None else self._three(location, label, fields["Location"].line)
+            )
+            group.normals.extend(NO_VECTOR if normal is None else self._three(normal, label, fields["Normal"].line))
+            reference = said.get("FeatureItemId") or said.get("FeatureNominalId", "")
+            group.references.append(reference.strip())
+            group.names.append(said.get("FeatureName", "").strip())
+            group.kinds.append(kind)
+            group.units.append(self.unit)
+            if len(self.touches) > self.before:
+                self._add_own_set(len(group))
+            group.rows[label] = len(group)
+            group.results.append(self.result)
+            group.lines.append(self.line)
 
-        fields = {
-            "Location": Element(begin=self._open_location, text=self._take_location),
-            "Normal": Element(text=self._take_normal),
-            "FeatureNominalId": Element(text=self._take_reference),
-            "FeatureItemId": Element(text=self._take_reference),
-            "FeatureName": Element(text=self._take_name),
-        }
-        referred = Element(begin=self._open_reference, text=self._take_set)
-
-        def refers(name: str) -> Element | None:
-            return referred if name.endswith("PointSetId") else None
-
-        touched = {
-            "Point": Element(text=self._take_touch),
-            "Normal": Element(text=self._take_direction),
-            "Compensated": Element(text=self._take_touch_flag),
-            "ProbeRadius": Element(text=self._take_touch_radius),
-        }
-        touch = Element(touched.get, begin=lambda _, line: self.own.begin(line))
-        fields["PointList"] = Element(lambda name: touch if name == "MeasurePoint" else refers(name))
-        others = Element(refers)
-        return Element(lambda name: fields.get(name, others), begin=begin, end=end)
+        return Element(lambda name: inside.get(name, others), begin=begin, end=end)
 
     # What is done with elements.
 
@@ -253,40 +296,30 @@ class Document:
 
     def _open_location(self, attributes: dict[str, str], _: int) -> None:
         if "linearUnit" in attributes:
-            self.feature.unit = attributes["linearUnit"]
-
-    def _take_location(self, content: str, line: int) -> None:
-        self.feature.location = self._three(content, self.feature.id, line)
-
-    def _take_normal(self, content: str, line: int) -> None:
-        self.feature.normal = self._three(content, self.feature.id, line)
-
-    def _take_reference(self, content: str, _: int) -> None:
-        self.feature.reference = content.strip()
-
-    def _take_name(self, content: str, _: int) -> None:
-        self.feature.name = content.strip()
+            self.unit = attributes["linearUnit"]
 
     def _open_reference(self, attributes: dict[str, str], _: int) -> None:
         self.span = attributes.get("range", attributes.get("index", ""))
 
     def _take_set(self, content: str, line: int) -> None:
-        self.feature.sets += (self._referred(content.strip(), line),)
+        label, ends = content.strip(), self.span.split()
+        if not all(re.fullmatch(r"\d{1,9}", end, re.ASCII) for end in ends) or len(ends) > 2:
+            self._refuse(phrase("{} is no range of points of set {}", shown(self.span), label), line)
+        self.references.add(len(self.measured), label, line, *(int(end) for end in (ends[:1] + ends[-1:])))
 
     def _open_value(self, *_: object) -> None:
         self.valued.clear()
-        self.value = None
+        self.said.clear()
 
-    def _take_value(self, content: str, line: int) -> None:
-        self.value = self._number(content, "", line)
+    def _close_value(self, element: Element) -> None:
+        content = self.said.get("Value")
+        if content is not None:
+            value = self._number(content, "", element.line)
+            for label in map(str.strip, self.valued):
+                if abs(value) >= abs(self.values.get(label, 0.0)):
+                    self.values[label] = value
 
-    def _close_value(self) -> None:
-        if self.value is not None:
-            for label in self.valued:
-                if abs(self.value) >= abs(self.values.get(label, 0.0)):
-                    self.values[label] = self.value
-
-    def _take_unit_name(self, content: str, _: int) -> None:
+    def _take_unit_name(self, content: str) -> None:
         self.units[-1].name = content.strip()
 
     def _take_factor(self, content: str, line: int) -> None:
@@ -300,133 +333,105 @@ class Document:
             self._refuse(phrase("a feature or point set has no id"), line)
         return label[:40]
 
-    def _once(self, label: str, group: dict[str, Feature] | dict[str, PointSet], line: int) -> None:
-        if label in group:
-            self._refuse(phrase("id {} is there twice, first in line {}", shown(label), group[label].line), line)
+    def _once(self, label: str, rows: dict[str, int], lines: array[int]) -> None:
+        if label in rows:
+            self._refuse(phrase("id {} is there twice, first in line {}", shown(label), lines[rows[label]]), self.line)
 
-    def _referred(self, label: str, line: int) -> Reference:
-        if not self.span.strip():
-            return Reference(label, line)
-        ends = self.span.split()
-        if not all(re.fullmatch(r"\d{1,9}", end, re.ASCII) for end in ends) or len(ends) > 2:
-            self._refuse(phrase("{} is no range of points of set {}", shown(self.span), label), line)
-        return Reference(label, line, int(ends[0]), int(ends[-1]))
+    # A MeasurePoint, in which documents of 2.x give every touch of a feature.
 
-    # Children of a MeasurePoint, in which documents of 2.x give every touch of a feature.
+    def _open_touch(self, *_: object) -> None:
+        self.touch.clear()
 
-    def _take_touch(self, content: str, line: int) -> None:
-        self.own.points[-3:] = array("d", self._three(content, self.feature.id, line))
-
-    def _take_direction(self, content: str, line: int) -> None:
-        self.own.normals[-3:] = array("d", self._three(content, self.feature.id, line))
-
-    def _take_touch_radius(self, content: str, line: int) -> None:
-        self.own.radius[-1] = self._number(content, self.feature.id, line)
-
-    def _take_touch_flag(self, content: str, line: int) -> None:
-        flag = _FLAGS.get(content.strip())
-        if flag is None:
+    def _close_touch(self, element: Element, fields: dict[str, Element]) -> None:
+        said, label, table = self.touch, self.id, self.touches
+        point, normal, flag, radius = map(said.get, fields)
+        if point is None:
+            self._refuse(phrase("a MeasurePoint of feature {} has no Point", label), element.line)
+        table.points.extend(self._three(point, label, fields["Point"].line))
+        table.normals.extend(NO_VECTOR if normal is None else self._three(normal, label, fields["Normal"].line))
+        if flag is not None and flag.strip() not in _FLAGS:
             self._refuse(
-                phrase("feature {}: Compensated {} is not true or false", self.feature.id, shown(content)), line
+                phrase("feature {}: Compensated {} is not true or false", label, shown(flag)),
+                fields["Compensated"].line,
             )
-        self.own.compensated[-1] = flag
+        table.compensated.append(math.nan if flag is None else _FLAGS[flag.strip()])
+        table.radius.append(math.nan if radius is None else self._number(radius, label, fields["ProbeRadius"].line))
+        table.lines.append(element.line)
 
-    def _add_touches(self, feature: Feature) -> None:
+    def _add_own_set(self, feature: int) -> None:
         """Put the touches that stand in a feature among the point sets, and refer to them."""
-        own, label = self.own, _OWN + feature.id
-        self.set = PointSet(label, feature.line, len(own), feature.unit, feature.result, len(self.touches))
-        unsaid = [math.isnan(flag) for flag in own.compensated]
-        for x, line, flagless in zip(own.points[::3], own.lines, unsaid, strict=True):
-            if math.isnan(x):
-                self._refuse(phrase("a MeasurePoint of feature {} has no Point", feature.id), line)
-            if flagless != unsaid[0]:
-                self._refuse(
-                    phrase("a MeasurePoint of feature {} lacks Compensated, or all others do", feature.id), line
-                )
-        self.said.update(zip(_SAID, (own.points, own.normals, own.compensated, own.radius), strict=True))
-        self.touches.lines.extend(own.lines)
-        self._add_set()
-        feature.sets += (Reference(label, feature.line),)
+        first, label = self.before, _OWN + self.id
+        count = len(self.touches) - first
+        unsaid = list(map(math.isnan, self.touches.compensated[first:]))
+        if 0 < sum(unsaid) < count:
+            self._refuse(
+                phrase("a MeasurePoint of feature {} lacks Compensated, or all others do", self.id),
+                self.touches.lines[first + unsaid.index(not unsaid[0])],
+            )
+        self.sets.add(label, self.line, self.result, self.unit, count, first)
+        self.references.add(feature, label, self.line)
+
+    # A MeasuredPointSet.
 
     def _open_set(self, attributes: dict[str, str], line: int) -> None:
         label, count = self._id(attributes, line), attributes.get("count", "")
         if not count.isdecimal() or not count.isascii() or len(count) > 9:
             self._refuse(phrase("point set {} has no count", label), line)
-        self.set = PointSet(
-            label, line, int(count), attributes.get("linearUnit", ""), self.result, len(self.touches)
-        )  # fmt: skip
+        self.id, self.line, self.unit, self.count = label, line, attributes.get("linearUnit", ""), int(count)
         self.said.clear()
 
-    def _close_set(self) -> None:
-        found = self.set
-        self._once(found.id, self.sets, found.line)
-        if "Points" not in self.said:
-            self._refuse(phrase("point set {} has no Points", found.id), found.line)
-        self.touches.lines.extend(array("q", [found.line]) * found.count)
-        self._add_set()
-
-    def _add_set(self) -> None:
-        """Put what the set that is open has said among the touches."""
-        found, said = self.set, self.said
-        compensated, radius = said.get("Compensated", _UNSAID), said.get("ProbeRadius", _UNSAID)
-        if not all(compensated) or compensated is _UNSAID:
-            for r in radius:
-                if r <= 0:
-                    self._refuse(phrase("point set {}: its ProbeRadius is not positive", found.name), found.line)
-        table, n = self.touches, found.count
-        if len(table.points):
-            table.points.extend(said.pop("Points"))
+    def _close_set(self, fields: dict[str, Element]) -> None:
+        """Put what the set has said among the touches."""
+        label, n, table = self.id, self.count, self.touches
+        self._once(label, self.sets.rows, self.sets.lines)
+        said: dict[str, Sequence[float]] = {}
+        for name in list(self.said):
+            # A long text is let go of once its numbers are there.
+            said[_KEYS[name]] = self._set_field(name, self.said.pop(name), fields[name].line)
+        if "Points" not in said:
+            self._refuse(phrase("point set {} has no Points", label), self.line)
+        self.sets.add(label, self.line, self.result, self.unit, n, len(table))
+        points = said.pop("Points")
+        if isinstance(points, array) and not table.points:
+            table.points = points
         else:
-            table.points = said.pop("Points")
-        table.normals.extend(said.pop("Normals") if "Normals" in said else array("d", NO_VECTOR) * n)
-        table.compensated.extend(compensated if len(compensated) == n else compensated * n)
-        table.radius.extend(radius if len(radius) == n else radius * n)
-        self.sets[found.id] = found
-        said.clear()
+            table.points.extend(points)
+        table.normals.extend(said.pop("Normals") if "Normals" in said else repeat(math.nan, 3 * n))
+        for key, column in (("Compensated", table.compensated), ("ProbeRadius", table.radius)):
+            values = said.get(key, _UNSAID)
+            column.extend(values if len(values) == n else repeat(values[0], n))
+        table.lines.extend(repeat(self.line, n))
 
     def _foreign(self, name: str) -> Element:
         def refuse(_: dict[str, str], line: int) -> None:
             self._refuse(
-                phrase(
-                    "point set {} has its own {}: export the points in the common frame and unit", self.set.id, name
-                ),
+                phrase("point set {} has its own {}: export the points in the common frame and unit", self.id, name),
                 line,
             )
 
         return Element(begin=refuse)
 
-    def _set_field(self, key: str, name: str) -> Element:
-        said = self.said
-        width = 1 if key in ("Compensated", "ProbeRadius") else 3
-
-        def take_binary(content: str, line: int) -> None:
-            said[key] = self._binary(name, content, line, width * self.set.count)
-
-        def take_flags(content: str, line: int) -> None:
-            words = content.split()
-            if not words or not _FLAGS.keys() >= set(words) or len(words) not in (1, self.set.count):
-                self._refuse(
-                    phrase("point set {}: {} {} is not true or false", self.set.id, name, shown(content)), line
-                )
-            said[key] = array("d", [_FLAGS[word] for word in words])
-
-        def take_radius(content: str, line: int) -> None:
-            said[key] = array("d", (self._number(content, self.set.id, line),))
-
-        def take_numbers(content: str, line: int) -> None:
-            n, label = width * self.set.count, self.set.id
-            said[key] = array("d", self._three(content, label, line)) if n == 3 == width else self._numbers(
-                content, label, line, n
-            )  # fmt: skip
-
+    def _set_field(self, name: str, content: str, line: int) -> Sequence[float]:
+        """Numbers of a child of the point set that is open: one, or as many as its points have."""
+        if name == "Points" and self.count == 1:
+            return self._three(content, self.id, line)
+        if name == "ProbeRadius":
+            return (self._number(content, self.id, line),)
+        key = _KEYS[name]
+        n = self.count if key in ("Compensated", "ProbeRadius") else 3 * self.count
         if name.startswith("Binary"):
-            return Element(text=take_binary)
-        if key == "Compensated":
-            return Element(text=take_flags)
-        return Element(text=take_radius if name == "ProbeRadius" else take_numbers)
+            return self._binary(name, content, line, n)
+        if key != "Compensated":
+            return self._numbers(content, self.id, line, n)
+        if content in _FLAGS:
+            return (_FLAGS[content],)
+        words = content.split()
+        if not words or not _FLAGS.keys() >= set(words) or len(words) not in (1, self.count):
+            self._refuse(phrase("point set {}: {} {} is not true or false", self.id, name, shown(content)), line)
+        return array("d", map(_FLAGS.__getitem__, words))
 
     def _binary(self, name: str, content: str, line: int, width: int) -> array[float]:
-        n, label = self.set.count, self.set.id
+        n, label = self.count, self.id
         try:
             data = base64.b64decode("".join(content.split()), validate=True)
         except (binascii.Error, ValueError):

@@ -22,7 +22,7 @@ DEEPEST = 200
 _DECLARATIONS = ("StartDoctypeDeclHandler", "EntityDeclHandler", "ExternalEntityRefHandler")
 
 Opened = Callable[[dict[str, str], int], None]
-Content = Callable[[str, int], None]
+Content = Callable[[str], object]
 
 
 class Element(dict[str, "Element"]):
@@ -35,12 +35,17 @@ class Element(dict[str, "Element"]):
     begin : callable, optional
         Called with an element's attributes and line when it begins.
     text : callable, optional
-        Called with its text, comments left out, and the line where it began, when it ends. Elements inside are refused.
+        Called with its text, comments left out, when it ends. Elements inside are refused.
     end : callable, optional
-        Called when it ends, after `text`.
+        Called when it ends, where `text` is not.
+
+    Attributes
+    ----------
+    line : int
+        Where the last element in this place began of which anything is wanted.
     """
 
-    __slots__ = ("begin", "end", "idle", "inside", "text")
+    __slots__ = ("begin", "end", "idle", "inside", "line", "text")
 
     def __init__(
         self,
@@ -55,6 +60,7 @@ class Element(dict[str, "Element"]):
         self.text = text
         self.end = end
         self.idle = begin is None and text is None
+        self.line = 0
 
     def __missing__(self, name: str) -> Element:
         found = self.inside(name.rpartition(":")[2]) if self.inside is not None else None
@@ -120,20 +126,19 @@ def _handlers(
     place = Element(lambda name: element if name == root else None)
     outer: list[Element] = []
     chunks: list[str] = []
-    enter, leave, collect = outer.append, outer.pop, chunks.append
-    begun = 0
+    enter, leave, collect, take = outer.append, outer.pop, chunks.append, chunks.pop
 
     def begin(name: str, attributes: dict[str, str]) -> None:
-        nonlocal place, begun
+        nonlocal place
         enter(place)
         place = place[name]
         if place.idle:
             if place is NOTHING or len(outer) > DEEPEST:
                 check(name)
             return
-        begun = parser.CurrentLineNumber
+        place.line = parser.CurrentLineNumber
         if place.begin is not None:
-            place.begin(attributes, begun)
+            place.begin(attributes, place.line)
         if place.text is not None:
             # Text that nobody wants is not even passed on.
             parser.CharacterDataHandler = collect
@@ -151,10 +156,13 @@ def _handlers(
         nonlocal place
         if place.text is not None:
             parser.CharacterDataHandler = None
-            content = chunks.pop() if len(chunks) == 1 else "".join(chunks)
-            chunks.clear()
-            place.text(content, begun)
-        if place.end is not None:
+            if len(chunks) == 1:
+                place.text(take())
+            else:
+                content = "".join(chunks)
+                chunks.clear()
+                place.text(content)
+        elif place.end is not None:
             place.end()
         place = leave()
 

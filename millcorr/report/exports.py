@@ -221,10 +221,14 @@ def qif(result: Result, zone: float, day: datetime.date) -> Iterator[bytes]:
             f'<CharacteristicItemId>{id + 5}</CharacteristicItemId><FeatureMeasurementIds n="1"><Id>{id + 2}</Id>'
             f"</FeatureMeasurementIds><Value>{value:.6f}</Value></PointProfileCharacteristicMeasurement>\n"
         ).encode()
+    # The whole inspection: an outlier, taken for a touch gone wrong, fails no part and passes none.
+    fails = bool((np.abs(points.value[~points.outlier]) > zone / 2).any())
+    status = "FAIL" if fails else "UNKNOWN" if points.outlier.any() else "PASS"
     yield (
-        b"</CharacteristicMeasurements></MeasuredCharacteristics></MeasurementResults></MeasurementResultsSet></Results>\n"
-        b"</QIFDocument>\n"
-    )
+        "</CharacteristicMeasurements></MeasuredCharacteristics>\n"
+        f"<InspectionStatus><InspectionStatusEnum>{status}</InspectionStatusEnum></InspectionStatus>\n"
+        "</MeasurementResults></MeasurementResultsSet></Results>\n</QIFDocument>\n"
+    ).encode()
 
 
 def _vector(values: Sequence[float], decimals: int = 6) -> str:

@@ -14,6 +14,7 @@ from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 from hashlib import sha256
+from math import isqrt
 from pathlib import Path
 
 import numpy as np
@@ -211,7 +212,8 @@ def _calypso(n: int) -> list[Dress]:
 
 
 def _height_map(n: int) -> list[Dress]:
-    heights = np.random.default_rng(n).normal(0.0, 0.05, (2, n + 1))
+    rows = max(2, isqrt(n) // 2)
+    heights = np.random.default_rng(n).normal(0.0, 0.05, (rows, n // rows + 1))
     return [(files.bcnc(heights).encode(), {}), (files.open_cnc_pilot(heights).encode(), {})]
 
 

@@ -387,3 +387,17 @@ def test_memory_of_a_large_scan(qif_file):
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert peak < 10 * size
+
+
+def test_what_a_location_is_says_its_own_point_set(qif_file):
+    """Two touches of one place, of which only one was compensated."""
+    text = files.qif(PART, stated=False)
+    place = " ".join(map(repr, PART.centres[0].tolist()))
+    other = " ".join(map(repr, PART.centres[1].tolist()))
+    text = text.replace(f">{other}<", f">{place}<").replace(f"\n{other}\n", f"\n{place}\n")
+    own = "<Compensated>false</Compensated><ProbeRadius>1.5</ProbeRadius>"
+    text = text.replace(own, "<Compensated>true</Compensated>", 1)
+    m = readers.read(qif_file(text))
+    contact = m.points - m.ball_radius * m.normals
+    np.testing.assert_allclose(contact[0], PART.centres[0], atol=1e-9)
+    np.testing.assert_allclose(contact[1], PART.centres[0] - 1.5 * PART.normals[1], atol=1e-9)

@@ -30,7 +30,8 @@ ORDER = {
     "PointProfileCharacteristicItem": "Name FeatureItemIds CharacteristicNominalId",
     "PointFeatureMeasurement": "FeatureItemId Location",
     "PointProfileCharacteristicMeasurement": "Attributes Status CharacteristicItemId FeatureMeasurementIds Value",
-    "MeasurementResults": "ThisResultsInstanceQPId MeasuredFeatures MeasuredCharacteristics",
+    "MeasurementResults": "ThisResultsInstanceQPId MeasuredFeatures MeasuredCharacteristics InspectionStatus",
+    "InspectionStatus": "InspectionStatusEnum",
 }
 """Children in the order of the schema's sequences (ISO 23952:2020)."""
 
@@ -118,6 +119,17 @@ def test_a_qif_document_keeps_the_schemas_order_counts_and_references(swarf, tmp
     moved = [float(a.get("value")) for a in root.iter(NAMESPACE + "AttributeStr") if a.get("name") == "correction_mm"]
     d = swarf.deviation
     np.testing.assert_allclose(moved, swarf.correction.at(d.stretch, d.s, swarf.nominal), atol=6e-7)
+
+
+def test_a_qif_document_says_how_the_whole_inspection_ended(swarf, tmp_path):
+    """One touch is on a chip: the other 119 pass or fail the part, and cannot pass it without that one."""
+    kept = np.abs(swarf.deviation.value[~swarf.outlier]).max()
+    for number, (zone, says) in enumerate(((1.9 * kept, "FAIL"), (2.1 * kept, "UNKNOWN"))):
+        root = ET.parse(written(swarf, tmp_path / str(number), "qif", zone=zone)["qif"]).getroot()
+        assert [s.text for s in root.iter(NAMESPACE + "InspectionStatusEnum")] == [says]
+    clean = corrected()
+    root = ET.parse(written(clean, tmp_path / "clean", "qif", zone=1.0)["qif"]).getroot()
+    assert [s.text for s in root.iter(NAMESPACE + "InspectionStatusEnum")] == ["PASS"]
 
 
 def test_the_table_with_decimal_comma_holds_the_same_cells(swarf, tmp_path):
