@@ -25,7 +25,7 @@ from .fold import Fold
 from .icons import qt_icon
 from .keys import keep
 from .qt import QtCore, QtWidgets
-from .theme import STYLE, mark
+from .theme import FADED, STYLE, mark
 from .worker import Worker
 
 PAUSE = 250
@@ -108,7 +108,8 @@ class Panel:
         else:
             box = QtWidgets.QGroupBox(title)
             outer = QtWidgets.QVBoxLayout(box)
-            outer.setContentsMargins(6, 4, 6, 4)
+            # Without room above, some styles write the title over the first row.
+            outer.setContentsMargins(6, 8, 6, 4)
             outer.addWidget(inner)
         self.layout.addWidget(box)
         return box
@@ -206,6 +207,12 @@ class Panel:
         """Why what is shown cannot be applied; empty where it can."""
         return self.message.text() if self.wrong else ""
 
+    def applied_by(self, button: Any) -> None:
+        """Take a button for the one that applies."""
+        button.setStyleSheet(FADED)
+        self.applying = button
+        self.judge()
+
     def judge(self) -> None:
         """Switch the button that applies on or off, its reason as a tooltip."""
         if self.applying is not None and not self.closed:
@@ -241,8 +248,7 @@ class Panel:
 
     def modifyStandardButtons(self, box: Any) -> None:
         """FreeCAD's OK and Cancel: OK is there while there is something sound to apply."""
-        self.applying = box.button(QtWidgets.QDialogButtonBox.StandardButton.Ok)
-        self.judge()
+        self.applied_by(box.button(QtWidgets.QDialogButtonBox.StandardButton.Ok))
 
     def accept(self) -> bool:
         """OK: run the lines in one transaction; the panel stays where there is nothing sound to apply."""
