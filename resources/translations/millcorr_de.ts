@@ -704,12 +704,12 @@
         <translation>Zu messende Kontur, wenn es nicht die der Operation ist</translation>
     </message>
     <message>
-        <source>Feed of the touch, mm/min</source>
-        <translation>Vorschub der Antastung, mm/min</translation>
+        <source>Feed of the touch</source>
+        <translation>Vorschub der Antastung</translation>
     </message>
     <message>
-        <source>Feed of moves at measuring height, mm/min</source>
-        <translation>Vorschub der Wege in Messhöhe, mm/min</translation>
+        <source>Feed of moves at measuring height</source>
+        <translation>Vorschub der Wege in Messhöhe</translation>
     </message>
     <message>
         <source>Number of the probe in the magazine; 0: it is in use</source>
@@ -1167,6 +1167,18 @@
         <translation>wartet</translation>
     </message>
     <message>
+        <source>Jobs done: {} of {}</source>
+        <translation>Aufträge erledigt: {} von {}</translation>
+    </message>
+    <message>
+        <source>Done in an earlier run: {}</source>
+        <translation>In einem früheren Lauf erledigt: {}</translation>
+    </message>
+    <message>
+        <source>Failed: {}</source>
+        <translation>Fehlgeschlagen: {}</translation>
+    </message>
+    <message>
         <source>the open task ended: OK or Cancel</source>
         <translation>die offene Aufgabe beendet: OK oder Abbrechen</translation>
     </message>
@@ -1277,6 +1289,18 @@
     <message>
         <source>red, undercut blue</source>
         <translation>rot, Unterschnitt blau</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ohne</translation>
+    </message>
+    <message>
+        <source>shift</source>
+        <translation>schieben</translation>
+    </message>
+    <message>
+        <source>rigid</source>
+        <translation>schieben und drehen</translation>
     </message>
     <message>
         <source>none; several separated by ;</source>
@@ -2512,6 +2536,10 @@ In einem Terminal tut dies dasselbe:
         <translation>FreeCADs Postprozessor {} schreibt die Bahn nicht so, wie sie ist: {}; geben Sie mit einem anderen aus</translation>
     </message>
     <message>
+        <source>what FreeCAD's post processor {} makes is no G-code that can be read back and proven ({}{}): choose a post processor of G-code in the job, as linuxcnc or grbl</source>
+        <translation>was FreeCADs Postprozessor {} erzeugt, ist kein G-Code, der zurückgelesen und geprüft werden kann ({}{}): wählen Sie im Auftrag einen Postprozessor für G-Code, etwa linuxcnc oder grbl</translation>
+    </message>
+    <message>
         <source>{}: the operation has no tool with a diameter; set ToolDiameter</source>
         <translation>{}: die Operation hat kein Werkzeug mit Durchmesser; geben Sie den Werkzeugdurchmesser an</translation>
     </message>
@@ -2734,6 +2762,58 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>line {}</source>
         <translation>Zeile {}</translation>
+    </message>
+    <message>
+        <source>a batch needs a plain Python beside FreeCAD's: none was found on the PATH</source>
+        <translation>ein Stapel braucht ein eigenes Python neben dem von FreeCAD: im PATH wurde keines gefunden</translation>
+    </message>
+    <message>
+        <source>{} is not known here: a batch has [defaults] and [[job]]</source>
+        <translation>{} ist hier nicht bekannt: ein Stapel hat [defaults] und [[job]]</translation>
+    </message>
+    <message>
+        <source>a batch needs at least one table [[job]]</source>
+        <translation>ein Stapel braucht mindestens eine Tabelle [[job]]</translation>
+    </message>
+    <message>
+        <source>defaults must be a table</source>
+        <translation>defaults muss eine Tabelle sein</translation>
+    </message>
+    <message>
+        <source>job {}: its name must be one line of text</source>
+        <translation>Auftrag {}: sein Name muss eine Zeile Text sein</translation>
+    </message>
+    <message>
+        <source>{}: verb is one of {}, not {!r}</source>
+        <translation>{}: verb ist eines von {}, nicht {!r}</translation>
+    </message>
+    <message>
+        <source>no TOML in UTF-8: {}</source>
+        <translation>kein TOML in UTF-8: {}</translation>
+    </message>
+    <message>
+        <source>defaults: {} is no option</source>
+        <translation>defaults: {} ist keine Option</translation>
+    </message>
+    <message>
+        <source>{}: {} is no option of {}</source>
+        <translation>{}: {} ist keine Option von {}</translation>
+    </message>
+    <message>
+        <source>{}: {} = {} is not possible</source>
+        <translation>{}: {} = {} ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>{}: two jobs have this name</source>
+        <translation>{}: zwei Aufträge heißen so</translation>
+    </message>
+    <message>
+        <source>{}: {} and {} both write {}</source>
+        <translation>{}: {} und {} schreiben beide {}</translation>
+    </message>
+    <message>
+        <source>{}: {} reads {}, which {} writes: jobs run at the same time; make two batches of them</source>
+        <translation>{}: {} liest {}, das {} schreibt: Aufträge laufen gleichzeitig; machen Sie zwei Stapel daraus</translation>
     </message>
     <message>
         <source>alignment: the points do not determine the {}; the fit leaves it alone</source>
@@ -3334,6 +3414,30 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>this is a binary file or UTF-16 text: save the program as plain text</source>
         <translation>das ist eine Binärdatei oder Text in UTF-16: speichern Sie das Programm als einfachen Text</translation>
+    </message>
+    <message>
+        <source>cannot read '{}': is this a plain-language block?</source>
+        <translation>„{}“ ist nicht zu lesen: ist das ein Klartextsatz?</translation>
+    </message>
+    <message>
+        <source>BEGIN PGM without a unit: state MM or INCH</source>
+        <translation>BEGIN PGM ohne Einheit: geben Sie MM oder INCH an</translation>
+    </message>
+    <message>
+        <source>this line runs {} times, and its {} and {} want other words: write the runs out, each with lines of its own</source>
+        <translation>diese Zeile läuft {}-mal, und ihr {} und ihr {} wollen verschiedene Worte: schreiben Sie die Durchläufe aus, jeden mit eigenen Zeilen</translation>
+    </message>
+    <message>
+        <source>{}{} cannot be corrected: {} is used {} times (line {}); state the numbers in these lines</source>
+        <translation>{}{} kann nicht korrigiert werden: {} wird {}-mal gebraucht (Zeile {}); geben Sie die Zahlen in diesen Zeilen an</translation>
+    </message>
+    <message>
+        <source>'{}' would not be read: {}</source>
+        <translation>„{}“ wäre nicht zu lesen: {}</translation>
+    </message>
+    <message>
+        <source>toolpath: line {} of {} cannot be written</source>
+        <translation>Werkzeugbahn: Zeile {} von {} kann nicht geschrieben werden</translation>
     </message>
     <message>
         <source>arc from an unknown start: state the position before it</source>
@@ -4292,6 +4396,26 @@ In einem Terminal tut dies dasselbe:
         <translation>{} muss zwischen {:g} und 1000 mm liegen</translation>
     </message>
     <message>
+        <source>cutting: the move that cuts at {} has no feed in mm/min: state F in G94</source>
+        <translation>Zerspanung: der schneidende Weg bei {} hat keinen Vorschub in mm/min: geben Sie F in G94 an</translation>
+    </message>
+    <message>
+        <source>setup: [tool] overhang_mm is missing: how the tool bends along its height needs it</source>
+        <translation>Einrichtung: [tool] overhang_mm fehlt: wie sich das Werkzeug über die Höhe biegt, hängt davon ab</translation>
+    </message>
+    <message>
+        <source>{}: [machine] stiffness_along has {:g} N/mm, of the whole loop, tool included, but the tool alone has {:.0f} N/mm at its tip: correct [tool] overhang_mm, youngs_modulus_gpa or stiffness_n_per_mm</source>
+        <translation>{}: [machine] stiffness_along hat {:g} N/mm für den ganzen Kraftfluss samt Werkzeug, aber das Werkzeug allein hat {:.0f} N/mm an der Spitze: berichtigen Sie [tool] overhang_mm, youngs_modulus_gpa oder stiffness_n_per_mm</translation>
+    </message>
+    <message>
+        <source>setup: [machine] {} {:g} N/mm is of the whole loop, tool included, but the tool alone has {:.0f} N/mm at its tip: correct [tool] overhang_mm, youngs_modulus_gpa or stiffness_n_per_mm, or leave the key out for a rigid machine</source>
+        <translation>Einrichtung: [machine] {} {:g} N/mm gilt für den ganzen Kraftfluss samt Werkzeug, aber das Werkzeug allein hat {:.0f} N/mm an der Spitze: berichtigen Sie [tool] overhang_mm, youngs_modulus_gpa oder stiffness_n_per_mm, oder lassen Sie den Schlüssel für eine starre Maschine weg</translation>
+    </message>
+    <message>
+        <source>predicted deviation: the path cuts away again all that it makes</source>
+        <translation>vorhergesagte Abweichung: die Bahn schneidet alles wieder weg, was sie erzeugt</translation>
+    </message>
+    <message>
         <source>wall error: the deflection does not settle near {}, it still changes by {}; check [tool] overhang_mm, [material] and the radial depth of cut</source>
         <translation>Wandfehler: die Verformung kommt nahe {} nicht zur Ruhe, sie ändert sich noch um {}; prüfen Sie [tool] overhang_mm, [material] und die radiale Schnitttiefe</translation>
     </message>
@@ -4302,6 +4426,14 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>wall error: the program makes no wall {} above its deepest tip</source>
         <translation>Wandfehler: das Programm macht keine Wand {} über seiner tiefsten Spitze</translation>
+    </message>
+    <message>
+        <source>{}: no move cuts in the XY plane at constant height</source>
+        <translation>{}: kein Weg schneidet in der XY-Ebene auf gleicher Höhe</translation>
+    </message>
+    <message>
+        <source>{}: no move that cuts in the XY plane can be followed</source>
+        <translation>{}: keinem Weg, der in der XY-Ebene schneidet, ist zu folgen</translation>
     </message>
     <message>
         <source>tilt: the slope of the wall needs two heights at least</source>
@@ -4326,6 +4458,94 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>stretch {} ({}): at most {} off over the heights; shift {}: {}; shift and tilt {:+.4f} deg: {}, and the tilted end face digs {} below the tip</source>
         <translation>Abschnitt {} ({}): höchstens {} Fehler über die Höhen; Verschiebung {}: {}; Verschiebung und Neigung {:+.4f}°: {}, und die geneigte Stirn gräbt {} unter die Spitze</translation>
+    </message>
+    <message>
+        <source>{}: the program cuts with G41 or G42, so it does not say where the cutter's centre goes: give a program of the centre path</source>
+        <translation>{}: das Programm schneidet mit G41 oder G42 und sagt daher nicht, wo die Fräsermitte läuft: geben Sie ein Programm der Mittelpunktsbahn</translation>
+    </message>
+    <message>
+        <source>{}: engagement needs arcs in the XY plane (G17); the program has others that cut</source>
+        <translation>{}: der Eingriff braucht Bögen in der XY-Ebene (G17); das Programm hat andere, die schneiden</translation>
+    </message>
+    <message>
+        <source>{}: line {} cuts from a place the program has not stated: state X and Y before it</source>
+        <translation>{}: Zeile {} schneidet von einem Ort aus, den das Programm nicht angegeben hat: geben Sie davor X und Y an</translation>
+    </message>
+    <message>
+        <source>the curve near {} bends too sharply to be followed</source>
+        <translation>die Kurve bei {} ist zu stark gekrümmt, um ihr zu folgen</translation>
+    </message>
+    <message>
+        <source>load ratio: the cutter takes nothing at {}, where the part was touched</source>
+        <translation>Lastverhältnis: der Fräser nimmt bei {} nichts ab, wo das Teil angetastet wurde</translation>
+    </message>
+    <message>
+        <source>load ratio: the program cuts only air</source>
+        <translation>Lastverhältnis: das Programm schneidet nur Luft</translation>
+    </message>
+    <message>
+        <source>engagement: the program states no Z: give [stock] axial_depth_mm in place of top_z_mm</source>
+        <translation>Eingriff: das Programm gibt kein Z an: geben Sie [stock] axial_depth_mm statt top_z_mm</translation>
+    </message>
+    <message>
+        <source>engagement: the program stays above the stock's face at {}: check [stock] top_z_mm</source>
+        <translation>Eingriff: das Programm bleibt über der Rohteilfläche bei {}: prüfen Sie [stock] top_z_mm</translation>
+    </message>
+    <message>
+        <source>engagement: the program cuts at {} heights, more than {}: it is no flank milling</source>
+        <translation>Eingriff: das Programm schneidet auf {} Höhen, mehr als {}: das ist kein Flankenfräsen</translation>
+    </message>
+    <message>
+        <source>engagement: the program cuts with several tools ({}): give the moves of one</source>
+        <translation>Eingriff: das Programm schneidet mit mehreren Werkzeugen ({}): geben Sie die Wege von einem</translation>
+    </message>
+    <message>
+        <source>engagement: the program has no cutting move in the XY plane</source>
+        <translation>Eingriff: das Programm hat keinen schneidenden Weg in der XY-Ebene</translation>
+    </message>
+    <message>
+        <source>setup: [stock] allowance_mm needs the nominal profile it lies on</source>
+        <translation>Einrichtung: [stock] allowance_mm braucht das Sollprofil, auf dem es liegt</translation>
+    </message>
+    <message>
+        <source>acc/dec time {:g} s: state 0, or {:g} s or more</source>
+        <translation>Beschleunigungszeit {:g} s: geben Sie 0 an, oder {:g} s oder mehr</translation>
+    </message>
+    <message>
+        <source>servo gain {:g} 1/s: state a gain above 0 up to {:g}, or leave it out for an ideal servo</source>
+        <translation>Kv-Faktor {:g} 1/s: geben Sie einen über 0 bis {:g} an, oder lassen Sie ihn für einen idealen Antrieb weg</translation>
+    </message>
+    <message>
+        <source>rapid speed {:g} mm/s: state a speed above 0, or leave it out</source>
+        <translation>Eilgang {:g} mm/s: geben Sie eine Geschwindigkeit über 0 an, oder lassen Sie ihn weg</translation>
+    </message>
+    <message>
+        <source>speed change at corners {:g} mm/s: state a speed above 0</source>
+        <translation>Geschwindigkeitssprung an Ecken {:g} mm/s: geben Sie eine Geschwindigkeit über 0 an</translation>
+    </message>
+    <message>
+        <source>accuracy-maintenance time: slope and intercept are 0 or more, and not both 0</source>
+        <translation>Zeit zum Halten der Genauigkeit: Steigung und Achsenabschnitt sind 0 oder mehr, und nicht beide 0</translation>
+    </message>
+    <message>
+        <source>in-position width {}: state a width above 0</source>
+        <translation>Positionierfenster {}: geben Sie eine Breite über 0 an</translation>
+    </message>
+    <message>
+        <source>this dwell cannot be read: state one of P, X or U</source>
+        <translation>diese Verweilzeit ist nicht zu lesen: geben Sie eines von P, X oder U an</translation>
+    </message>
+    <message>
+        <source>controls differ on whether {}{:g} are seconds or milliseconds: state the unit of dwells</source>
+        <translation>Steuerungen verstehen {}{:g} verschieden, als Sekunden oder Millisekunden: geben Sie die Einheit der Verweilzeiten an</translation>
+    </message>
+    <message>
+        <source>line {}: this curve bends too sharply to be followed; write it as lines or arcs</source>
+        <translation>Zeile {}: diese Kurve ist zu stark gekrümmt, um ihr zu folgen; schreiben Sie sie als Geraden oder Bögen</translation>
+    </message>
+    <message>
+        <source>{}: no move can be followed</source>
+        <translation>{}: keinem Weg ist zu folgen</translation>
     </message>
     <message>
         <source>combined control: no stiffness makes the model leave what was touched, {} are still missing: check {}, [stock] and [material]</source>
@@ -6866,6 +7086,10 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>legal filters: none, mean:5, mean:1,2,3,2,1 (odd number of weights), gauss:MM, robust:MM, auto</source>
         <translation>zulässige Filter: none, mean:5, mean:1,2,3,2,1 (ungerade Zahl von Gewichten), gauss:MM, robust:MM, auto</translation>
+    </message>
+    <message>
+        <source>{} gap(s) without points, the longest {} from s = {}: the deviation there is not known</source>
+        <translation>{} Lücke(n) ohne Punkte, die längste {} ab s = {}: die Abweichung dort ist nicht bekannt</translation>
     </message>
     <message>
         <source>a single point: its deviation is taken as it is, the random part cannot be known</source>

@@ -704,12 +704,12 @@
         <translation>Контур для вимірювання, якщо він не з операції</translation>
     </message>
     <message>
-        <source>Feed of the touch, mm/min</source>
-        <translation>Подача дотику, мм/хв</translation>
+        <source>Feed of the touch</source>
+        <translation>Подача дотику</translation>
     </message>
     <message>
-        <source>Feed of moves at measuring height, mm/min</source>
-        <translation>Подача рухів на висоті вимірювання, мм/хв</translation>
+        <source>Feed of moves at measuring height</source>
+        <translation>Подача рухів на висоті вимірювання</translation>
     </message>
     <message>
         <source>Number of the probe in the magazine; 0: it is in use</source>
@@ -1167,6 +1167,18 @@
         <translation>чекає</translation>
     </message>
     <message>
+        <source>Jobs done: {} of {}</source>
+        <translation>Завдань виконано: {} із {}</translation>
+    </message>
+    <message>
+        <source>Done in an earlier run: {}</source>
+        <translation>Виконано в попередньому запуску: {}</translation>
+    </message>
+    <message>
+        <source>Failed: {}</source>
+        <translation>Не вдалося: {}</translation>
+    </message>
+    <message>
         <source>the open task ended: OK or Cancel</source>
         <translation>завершити відкрите завдання: OK або Скасувати</translation>
     </message>
@@ -1277,6 +1289,18 @@
     <message>
         <source>red, undercut blue</source>
         <translation>червоний, підріз синій</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>без</translation>
+    </message>
+    <message>
+        <source>shift</source>
+        <translation>зсув</translation>
+    </message>
+    <message>
+        <source>rigid</source>
+        <translation>зсув і поворот</translation>
     </message>
     <message>
         <source>none; several separated by ;</source>
@@ -2512,6 +2536,10 @@ In a terminal, this does the same:
         <translation>постпроцесор FreeCAD {} записує траєкторію не такою, якою вона є: {}; виведіть іншим</translation>
     </message>
     <message>
+        <source>what FreeCAD's post processor {} makes is no G-code that can be read back and proven ({}{}): choose a post processor of G-code in the job, as linuxcnc or grbl</source>
+        <translation>те, що створює постпроцесор FreeCAD {}, не є G-кодом, який можна прочитати назад і перевірити ({}{}): виберіть у завданні постпроцесор G-коду, наприклад linuxcnc або grbl</translation>
+    </message>
+    <message>
         <source>{}: the operation has no tool with a diameter; set ToolDiameter</source>
         <translation>{}: операція не має інструмента з діаметром; задайте діаметр інструмента</translation>
     </message>
@@ -2734,6 +2762,58 @@ In a terminal, this does the same:
     <message>
         <source>line {}</source>
         <translation>рядок {}</translation>
+    </message>
+    <message>
+        <source>a batch needs a plain Python beside FreeCAD's: none was found on the PATH</source>
+        <translation>пакету потрібен окремий Python поруч із FreeCAD: у PATH його не знайдено</translation>
+    </message>
+    <message>
+        <source>{} is not known here: a batch has [defaults] and [[job]]</source>
+        <translation>{} тут не відоме: пакет має [defaults] і [[job]]</translation>
+    </message>
+    <message>
+        <source>a batch needs at least one table [[job]]</source>
+        <translation>пакету потрібна щонайменше одна таблиця [[job]]</translation>
+    </message>
+    <message>
+        <source>defaults must be a table</source>
+        <translation>defaults має бути таблицею</translation>
+    </message>
+    <message>
+        <source>job {}: its name must be one line of text</source>
+        <translation>завдання {}: його назва має бути одним рядком тексту</translation>
+    </message>
+    <message>
+        <source>{}: verb is one of {}, not {!r}</source>
+        <translation>{}: verb є одним із {}, а не {!r}</translation>
+    </message>
+    <message>
+        <source>no TOML in UTF-8: {}</source>
+        <translation>не TOML у UTF-8: {}</translation>
+    </message>
+    <message>
+        <source>defaults: {} is no option</source>
+        <translation>defaults: {} не є параметром</translation>
+    </message>
+    <message>
+        <source>{}: {} is no option of {}</source>
+        <translation>{}: {} не є параметром {}</translation>
+    </message>
+    <message>
+        <source>{}: {} = {} is not possible</source>
+        <translation>{}: {} = {} неможливо</translation>
+    </message>
+    <message>
+        <source>{}: two jobs have this name</source>
+        <translation>{}: два завдання мають цю назву</translation>
+    </message>
+    <message>
+        <source>{}: {} and {} both write {}</source>
+        <translation>{}: {} і {} обидва записують {}</translation>
+    </message>
+    <message>
+        <source>{}: {} reads {}, which {} writes: jobs run at the same time; make two batches of them</source>
+        <translation>{}: {} читає {}, який записує {}: завдання виконуються одночасно; зробіть із них два пакети</translation>
     </message>
     <message>
         <source>alignment: the points do not determine the {}; the fit leaves it alone</source>
@@ -3334,6 +3414,30 @@ In a terminal, this does the same:
     <message>
         <source>this is a binary file or UTF-16 text: save the program as plain text</source>
         <translation>це двійковий файл або текст в UTF-16: збережіть програму як простий текст</translation>
+    </message>
+    <message>
+        <source>cannot read '{}': is this a plain-language block?</source>
+        <translation>не вдається прочитати «{}»: чи це кадр Klartext?</translation>
+    </message>
+    <message>
+        <source>BEGIN PGM without a unit: state MM or INCH</source>
+        <translation>BEGIN PGM без одиниці: вкажіть MM або INCH</translation>
+    </message>
+    <message>
+        <source>this line runs {} times, and its {} and {} want other words: write the runs out, each with lines of its own</source>
+        <translation>цей рядок виконується {} разів, і його {} та {} потребують різних слів: випишіть проходи, кожен своїми рядками</translation>
+    </message>
+    <message>
+        <source>{}{} cannot be corrected: {} is used {} times (line {}); state the numbers in these lines</source>
+        <translation>{}{} не можна скоригувати: {} використано {} разів (рядок {}); вкажіть числа в цих рядках</translation>
+    </message>
+    <message>
+        <source>'{}' would not be read: {}</source>
+        <translation>«{}» не було б прочитано: {}</translation>
+    </message>
+    <message>
+        <source>toolpath: line {} of {} cannot be written</source>
+        <translation>траєкторія: рядок {} з {} не можна записати</translation>
     </message>
     <message>
         <source>arc from an unknown start: state the position before it</source>
@@ -4292,6 +4396,26 @@ In a terminal, this does the same:
         <translation>{} має бути від {:g} до 1000 мм</translation>
     </message>
     <message>
+        <source>cutting: the move that cuts at {} has no feed in mm/min: state F in G94</source>
+        <translation>різання: рух, що ріже в {}, не має подачі в мм/хв: вкажіть F у G94</translation>
+    </message>
+    <message>
+        <source>setup: [tool] overhang_mm is missing: how the tool bends along its height needs it</source>
+        <translation>налаштування: немає [tool] overhang_mm: без нього не відомо, як інструмент гнеться по висоті</translation>
+    </message>
+    <message>
+        <source>{}: [machine] stiffness_along has {:g} N/mm, of the whole loop, tool included, but the tool alone has {:.0f} N/mm at its tip: correct [tool] overhang_mm, youngs_modulus_gpa or stiffness_n_per_mm</source>
+        <translation>{}: [machine] stiffness_along має {:g} Н/мм для всього силового контуру разом з інструментом, але сам інструмент має {:.0f} Н/мм на кінці: виправте [tool] overhang_mm, youngs_modulus_gpa або stiffness_n_per_mm</translation>
+    </message>
+    <message>
+        <source>setup: [machine] {} {:g} N/mm is of the whole loop, tool included, but the tool alone has {:.0f} N/mm at its tip: correct [tool] overhang_mm, youngs_modulus_gpa or stiffness_n_per_mm, or leave the key out for a rigid machine</source>
+        <translation>налаштування: [machine] {} {:g} Н/мм стосується всього силового контуру разом з інструментом, але сам інструмент має {:.0f} Н/мм на кінці: виправте [tool] overhang_mm, youngs_modulus_gpa або stiffness_n_per_mm, або приберіть ключ для жорсткого верстата</translation>
+    </message>
+    <message>
+        <source>predicted deviation: the path cuts away again all that it makes</source>
+        <translation>передбачене відхилення: траєкторія знову зрізає все, що створює</translation>
+    </message>
+    <message>
         <source>wall error: the deflection does not settle near {}, it still changes by {}; check [tool] overhang_mm, [material] and the radial depth of cut</source>
         <translation>похибка стінки: прогин біля {} не встановлюється, він ще змінюється на {}; перевірте [tool] overhang_mm, [material] і радіальну глибину різання</translation>
     </message>
@@ -4302,6 +4426,14 @@ In a terminal, this does the same:
     <message>
         <source>wall error: the program makes no wall {} above its deepest tip</source>
         <translation>похибка стінки: програма не робить стінки на {} над найнижчим положенням інструмента</translation>
+    </message>
+    <message>
+        <source>{}: no move cuts in the XY plane at constant height</source>
+        <translation>{}: жоден рух не ріже в площині XY на сталій висоті</translation>
+    </message>
+    <message>
+        <source>{}: no move that cuts in the XY plane can be followed</source>
+        <translation>{}: жоден рух, що ріже в площині XY, не можна простежити</translation>
     </message>
     <message>
         <source>tilt: the slope of the wall needs two heights at least</source>
@@ -4326,6 +4458,94 @@ In a terminal, this does the same:
     <message>
         <source>stretch {} ({}): at most {} off over the heights; shift {}: {}; shift and tilt {:+.4f} deg: {}, and the tilted end face digs {} below the tip</source>
         <translation>ділянка {} ({}): щонайбільше {} похибки за висотами; зсув {}: {}; зсув і нахил {:+.4f}°: {}, а нахилений торець заглиблюється на {} нижче кінчика</translation>
+    </message>
+    <message>
+        <source>{}: the program cuts with G41 or G42, so it does not say where the cutter's centre goes: give a program of the centre path</source>
+        <translation>{}: програма ріже з G41 або G42, тож не каже, де йде центр фрези: дайте програму траєкторії центра</translation>
+    </message>
+    <message>
+        <source>{}: engagement needs arcs in the XY plane (G17); the program has others that cut</source>
+        <translation>{}: для зачеплення потрібні дуги в площині XY (G17); програма має інші, що ріжуть</translation>
+    </message>
+    <message>
+        <source>{}: line {} cuts from a place the program has not stated: state X and Y before it</source>
+        <translation>{}: рядок {} ріже з місця, якого програма не вказала: вкажіть перед ним X і Y</translation>
+    </message>
+    <message>
+        <source>the curve near {} bends too sharply to be followed</source>
+        <translation>крива біля {} вигнута надто різко, щоб за нею йти</translation>
+    </message>
+    <message>
+        <source>load ratio: the cutter takes nothing at {}, where the part was touched</source>
+        <translation>відношення навантажень: фреза нічого не знімає в {}, де деталі торкнулися</translation>
+    </message>
+    <message>
+        <source>load ratio: the program cuts only air</source>
+        <translation>відношення навантажень: програма ріже лише повітря</translation>
+    </message>
+    <message>
+        <source>engagement: the program states no Z: give [stock] axial_depth_mm in place of top_z_mm</source>
+        <translation>зачеплення: програма не вказує Z: дайте [stock] axial_depth_mm замість top_z_mm</translation>
+    </message>
+    <message>
+        <source>engagement: the program stays above the stock's face at {}: check [stock] top_z_mm</source>
+        <translation>зачеплення: програма лишається над поверхнею заготовки в {}: перевірте [stock] top_z_mm</translation>
+    </message>
+    <message>
+        <source>engagement: the program cuts at {} heights, more than {}: it is no flank milling</source>
+        <translation>зачеплення: програма ріже на {} висотах, більше ніж {}: це не бокове фрезерування</translation>
+    </message>
+    <message>
+        <source>engagement: the program cuts with several tools ({}): give the moves of one</source>
+        <translation>зачеплення: програма ріже кількома інструментами ({}): дайте рухи одного</translation>
+    </message>
+    <message>
+        <source>engagement: the program has no cutting move in the XY plane</source>
+        <translation>зачеплення: програма не має руху різання в площині XY</translation>
+    </message>
+    <message>
+        <source>setup: [stock] allowance_mm needs the nominal profile it lies on</source>
+        <translation>налаштування: для [stock] allowance_mm потрібен номінальний профіль, на якому лежить припуск</translation>
+    </message>
+    <message>
+        <source>acc/dec time {:g} s: state 0, or {:g} s or more</source>
+        <translation>час розгону {:g} с: вкажіть 0 або {:g} с чи більше</translation>
+    </message>
+    <message>
+        <source>servo gain {:g} 1/s: state a gain above 0 up to {:g}, or leave it out for an ideal servo</source>
+        <translation>підсилення привода {:g} 1/с: вкажіть понад 0 до {:g}, або приберіть його для ідеального привода</translation>
+    </message>
+    <message>
+        <source>rapid speed {:g} mm/s: state a speed above 0, or leave it out</source>
+        <translation>швидкий хід {:g} мм/с: вкажіть швидкість понад 0 або приберіть</translation>
+    </message>
+    <message>
+        <source>speed change at corners {:g} mm/s: state a speed above 0</source>
+        <translation>стрибок швидкості в кутах {:g} мм/с: вкажіть швидкість понад 0</translation>
+    </message>
+    <message>
+        <source>accuracy-maintenance time: slope and intercept are 0 or more, and not both 0</source>
+        <translation>час утримання точності: нахил і зсув не менші за 0 і не обидва 0</translation>
+    </message>
+    <message>
+        <source>in-position width {}: state a width above 0</source>
+        <translation>вікно позиціювання {}: вкажіть ширину понад 0</translation>
+    </message>
+    <message>
+        <source>this dwell cannot be read: state one of P, X or U</source>
+        <translation>цю витримку не прочитати: вкажіть одне з P, X або U</translation>
+    </message>
+    <message>
+        <source>controls differ on whether {}{:g} are seconds or milliseconds: state the unit of dwells</source>
+        <translation>системи ЧПК розуміють {}{:g} по-різному, секунди чи мілісекунди: вкажіть одиницю витримок</translation>
+    </message>
+    <message>
+        <source>line {}: this curve bends too sharply to be followed; write it as lines or arcs</source>
+        <translation>рядок {}: ця крива вигнута надто різко, щоб за нею йти; запишіть її прямими або дугами</translation>
+    </message>
+    <message>
+        <source>{}: no move can be followed</source>
+        <translation>{}: жодного руху не можна простежити</translation>
     </message>
     <message>
         <source>combined control: no stiffness makes the model leave what was touched, {} are still missing: check {}, [stock] and [material]</source>
@@ -6866,6 +7086,10 @@ In a terminal, this does the same:
     <message>
         <source>legal filters: none, mean:5, mean:1,2,3,2,1 (odd number of weights), gauss:MM, robust:MM, auto</source>
         <translation>дозволені фільтри: none, mean:5, mean:1,2,3,2,1 (непарна кількість ваг), gauss:MM, robust:MM, auto</translation>
+    </message>
+    <message>
+        <source>{} gap(s) without points, the longest {} from s = {}: the deviation there is not known</source>
+        <translation>проміжків без точок: {}, найдовший {} від s = {}: відхилення там не відоме</translation>
     </message>
     <message>
         <source>a single point: its deviation is taken as it is, the random part cannot be known</source>
