@@ -19,6 +19,7 @@ from millcorr.errors import MillcorrError
 from millcorr.messages import message_of
 
 from . import told
+from .closed_documents import when_closed
 from .field_kinds import field_for
 from .fields import Field
 from .fold import Fold
@@ -291,16 +292,10 @@ _shown: list[Panel] = []
 """The panel in the task view."""
 
 
-class _Documents:
-    """What FreeCAD tells of documents."""
-
-    def slotDeletedDocument(self, document: Any) -> None:
-        """Close the panel that is about a document when it is closed."""
-        for panel in list(_shown):
-            panel.forsake(document.Name)
-
-
-_documents: list[_Documents] = []
+def _forsake(name: str) -> None:
+    """Close the panel that is about a document."""
+    for panel in list(_shown):
+        panel.forsake(name)
 
 
 def narrow(label: Any) -> Any:
@@ -352,9 +347,7 @@ def show(panel: Any) -> bool:
     if FreeCADGui.Control.activeDialog():
         FreeCAD.Console.PrintWarning(translate("Millcorr", "Close the open task first") + "\n")
         return False
-    if not _documents:
-        _documents.append(_Documents())
-        FreeCAD.addDocumentObserver(_documents[0])
+    when_closed(_forsake)
     FreeCADGui.Control.showDialog(panel)
     _shown[:] = [panel]
     return True
