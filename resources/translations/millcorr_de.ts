@@ -6988,8 +6988,428 @@ In einem Terminal tut dies dasselbe:
         <translation>{} braucht Messpunkte: Vorhergesagtes ist kein Prüfergebnis</translation>
     </message>
     <message>
+        <source>Serial production</source>
+        <translation>Serienfertigung</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>time (UTC)</source>
+        <translation>Zeit (UTC)</translation>
+    </message>
+    <message>
+        <source>std</source>
+        <translation>Std.-Abw.</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Spanne</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>größte</translation>
+    </message>
+    <message>
+        <source>smoothed</source>
+        <translation>geglättet</translation>
+    </message>
+    <message>
+        <source>correction</source>
+        <translation>Korrektur</translation>
+    </message>
+    <message>
+        <source>decision</source>
+        <translation>Entscheidung</translation>
+    </message>
+    <message>
+        <source>First program, SHA-256</source>
+        <translation>Erstes Programm, SHA-256</translation>
+    </message>
+    <message>
+        <source>Program for the next part</source>
+        <translation>Programm für das nächste Teil</translation>
+    </message>
+    <message>
+        <source>What the machine does</source>
+        <translation>Was die Maschine tut</translation>
+    </message>
+    <message>
+        <source>Settings of part {}</source>
+        <translation>Einstellungen von Teil {}</translation>
+    </message>
+    <message>
         <source>magnification {:g}: must be from 1 to {:.0f}</source>
         <translation>Vergrößerung {:g}: muss zwischen 1 und {:.0f} liegen</translation>
+    </message>
+    <message>
+        <source>Read back, the program keeps the exact path to {}, within its tolerance of {}.</source>
+        <translation>Zurückgelesen hält das Programm die genaue Bahn auf {} ein, innerhalb seiner Toleranz von {}.</translation>
+    </message>
+    <message>
+        <source>Read back, the program keeps the exact path to {}, &lt;b&gt;outside&lt;/b&gt; its tolerance of {}.</source>
+        <translation>Zurückgelesen hält das Programm die genaue Bahn auf {} ein, &lt;b&gt;außerhalb&lt;/b&gt; seiner Toleranz von {}.</translation>
+    </message>
+    <message>
+        <source>The random part is not known here, so the prediction is too favourable: the next part brings its own, and what was random on this part comes on top.</source>
+        <translation>Der zufällige Anteil ist hier nicht bekannt, die Vorhersage daher zu günstig: das nächste Teil bringt seinen eigenen mit, und was an diesem Teil zufällig war, kommt hinzu.</translation>
+    </message>
+    <message>
+        <source>The emitted program was read back and its path compared with the exact parallel of the compensated profile.</source>
+        <translation>Das geschriebene Programm wurde zurückgelesen und seine Bahn mit der genauen Parallelen des korrigierten Profils verglichen.</translation>
+    </message>
+    <message>
+        <source>Side of the cutter</source>
+        <translation>Seite des Fräsers</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>Einpassung</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Limit of a correction</source>
+        <translation>Grenze einer Korrektur</translation>
+    </message>
+    <message>
+        <source>Dead band</source>
+        <translation>Totband</translation>
+    </message>
+    <message>
+        <source>Tolerance of the path</source>
+        <translation>Toleranz der Bahn</translation>
+    </message>
+    <message>
+        <source>Kinds of move written</source>
+        <translation>Geschriebene Wegarten</translation>
+    </message>
+    <message>
+        <source>With G41, G42 the program gives</source>
+        <translation>Mit G41, G42 gibt das Programm an</translation>
+    </message>
+    <message>
+        <source>Depth along</source>
+        <translation>Tiefe entlang</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Übertragungsfunktion</translation>
+    </message>
+    <message>
+        <source>Stock left on</source>
+        <translation>Aufmaß</translation>
+    </message>
+    <message>
+        <source>Allowance kept</source>
+        <translation>Aufmaß bleibt</translation>
+    </message>
+    <message>
+        <source>Share that may be unmeasured</source>
+        <translation>Anteil, der ungemessen sein darf</translation>
+    </message>
+    <message>
+        <source>the cutter's centre</source>
+        <translation>die Fräsermitte</translation>
+    </message>
+    <message>
+        <source>Toolpath correction report</source>
+        <translation>Bericht der Bahnkorrektur</translation>
+    </message>
+    <message>
+        <source>{} to {}, {} in the mean</source>
+        <translation>{} bis {}, im Mittel {}</translation>
+    </message>
+    <message>
+        <source>1 move</source>
+        <translation>1 Weg</translation>
+    </message>
+    <message>
+        <source>{} moves</source>
+        <translation>{} Wege</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>{} warnings</source>
+        <translation>{} Warnungen</translation>
+    </message>
+    <message>
+        <source>Deviations are signed along the nominal's normal: &lt;b&gt;positive is excess material, negative is undercut&lt;/b&gt;. Deviations in {}, coordinates and lengths in {}.</source>
+        <translation>Abweichungen zählen entlang der Normalen des Sollprofils: &lt;b&gt;positiv ist stehendes Material, negativ ist Unterschnitt&lt;/b&gt;. Abweichungen in {}, Koordinaten und Längen in {}.</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>kleinste</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>größte</translation>
+    </message>
+    <message>
+        <source>profile value</source>
+        <translation>Profilwert</translation>
+    </message>
+    <message>
+        <source>All by the model: the program as it came, and after the correction, each simulated.</source>
+        <translation>Alles nach dem Modell: das Programm, wie es kam, und nach der Korrektur, beide simuliert.</translation>
+    </message>
+    <message>
+        <source>The profile value is 2·max|d|, to be held against the width of a profile tolerance zone (ISO 1101).</source>
+        <translation>Der Profilwert ist 2·max|d|, zu vergleichen mit der Breite einer Profiltoleranzzone (ISO 1101).</translation>
+    </message>
+    <message>
+        <source>The next part brings its own random part: measured the same way, a standard deviation of about &lt;b&gt;{}&lt;/b&gt; is to be expected.</source>
+        <translation>Das nächste Teil bringt seinen eigenen zufälligen Anteil mit: gleich gemessen ist eine Standardabweichung von etwa &lt;b&gt;{}&lt;/b&gt; zu erwarten.</translation>
+    </message>
+    <message>
+        <source>predicted mean</source>
+        <translation>Mittel, erwartet</translation>
+    </message>
+    <message>
+        <source>Deviations on the contour</source>
+        <translation>Abweichungen an der Kontur</translation>
+    </message>
+    <message>
+        <source>Contour</source>
+        <translation>Kontur</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>measured / {}</source>
+        <translation>gemessen / {}</translation>
+    </message>
+    <message>
+        <source>expected / {}</source>
+        <translation>erwartet / {}</translation>
+    </message>
+    <message>
+        <source>The program's own path error</source>
+        <translation>Eigener Bahnfehler des Programms</translation>
+    </message>
+    <message>
+        <source>at the points</source>
+        <translation>an den Punkten</translation>
+    </message>
+    <message>
+        <source>the contour; the control offsets by the radius</source>
+        <translation>die Kontur; die Steuerung versetzt um den Radius</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>angegeben</translation>
+    </message>
+    <message>
+        <source>the contour that the program cuts</source>
+        <translation>die Kontur, die das Programm fräst</translation>
+    </message>
+    <message>
+        <source>{} measured points ({}) show deviations of {}.</source>
+        <translation>{} gemessene Punkte ({}) zeigen Abweichungen von {}.</translation>
+    </message>
+    <message>
+        <source>No measurement: the path is laid on the exact parallel of the nominal contour.</source>
+        <translation>Keine Messung: die Bahn wird auf die genaue Parallele der Sollkontur gelegt.</translation>
+    </message>
+    <message>
+        <source>Nothing is to be corrected: &lt;b&gt;the program stays as it is&lt;/b&gt;.</source>
+        <translation>Nichts ist zu korrigieren: &lt;b&gt;das Programm bleibt, wie es ist&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>largest correction of the contour</source>
+        <translation>größte Korrektur der Kontur</translation>
+    </message>
+    <message>
+        <source>largest path error of the program, read back</source>
+        <translation>größter Bahnfehler des Programms, zurückgelesen</translation>
+    </message>
+    <message>
+        <source>No points were measured.</source>
+        <translation>Es wurden keine Punkte gemessen.</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>determined part</source>
+        <translation>bestimmter Anteil</translation>
+    </message>
+    <message>
+        <source>predicted after</source>
+        <translation>danach erwartet</translation>
+    </message>
+    <message>
+        <source>Predicted: what the model expects at the same points, their random part unchanged.</source>
+        <translation>Erwartet: was das Modell an denselben Punkten voraussagt, ihr zufälliger Anteil unverändert.</translation>
+    </message>
+    <message>
+        <source>Predicted: the same points after the correction, this part's random part unchanged.</source>
+        <translation>Erwartet: dieselben Punkte nach der Korrektur, der zufällige Anteil dieses Teils unverändert.</translation>
+    </message>
+    <message>
+        <source>What repeats and what does not</source>
+        <translation>Was sich wiederholt und was nicht</translation>
+    </message>
+    <message>
+        <source>The correction in force</source>
+        <translation>Die Korrektur, die schon wirkt</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the correction</source>
+        <translation>Unsicherheit der Korrektur</translation>
+    </message>
+    <message>
+        <source>Largest correction</source>
+        <translation>Größte Korrektur</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>Wege</translation>
+    </message>
+    <message>
+        <source>{} of the program's moves changed, {} written</source>
+        <translation>{} Wege des Programms geändert, {} geschrieben</translation>
+    </message>
+    <message>
+        <source>Largest displacement of a vertex</source>
+        <translation>Größte Verschiebung eines Eckpunkts</translation>
+    </message>
+    <message>
+        <source>Largest path error</source>
+        <translation>Größter Bahnfehler</translation>
+    </message>
+    <message>
+        <source>Gouge</source>
+        <translation>Profilverletzung</translation>
+    </message>
+    <message>
+        <source>{} nearer to the profile than the cutter's radius at most</source>
+        <translation>höchstens {} näher am Profil als der Fräserradius</translation>
+    </message>
+    <message>
+        <source>Profile as NURBS</source>
+        <translation>Profil als NURBS</translation>
+    </message>
+    <message>
+        <source>within {} of the exact compensated contour</source>
+        <translation>innerhalb {} der genauen korrigierten Kontur</translation>
+    </message>
+    <message>
+        <source>Checked length of path</source>
+        <translation>Geprüfte Bahnlänge</translation>
+    </message>
+    <message>
+        <source>Tool diameter</source>
+        <translation>Werkzeugdurchmesser</translation>
+    </message>
+    <message>
+        <source>Program gives</source>
+        <translation>Programm gibt an</translation>
+    </message>
+    <message>
+        <source>Nominal</source>
+        <translation>Sollkontur</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Nothing was measured&lt;/b&gt;: the model of {} leaves {}.</source>
+        <translation>&lt;b&gt;Nichts wurde gemessen&lt;/b&gt;: das Modell von {} lässt {}.</translation>
+    </message>
+    <message>
+        <source>The model expects at most {} along the whole contour before the correction and {} after it.</source>
+        <translation>Das Modell erwartet entlang der ganzen Kontur höchstens {} vor der Korrektur und {} danach.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;{} of the program change&lt;/b&gt; by the path's own error only.</source>
+        <translation>Im Programm &lt;b&gt;geändert: {}&lt;/b&gt;, nur um den Fehler der Bahn selbst.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;The correction moves the contour by up to {}&lt;/b&gt; (at {}) and changes {}.</source>
+        <translation>&lt;b&gt;Die Korrektur verschiebt die Kontur um bis zu {}&lt;/b&gt; (bei {}) und ändert {}.</translation>
+    </message>
+    <message>
+        <source>mean deviation, {}, before and predicted</source>
+        <translation>mittlere Abweichung, {}, vorher und erwartet</translation>
+    </message>
+    <message>
+        <source>height (max − min), {}, before and predicted</source>
+        <translation>Spanne (größte − kleinste), {}, vorher und erwartet</translation>
+    </message>
+    <message>
+        <source>changed in the program</source>
+        <translation>im Programm geändert</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>Abweichungen</translation>
+    </message>
+    <message>
+        <source>contour {}, Z {}</source>
+        <translation>Kontur {}, Z {}</translation>
+    </message>
+    <message>
+        <source>Outliers</source>
+        <translation>Ausreißer</translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation>quadr. Mittel</translation>
+    </message>
+    <message>
+        <source>Correction</source>
+        <translation>Korrektur</translation>
+    </message>
+    <message>
+        <source>Verification</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Aligned by</source>
+        <translation>Eingepasst um</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Eingaben</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>Ausgaben</translation>
+    </message>
+    <message>
+        <source>1 measured point ({}) shows deviations of {}.</source>
+        <translation>1 gemessener Punkt ({}) zeigt Abweichungen von {}.</translation>
+    </message>
+    <message>
+        <source>Deviation along the contour</source>
+        <translation>Abweichung entlang der Kontur</translation>
+    </message>
+    <message>
+        <source>Path and contour</source>
+        <translation>Bahn und Kontur</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Verteilung</translation>
     </message>
     <message>
         <source>on the profile</source>
@@ -7026,6 +7446,30 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>material left {}: must be {}</source>
         <translation>stehendes Material {}: muss {} sein</translation>
+    </message>
+    <message>
+        <source>Predicted by the model</source>
+        <translation>Vom Modell vorhergesagt</translation>
+    </message>
+    <message>
+        <source>error expected / {}</source>
+        <translation>erwarteter Fehler / {}</translation>
+    </message>
+    <message>
+        <source>Force, engaged arc and feed</source>
+        <translation>Kraft, Eingriffsbogen und Vorschub</translation>
+    </message>
+    <message>
+        <source>Forces and deflections of the axes</source>
+        <translation>Kräfte und Auslenkungen der Achsen</translation>
+    </message>
+    <message>
+        <source>Contours and paths</source>
+        <translation>Konturen und Bahnen</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Einrichtung</translation>
     </message>
     <message>
         <source>nothing is to be corrected, the program stays as it is</source>

@@ -6988,8 +6988,428 @@ In a terminal, this does the same:
         <translation>{} потребує виміряних точок: передбачене не є результатом контролю</translation>
     </message>
     <message>
+        <source>Serial production</source>
+        <translation>Серійне виробництво</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>деталь</translation>
+    </message>
+    <message>
+        <source>time (UTC)</source>
+        <translation>час (UTC)</translation>
+    </message>
+    <message>
+        <source>std</source>
+        <translation>станд. відх.</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>розмах</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>найбільше</translation>
+    </message>
+    <message>
+        <source>smoothed</source>
+        <translation>згладжене</translation>
+    </message>
+    <message>
+        <source>correction</source>
+        <translation>корекція</translation>
+    </message>
+    <message>
+        <source>decision</source>
+        <translation>рішення</translation>
+    </message>
+    <message>
+        <source>First program, SHA-256</source>
+        <translation>Перша програма, SHA-256</translation>
+    </message>
+    <message>
+        <source>Program for the next part</source>
+        <translation>Програма для наступної деталі</translation>
+    </message>
+    <message>
+        <source>What the machine does</source>
+        <translation>Що робить верстат</translation>
+    </message>
+    <message>
+        <source>Settings of part {}</source>
+        <translation>Параметри деталі {}</translation>
+    </message>
+    <message>
         <source>magnification {:g}: must be from 1 to {:.0f}</source>
         <translation>збільшення {:g}: має бути від 1 до {:.0f}</translation>
+    </message>
+    <message>
+        <source>Read back, the program keeps the exact path to {}, within its tolerance of {}.</source>
+        <translation>Прочитана назад, програма тримає точну траєкторію в межах {}, у допуску {}.</translation>
+    </message>
+    <message>
+        <source>Read back, the program keeps the exact path to {}, &lt;b&gt;outside&lt;/b&gt; its tolerance of {}.</source>
+        <translation>Прочитана назад, програма тримає точну траєкторію в межах {}, &lt;b&gt;поза&lt;/b&gt; допуском {}.</translation>
+    </message>
+    <message>
+        <source>The random part is not known here, so the prediction is too favourable: the next part brings its own, and what was random on this part comes on top.</source>
+        <translation>Випадкова частина тут не відома, тож прогноз надто сприятливий: наступна деталь матиме свою, а випадкове цієї деталі додасться.</translation>
+    </message>
+    <message>
+        <source>The emitted program was read back and its path compared with the exact parallel of the compensated profile.</source>
+        <translation>Записану програму прочитано назад, а її траєкторію порівняно з точною паралеллю скоригованого профілю.</translation>
+    </message>
+    <message>
+        <source>Side of the cutter</source>
+        <translation>Сторона фрези</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>Вирівнювання</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Фільтр</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Метод</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Коефіцієнт</translation>
+    </message>
+    <message>
+        <source>Limit of a correction</source>
+        <translation>Межа корекції</translation>
+    </message>
+    <message>
+        <source>Dead band</source>
+        <translation>Зона нечутливості</translation>
+    </message>
+    <message>
+        <source>Tolerance of the path</source>
+        <translation>Допуск траєкторії</translation>
+    </message>
+    <message>
+        <source>Kinds of move written</source>
+        <translation>Види записаних рухів</translation>
+    </message>
+    <message>
+        <source>With G41, G42 the program gives</source>
+        <translation>З G41, G42 програма задає</translation>
+    </message>
+    <message>
+        <source>Depth along</source>
+        <translation>Глибина вздовж</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Передавальна функція</translation>
+    </message>
+    <message>
+        <source>Stock left on</source>
+        <translation>Залишений припуск</translation>
+    </message>
+    <message>
+        <source>Allowance kept</source>
+        <translation>Припуск лишається</translation>
+    </message>
+    <message>
+        <source>Share that may be unmeasured</source>
+        <translation>Частка, що може бути не виміряна</translation>
+    </message>
+    <message>
+        <source>the cutter's centre</source>
+        <translation>центр фрези</translation>
+    </message>
+    <message>
+        <source>Toolpath correction report</source>
+        <translation>Звіт про корекцію траєкторії</translation>
+    </message>
+    <message>
+        <source>{} to {}, {} in the mean</source>
+        <translation>від {} до {}, у середньому {}</translation>
+    </message>
+    <message>
+        <source>1 move</source>
+        <translation>1 рух</translation>
+    </message>
+    <message>
+        <source>{} moves</source>
+        <translation>рухів: {}</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Попередження</translation>
+    </message>
+    <message>
+        <source>{} warnings</source>
+        <translation>Попереджень: {}</translation>
+    </message>
+    <message>
+        <source>Deviations are signed along the nominal's normal: &lt;b&gt;positive is excess material, negative is undercut&lt;/b&gt;. Deviations in {}, coordinates and lengths in {}.</source>
+        <translation>Відхилення рахуються вздовж нормалі номіналу: &lt;b&gt;додатне — зайвий матеріал, від’ємне — підріз&lt;/b&gt;. Відхилення в {}, координати й довжини в {}.</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>мін.</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>макс.</translation>
+    </message>
+    <message>
+        <source>profile value</source>
+        <translation>значення профілю</translation>
+    </message>
+    <message>
+        <source>All by the model: the program as it came, and after the correction, each simulated.</source>
+        <translation>Усе за моделлю: програма, якою була, і після корекції, обидві змодельовані.</translation>
+    </message>
+    <message>
+        <source>The profile value is 2·max|d|, to be held against the width of a profile tolerance zone (ISO 1101).</source>
+        <translation>Значення профілю — 2·max|d|, його порівнюють із шириною поля допуску профілю (ISO 1101).</translation>
+    </message>
+    <message>
+        <source>The next part brings its own random part: measured the same way, a standard deviation of about &lt;b&gt;{}&lt;/b&gt; is to be expected.</source>
+        <translation>Наступна деталь матиме власну випадкову частину: за такого самого вимірювання слід чекати стандартного відхилення близько &lt;b&gt;{}&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>predicted mean</source>
+        <translation>очікуване середнє</translation>
+    </message>
+    <message>
+        <source>Deviations on the contour</source>
+        <translation>Відхилення на контурі</translation>
+    </message>
+    <message>
+        <source>Contour</source>
+        <translation>Контур</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>точка</translation>
+    </message>
+    <message>
+        <source>measured / {}</source>
+        <translation>виміряно / {}</translation>
+    </message>
+    <message>
+        <source>expected / {}</source>
+        <translation>очікується / {}</translation>
+    </message>
+    <message>
+        <source>The program's own path error</source>
+        <translation>Власна похибка траєкторії програми</translation>
+    </message>
+    <message>
+        <source>at the points</source>
+        <translation>у точках</translation>
+    </message>
+    <message>
+        <source>the contour; the control offsets by the radius</source>
+        <translation>контур; ЧПК зміщує на радіус</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>задано</translation>
+    </message>
+    <message>
+        <source>the contour that the program cuts</source>
+        <translation>контур, який ріже програма</translation>
+    </message>
+    <message>
+        <source>{} measured points ({}) show deviations of {}.</source>
+        <translation>Виміряні точки, {} ({}), показують відхилення {}.</translation>
+    </message>
+    <message>
+        <source>No measurement: the path is laid on the exact parallel of the nominal contour.</source>
+        <translation>Без вимірювання: траєкторію покладено на точну паралель номінального контуру.</translation>
+    </message>
+    <message>
+        <source>Nothing is to be corrected: &lt;b&gt;the program stays as it is&lt;/b&gt;.</source>
+        <translation>Коригувати нічого: &lt;b&gt;програма лишається, якою є&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>largest correction of the contour</source>
+        <translation>найбільша корекція контуру</translation>
+    </message>
+    <message>
+        <source>largest path error of the program, read back</source>
+        <translation>найбільша похибка траєкторії програми, прочитаної назад</translation>
+    </message>
+    <message>
+        <source>No points were measured.</source>
+        <translation>Точок не виміряно.</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>до</translation>
+    </message>
+    <message>
+        <source>determined part</source>
+        <translation>визначена частина</translation>
+    </message>
+    <message>
+        <source>predicted after</source>
+        <translation>очікується після</translation>
+    </message>
+    <message>
+        <source>Predicted: what the model expects at the same points, their random part unchanged.</source>
+        <translation>Очікується: те, що модель передбачає в тих самих точках, з незмінною випадковою частиною.</translation>
+    </message>
+    <message>
+        <source>Predicted: the same points after the correction, this part's random part unchanged.</source>
+        <translation>Очікується: ті самі точки після корекції, з незмінною випадковою частиною цієї деталі.</translation>
+    </message>
+    <message>
+        <source>What repeats and what does not</source>
+        <translation>Що повторюється, а що ні</translation>
+    </message>
+    <message>
+        <source>The correction in force</source>
+        <translation>Чинна корекція</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the correction</source>
+        <translation>Невизначеність корекції</translation>
+    </message>
+    <message>
+        <source>Largest correction</source>
+        <translation>Найбільша корекція</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>Рухи</translation>
+    </message>
+    <message>
+        <source>{} of the program's moves changed, {} written</source>
+        <translation>змінено рухів програми: {}, записано: {}</translation>
+    </message>
+    <message>
+        <source>Largest displacement of a vertex</source>
+        <translation>Найбільше зміщення вершини</translation>
+    </message>
+    <message>
+        <source>Largest path error</source>
+        <translation>Найбільша похибка траєкторії</translation>
+    </message>
+    <message>
+        <source>Gouge</source>
+        <translation>Зарізання</translation>
+    </message>
+    <message>
+        <source>{} nearer to the profile than the cutter's radius at most</source>
+        <translation>щонайбільше на {} ближче до профілю, ніж радіус фрези</translation>
+    </message>
+    <message>
+        <source>Profile as NURBS</source>
+        <translation>Профіль як NURBS</translation>
+    </message>
+    <message>
+        <source>within {} of the exact compensated contour</source>
+        <translation>у межах {} від точного скоригованого контуру</translation>
+    </message>
+    <message>
+        <source>Checked length of path</source>
+        <translation>Перевірена довжина траєкторії</translation>
+    </message>
+    <message>
+        <source>Tool diameter</source>
+        <translation>Діаметр інструмента</translation>
+    </message>
+    <message>
+        <source>Program gives</source>
+        <translation>Програма задає</translation>
+    </message>
+    <message>
+        <source>Nominal</source>
+        <translation>Номінал</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Параметри</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Nothing was measured&lt;/b&gt;: the model of {} leaves {}.</source>
+        <translation>&lt;b&gt;Нічого не виміряно&lt;/b&gt;: модель {} лишає {}.</translation>
+    </message>
+    <message>
+        <source>The model expects at most {} along the whole contour before the correction and {} after it.</source>
+        <translation>Модель очікує вздовж усього контуру щонайбільше {} до корекції і {} після неї.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;{} of the program change&lt;/b&gt; by the path's own error only.</source>
+        <translation>&lt;b&gt;Змінюється в програмі, {}&lt;/b&gt;, лише на власну похибку траєкторії.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;The correction moves the contour by up to {}&lt;/b&gt; (at {}) and changes {}.</source>
+        <translation>&lt;b&gt;Корекція зсуває контур щонайбільше на {}&lt;/b&gt; (у {}) і змінює {}.</translation>
+    </message>
+    <message>
+        <source>mean deviation, {}, before and predicted</source>
+        <translation>середнє відхилення, {}, до і очікуване</translation>
+    </message>
+    <message>
+        <source>height (max − min), {}, before and predicted</source>
+        <translation>розмах (макс. − мін.), {}, до і очікуваний</translation>
+    </message>
+    <message>
+        <source>changed in the program</source>
+        <translation>змінено в програмі</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>Відхилення</translation>
+    </message>
+    <message>
+        <source>contour {}, Z {}</source>
+        <translation>контур {}, Z {}</translation>
+    </message>
+    <message>
+        <source>Outliers</source>
+        <translation>Викиди</translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation>середньокв.</translation>
+    </message>
+    <message>
+        <source>Correction</source>
+        <translation>Корекція</translation>
+    </message>
+    <message>
+        <source>Verification</source>
+        <translation>Перевірка</translation>
+    </message>
+    <message>
+        <source>Aligned by</source>
+        <translation>Вирівняно на</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Вхідні дані</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>Результати</translation>
+    </message>
+    <message>
+        <source>1 measured point ({}) shows deviations of {}.</source>
+        <translation>1 виміряна точка ({}) показує відхилення {}.</translation>
+    </message>
+    <message>
+        <source>Deviation along the contour</source>
+        <translation>Відхилення вздовж контуру</translation>
+    </message>
+    <message>
+        <source>Path and contour</source>
+        <translation>Траєкторія і контур</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Розподіл</translation>
     </message>
     <message>
         <source>on the profile</source>
@@ -7026,6 +7446,30 @@ In a terminal, this does the same:
     <message>
         <source>material left {}: must be {}</source>
         <translation>залишений матеріал {}: має бути {}</translation>
+    </message>
+    <message>
+        <source>Predicted by the model</source>
+        <translation>Передбачено моделлю</translation>
+    </message>
+    <message>
+        <source>error expected / {}</source>
+        <translation>очікувана похибка / {}</translation>
+    </message>
+    <message>
+        <source>Force, engaged arc and feed</source>
+        <translation>Сила, дуга зачеплення і подача</translation>
+    </message>
+    <message>
+        <source>Forces and deflections of the axes</source>
+        <translation>Сили і прогини осей</translation>
+    </message>
+    <message>
+        <source>Contours and paths</source>
+        <translation>Контури і траєкторії</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Налаштування</translation>
     </message>
     <message>
         <source>nothing is to be corrected, the program stays as it is</source>
