@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import argparse
+import json
 import logging
 import os
 import sys
@@ -14,7 +15,7 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
-from millcorr.messages import message, option
+from millcorr.messages import AS_DATA, as_data, message, option
 
 from .errors import MillcorrError, RefusedError, UsageError
 
@@ -90,7 +91,8 @@ def _exit_status(error: MillcorrError) -> int:
 def _failed(arguments: argparse.Namespace, error: object, status: int) -> int:
     if arguments.debug:
         traceback.print_exc()
-    print("millcorr: " + " ".join(str(error).split()), file=sys.stderr)
+    told = json.dumps(as_data(error)) if AS_DATA in os.environ else "millcorr: " + " ".join(str(error).split())
+    print(told, file=sys.stderr)
     return status
 
 

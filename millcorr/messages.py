@@ -8,11 +8,16 @@ otherwise, or shows lengths in another unit words the pieces itself (`Message.in
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
+from numbers import Integral, Real
 from string import Formatter
+from typing import Any
 
 FLAGS = {"unmeasured_share": "unmeasured", "tools": "tool", "probe_tool": "tool"}
 """Options that the command line calls otherwise than by their key."""
+
+AS_DATA = "MILLCORR_AS_DATA"
+"""Variable of the environment: where it is set, the command line says errors as data (`as_data`)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -311,3 +316,47 @@ def message_of(said: object) -> Message:
     """What an error, or a text, says, with its pieces where it has them."""
     said = getattr(said, "message", said)
     return said if isinstance(said, Message) else Message(str(said))
+
+
+_KINDS: dict[str, type] = {kind.__name__: kind for kind in (Option, Accept, Place, Length, Coordinates, Phrase)}
+
+
+def as_data(said: object) -> object:
+    """What an error, or a text, says, as JSON takes it: for a front in another process, which words it."""
+    return [_piece_as_data(part) for part in message_of(said).parts]
+
+
+def of_data(data: object) -> Message:
+    """The message that `as_data` made data of; raises ValueError for any other."""
+    if not isinstance(data, list):
+        raise ValueError(f"no message: {data!r}")
+    try:
+        return Message(*map(_piece_of_data, data))
+    except (TypeError, KeyError, AttributeError) as error:
+        raise ValueError(f"no message: {error}") from error
+
+
+def _piece_as_data(part: object) -> object:
+    if isinstance(part, Message):
+        return {"Message": as_data(part)}
+    name = type(part).__name__
+    if name in _KINDS:
+        values = {one.name: getattr(part, one.name) for one in fields(part)}  # type: ignore[arg-type]
+        return {name: {key: _piece_as_data(value) for key, value in values.items()}}
+    if isinstance(part, tuple):
+        return {"tuple": [_piece_as_data(value) for value in part]}
+    if isinstance(part, Real) and not isinstance(part, bool):
+        # Numbers of numpy are none of JSON's.
+        return int(part) if isinstance(part, Integral) else float(part)
+    return part if part is None or isinstance(part, bool) else str(part)
+
+
+def _piece_of_data(data: Any) -> Any:
+    if not isinstance(data, dict):
+        return data
+    ((name, inner),) = data.items()
+    if name == "Message":
+        return of_data(inner)
+    if name == "tuple":
+        return tuple(map(_piece_of_data, inner))
+    return _KINDS[name](**{key: _piece_of_data(value) for key, value in inner.items()})

@@ -392,8 +392,13 @@ def _read_back(text: str, post: str) -> tuple[nc.Program, bool]:
     except FormatError as error:
         line = "" if error.line is None else f"its line {error.line}: "
         raise InputError(
-            f"what FreeCAD's post processor {post} makes is no G-code that can be read back and proven "
-            f"({line}{error.said}): choose a post processor of G-code in the job, as linuxcnc or grbl"
+            phrase(
+                "what FreeCAD's post processor {} makes is no G-code that can be read back and proven "
+                "({}{}): choose a post processor of G-code in the job, as linuxcnc or grbl",
+                post,
+                line,
+                error.said,
+            )
         ) from error
 
 

@@ -15,14 +15,14 @@ from millcorr.report.length_unit import MM, LengthUnit
 from millcorr.report.reader import Reader
 
 from .text import label_of, translate, words_of
-from .unit import chosen, unit
+from .unit import unit
 
 LENGTHS = {one.field for noun in (Settings, Reading) for one in options_of(noun).values() if one.unit == "MM"}
 """Fields of options that are lengths."""
 
 
 class InFields(Wording):
-    """Options by their fields, lengths in FreeCAD's unit, in English: what documents store and reports show."""
+    """Options by their fields, lengths in FreeCAD's unit, in English."""
 
     def piece(self, piece: Option | Accept | Accepted | Place | Length | Coordinates) -> str:
         """A piece; accepting a finding is a button, and no words."""
@@ -55,7 +55,7 @@ class InFields(Wording):
 
     def unit(self) -> LengthUnit:
         """In which lengths are said."""
-        return chosen()
+        raise NotImplementedError
 
 
 class InDocuments(InFields):
@@ -82,7 +82,7 @@ class InWindow(InFields):
         return unit()
 
 
-_FIELDS, _STORED, _WINDOW = InFields(), InDocuments(), InWindow()
+_STORED, _WINDOW = InDocuments(), InWindow()
 
 
 def worded(said: object) -> str:
@@ -101,8 +101,8 @@ def stored(said: object) -> str:
 
 
 def reader() -> Reader:
-    """FreeCAD's user as the reader of a report: in the unit that they have chosen, with fields in place of options."""
-    return Reader(chosen(), _FIELDS)
+    """FreeCAD's user as the reader of a report: their unit and language, with fields in place of options."""
+    return Reader(unit(), _WINDOW)
 
 
 @contextmanager

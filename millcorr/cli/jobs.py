@@ -27,6 +27,7 @@ from typing import Any, TextIO
 
 from millcorr import freecad_process
 from millcorr.errors import FormatError, UsageError
+from millcorr.messages import AS_DATA, Message, as_data, of_data, phrase
 
 from . import arguments
 
@@ -87,7 +88,7 @@ class Outcome:
     status : int
         Exit status of its command; 0 done.
     text : str
-        What it printed; its one line of error where the status is not 0.
+        What it printed; its one line of error where the status is not 0, as a message where it is one.
     seconds : float
     before : bool
         True where an earlier run of the batch had done it already.
@@ -124,17 +125,17 @@ def load(path: str | Path) -> tuple[Job, ...]:
     try:
         table = tomllib.loads(path.read_bytes().decode("utf-8-sig"))
     except OSError as error:
-        raise FormatError(f"cannot be read: {error.strerror or error}", path) from error
+        raise FormatError(phrase("cannot be read: {}", error.strerror or error), path) from error
     except ValueError as error:
-        raise FormatError(f"no TOML in UTF-8: {error}", path) from error
+        raise FormatError(phrase("no TOML in UTF-8: {}", error), path) from error
     unknown = sorted(set(table) - {"defaults", "job"})
     if unknown:
-        raise FormatError(f"{unknown[0]} is not known here: a batch has [defaults] and [[job]]", path)
+        raise FormatError(phrase("{} is not known here: a batch has [defaults] and [[job]]", unknown[0]), path)
     rows, defaults = table.get("job", []), table.get("defaults", {})
     if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows) or not rows:
-        raise FormatError("a batch needs at least one table [[job]]", path)
+        raise FormatError(phrase("a batch needs at least one table [[job]]"), path)
     if not isinstance(defaults, dict):
-        raise FormatError("defaults must be a table", path)
+        raise FormatError(phrase("defaults must be a table"), path)
     verbs = arguments.verbs()
     jobs = tuple(_job(number, row, defaults, verbs, path) for number, row in enumerate(rows, 1))
     _refuse_conflicts(jobs, path)
@@ -150,26 +151,26 @@ def _job(
 ) -> Job:
     name, verb = row.get("name", f"job {number}"), row.get("verb", "correct")
     if not isinstance(name, str) or not name.strip() or "\n" in name:
-        raise FormatError(f"job {number}: its name must be one line of text", path)
+        raise FormatError(phrase("job {}: its name must be one line of text", number), path)
     if verb not in verbs or verb in _NOT_IN_A_BATCH:
         known = ", ".join(v for v in verbs if v not in _NOT_IN_A_BATCH)
-        raise FormatError(f"{name}: verb is one of {known}, not {verb!r}", path)
+        raise FormatError(phrase("{}: verb is one of {}, not {!r}", name, known, verb), path)
     options = {key.replace("_", "-"): value for key, value in row.items() if key not in ("name", "verb")}
     known_actions = _actions(verbs[verb])
     for key, value in defaults.items():
         key = key.replace("_", "-")
         if not any(key in _actions(other) for other in verbs.values()):
-            raise FormatError(f"defaults: {key} is no option", path)
+            raise FormatError(phrase("defaults: {} is no option", key), path)
         if key in known_actions:
             options.setdefault(key, value)
     argv, given = [verb], []
     for key, value in options.items():
         action = known_actions.get(key)
         if action is None or key in ("help", "debug"):
-            raise FormatError(f"{name}: {key} is no option of {verb}", path)
+            raise FormatError(phrase("{}: {} is no option of {}", name, key, verb), path)
         words = _words(action, value)
         if words is None:
-            raise FormatError(f"{name}: {key} = {json.dumps(value, default=str)} is not possible", path)
+            raise FormatError(phrase("{}: {} = {} is not possible", name, key, json.dumps(value, default=str)), path)
         # What is no option stands at the end.
         if action.option_strings:
             argv += words
@@ -233,18 +234,23 @@ def _refuse_conflicts(jobs: Sequence[Job], path: Path) -> None:
     written: dict[str, str] = {}
     for number, job in enumerate(jobs, 1):
         if job.name in names:
-            raise FormatError(f"{job.name}: two jobs have this name", path)
+            raise FormatError(phrase("{}: two jobs have this name", job.name), path)
         names[job.name] = number
         for place in job.outputs:
             if place in written:
-                raise UsageError(f"{path}: {written[place]} and {job.name} both write {place}")
+                raise UsageError(phrase("{}: {} and {} both write {}", path, written[place], job.name, place))
             written[place] = job.name
     for job in jobs:
         for place in job.inputs:
             if written.get(place, job.name) != job.name:
                 raise UsageError(
-                    f"{path}: {job.name} reads {place}, which {written[place]} writes: jobs run at the same time; "
-                    "make two batches of them"
+                    phrase(
+                        "{}: {} reads {}, which {} writes: jobs run at the same time; make two batches of them",
+                        path,
+                        job.name,
+                        place,
+                        written[place],
+                    )
                 )
 
 
@@ -256,6 +262,7 @@ def run_job(job: Job) -> Outcome:
     environment["PYTHONPATH"] = os.pathsep.join([package, *freecad_process.packages()])
     # Where FreeCAD brings its own library, a plain Python must not look there.
     environment.pop("PYTHONHOME", None)
+    environment[AS_DATA] = "1"
     # What a batch that was killed has left running may be in the journal before the batch could record it.
     once = ["--once"] if any(word.partition("=")[0] == "--journal" for word in job.argv) else []
     try:
@@ -275,8 +282,15 @@ def run_job(job: Job) -> Outcome:
     seconds = time.monotonic() - begun
     if done.returncode < 0:
         return Outcome(job.name, LOST, f"its process was killed by signal {-done.returncode}", seconds)
-    text = done.stdout if done.returncode == 0 else done.stderr or done.stdout
-    return Outcome(job.name, done.returncode, text.strip(), seconds)
+    text = done.stdout.strip() if done.returncode == 0 else error_of(done.stderr.strip() or done.stdout.strip())
+    return Outcome(job.name, done.returncode, text, seconds)
+
+
+def error_of(told: str) -> Message:
+    """What a command that failed says, as data on its last line, or else as it stands."""
+    with contextlib.suppress(ValueError, IndexError):
+        return of_data(json.loads(told.splitlines()[-1]))
+    return Message(told)
 
 
 def plain_python() -> str:
@@ -291,7 +305,7 @@ def plain_python() -> str:
         found = shutil.which(name)
         if found:
             return found
-    raise UsageError("a batch needs a plain Python beside FreeCAD's: none was found on the PATH")
+    raise UsageError(phrase("a batch needs a plain Python beside FreeCAD's: none was found on the PATH"))
 
 
 class _State:
@@ -440,6 +454,10 @@ class _Progress:
 
     def line(self, outcome: Outcome) -> None:
         self.ended += 1
+        if AS_DATA in os.environ:
+            # Another program reads it, and words it.
+            print(json.dumps(asdict(outcome) | {"text": as_data(outcome.text)}), file=self.out, flush=True)
+            return
         width = len(str(self.count))
         how = "before" if outcome.before else "ok" if outcome.status == 0 else f"exit {outcome.status}"
         self._clear()

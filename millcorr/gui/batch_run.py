@@ -1,63 +1,29 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A batch in a process of its own: what its jobs do, line by line, and how to stop it. Knows no window."""
+"""A batch in a process of its own: what its jobs do, one by one, and how to stop it. Knows no window."""
 
 from __future__ import annotations
 
+import json
 import os
 import queue
-import re
 import signal
 import subprocess
 import sys
 import threading
-from dataclasses import dataclass
 from pathlib import Path
 
 from millcorr import freecad_process
 from millcorr.cli import jobs
-
-_LINE = re.compile(r"\[ *\d+/\d+\] (before|ok|exit (-?\d+)) +([0-9.]+) s  (.*)")
-
-
-@dataclass(frozen=True, slots=True)
-class Ended:
-    """A job that ended.
-
-    Parameters
-    ----------
-    name : str
-    status : int
-        0: done.
-    seconds : float
-    before : bool
-        An earlier run had done it already.
-    text : str
-        Its line of error.
-    """
-
-    name: str
-    status: int
-    seconds: float
-    before: bool
-    text: str
+from millcorr.messages import AS_DATA, Message, of_data
 
 
-def ended(line: str, names: tuple[str, ...]) -> Ended | None:
-    """The job that a line of `millcorr batch` tells of; None where it tells of none.
-
-    Parameters
-    ----------
-    line : str
-    names : tuple of str
-        Names of all jobs: the line joins name and error by blanks, and both may have some.
-    """
-    match = _LINE.match(line)
-    if match is None:
+def ended(line: str) -> jobs.Outcome | None:
+    """The job that a line of `millcorr batch` tells of, its error as a message; None where it tells of none."""
+    try:
+        row = json.loads(line)
+        return jobs.Outcome(**row | {"text": of_data(row["text"])})
+    except (ValueError, TypeError, KeyError):
         return None
-    how, status, seconds, rest = match.groups()
-    fitting = [name for name in names if rest == name or rest.startswith(name + "  ")]
-    name = max(fitting, key=len, default=rest)
-    return Ended(name, int(status or 0), float(seconds), how == "before", rest[len(name) :].strip())
 
 
 class BatchRun:
@@ -81,6 +47,7 @@ class BatchRun:
         environment = dict(os.environ)
         environment["PYTHONPATH"] = os.pathsep.join([package, *freecad_process.packages()])
         environment.pop("PYTHONHOME", None)
+        environment[AS_DATA] = "1"
         command = [jobs.plain_python(), "-m", "millcorr", "batch", str(path), *(["--again"] if again else [])]
         # A group of its own: stopping it stops the jobs, which are processes of their own, too.
         self._process = subprocess.Popen(
@@ -97,7 +64,7 @@ class BatchRun:
         self._lines: queue.Queue[str | None] = queue.Queue()
         self._reader = threading.Thread(target=self._read, name="millcorr batch", daemon=True)
         self._reader.start()
-        self.said: list[str] = []
+        self._rest: list[str] = []
         self.running = True
         self.cancelled = False
 
@@ -108,7 +75,7 @@ class BatchRun:
         self._process.wait()
         self._lines.put(None)
 
-    def news(self) -> list[Ended]:
+    def news(self) -> list[jobs.Outcome]:
         """Jobs that ended since the last call; afterwards `running` says whether more will."""
         out = []
         while True:
@@ -119,11 +86,16 @@ class BatchRun:
             if line is None:
                 self.running = False
                 return out
-            event = ended(line, self.names)
+            event = ended(line)
             if event is None:
-                self.said.append(line)
+                self._rest.append(line)
             else:
                 out.append(event)
+
+    @property
+    def said(self) -> Message:
+        """What it said beside its jobs: why it could not run, where it could not."""
+        return jobs.error_of("\n".join(self._rest))
 
     @property
     def status(self) -> int | None:

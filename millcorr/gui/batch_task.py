@@ -18,7 +18,7 @@ from millcorr.errors import MillcorrError
 from millcorr.production import history, journal
 
 from . import file_task, recorder
-from .batch_run import BatchRun, Ended
+from .batch_run import BatchRun
 from .options import call
 from .qt import QtCore, QtWidgets
 
@@ -93,7 +93,7 @@ class BatchTask(file_task.FileTask):
         self.table = _table("Jobs", _COLUMNS)
         self.layout.addWidget(self.table, 1)
         self.run: BatchRun | None = None
-        self._ended = 0
+        self._ended: list[jobs.Outcome] = []
         self._timer = QtCore.QTimer(self.form)
         self._timer.setInterval(POLL)
         self._timer.timeout.connect(self._look)
@@ -126,7 +126,7 @@ class BatchTask(file_task.FileTask):
             return
         again = self.fields["Again"].value or None
         recorder.record(["from millcorr.cli import jobs", call("jobs.run", path, again=again)], jobs, "run", None)
-        self._ended = 0
+        self._ended = []
         self._rows = {name: row for row, name in enumerate(self.run.names)}
         self.table.setRowCount(len(self._rows))
         for name, row in self._rows.items():
@@ -141,10 +141,11 @@ class BatchTask(file_task.FileTask):
         if run is None:
             return
         for event in run.news():
-            self._ended += 1
-            _put(self.table, self._rows[event.name], [event.name, _state(event), f"{event.seconds:.1f} s", event.text])
-        told = translate("Millcorr", "{} of {} jobs").format(self._ended, len(self._rows))
-        self.show_progress(told, self._ended / max(1, len(self._rows)))
+            self._ended.append(event)
+            told = worded(event.text) if event.status else ""
+            _put(self.table, self._rows[event.name], [event.name, _state(event), f"{event.seconds:.1f} s", told])
+        told = translate("Millcorr", "{} of {} jobs").format(len(self._ended), len(self._rows))
+        self.show_progress(told, len(self._ended) / max(1, len(self._rows)))
         if run.running:
             return
         self._timer.stop()
@@ -152,11 +153,23 @@ class BatchTask(file_task.FileTask):
         self.table.resizeColumnsToContents()
         self.run = None
         self.ready(True)
-        failed = run.status != 0
         if run.cancelled:
             self.say(translate("Millcorr", "Stopped; run it again to go on"), "doubt")
+        elif len(self._ended) == len(self._rows):
+            self._sum_up()
         else:
-            self.say(file_task.spaced("\n".join(run.said)), "wrong" if failed else "good")
+            self.say(worded(run.said), "wrong")
+
+    def _sum_up(self) -> None:
+        """How many jobs are done, and which failed."""
+        failed = [event.name for event in self._ended if event.status]
+        done = len(self._ended) - len(failed)
+        told = [translate("Millcorr", "Jobs done: {} of {}").format(done, len(self._ended))]
+        if before := sum(event.before for event in self._ended):
+            told.append(translate("Millcorr", "Done in an earlier run: {}").format(before))
+        if failed:
+            told.append(translate("Millcorr", "Failed: {}").format(", ".join(failed)))
+        self.say("\n".join(told), "wrong" if failed else "good")
 
     def _stopped(self) -> None:
         if self.run is None:
@@ -172,7 +185,7 @@ class BatchTask(file_task.FileTask):
         super().stop_all()
 
 
-def _state(event: Ended) -> str:
+def _state(event: jobs.Outcome) -> str:
     if event.before:
         return translate("Millcorr", "done before")
     if event.status == 0:

@@ -116,7 +116,7 @@ class DressupPanel(Panel):
         box = QtWidgets.QGroupBox(self.base.Label)
         box.setObjectName("Figures")
         layout = QtWidgets.QVBoxLayout(box)
-        layout.setContentsMargins(6, 4, 6, 4)
+        layout.setContentsMargins(6, 8, 6, 4)
         # Two tables: a long figure of the second must not widen the columns of the first.
         deviations, others = QtWidgets.QGridLayout(), QtWidgets.QGridLayout()
         for grid in (deviations, others):

@@ -12,6 +12,7 @@ _KINDS: dict[str, type[fields.Field]] = {
     "Length": fields.NumberField,
     "Distance": fields.NumberField,
     "Angle": fields.NumberField,
+    "Feed": fields.NumberField,
     "Float": fields.NumberField,
     "Integer": fields.IntegerField,
     "Enumeration": fields.ChoiceField,

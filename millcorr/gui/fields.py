@@ -17,10 +17,19 @@ from .wheel import calm
 _text = QT_TRANSLATE_NOOP
 
 SUGGESTIONS = {
-    "Filter": ("auto", "none", "mean:3", "mean:5", "mean:7", "mean:1,2,3,2,1", "gauss:2.5", "robust:2.5"),
-    "Align": ("none", "shift", "rigid", "x", "y", "turn"),
+    "Filter": (
+        _text("Millcorr", "auto"),
+        _text("Millcorr", "none"),
+        "mean:3",
+        "mean:5",
+        "mean:7",
+        "mean:1,2,3,2,1",
+        "gauss:2.5",
+        "robust:2.5",
+    ),
+    "Align": (_text("Millcorr", "none"), _text("Millcorr", "shift"), _text("Millcorr", "rigid"), "x", "y", "turn"),
 }
-"""What free text can be, for a list to choose from; anything else can be typed."""
+"""What free text can be, for a list to choose from, words in the window's language; anything else can be typed."""
 
 
 CHOICES = {
@@ -130,22 +139,24 @@ class Field:
 
 
 class NumberField(Field):
-    """A length, shown in the window's unit and given in mm, an angle in degrees, or a plain number."""
+    """A length in the window's unit, given in mm; a feed in that a minute, given in mm/min; degrees, or a number."""
 
     def _make(self, row: Any) -> Any:
         box = QtWidgets.QDoubleSpinBox()
-        lengths = row.kind in ("Length", "Distance")
+        lengths, feeds = row.kind in ("Length", "Distance"), row.kind == "Feed"
         shown = unit()
-        self._size = shown.mm if lengths else 1.0
+        self._size = shown.mm if lengths or feeds else 1.0
         # What was put in is given back as it was, unless the user has changed what is shown of it.
         self._put_in = (0.0, 0.0)
-        box.setDecimals(shown.digits if lengths else 3)
-        box.setRange(0.0 if row.kind == "Length" else -1e6, 1e6)
+        # A feed counts to a thousandth of what a length does.
+        box.setDecimals(shown.digits if lengths else shown.digits - 3 if feeds else 3)
+        box.setRange(0.0 if row.kind in ("Length", "Feed") else -1e6, 1e6)
         # A micrometre, or a tenth of a thou.
-        box.setSingleStep(shown.step if lengths else 0.1)
+        box.setSingleStep(shown.step if lengths else 1e4 * shown.step if feeds else 0.1)
         # A number that is not yet complete must not start a correction.
         box.setKeyboardTracking(False)
-        box.setSuffix(f" {shown.name}" if lengths else " \u00b0" if row.kind == "Angle" else "")
+        suffixes = {"Feed": f" {shown.name}/min", "Angle": " \u00b0"}
+        box.setSuffix(f" {shown.name}" if lengths else suffixes.get(row.kind, ""))
         # Shown at the smallest number there is.
         box.setSpecialValueText(translate("Millcorr", row.zero) if row.zero else "")
         return box
@@ -208,7 +219,8 @@ class TextField(Field):
         box = QtWidgets.QComboBox()
         box.setEditable(True)
         box.setInsertPolicy(QtWidgets.QComboBox.InsertPolicy.NoInsert)
-        box.addItems(list(SUGGESTIONS.get(row.name, ())))
+        for word in SUGGESTIONS.get(row.name, ()):
+            box.addItem(translate("Millcorr", word), word)
         box.completer().setCaseSensitivity(QtCore.Qt.CaseSensitivity.CaseSensitive)
         return box
 
@@ -217,10 +229,14 @@ class TextField(Field):
         self.widget.activated.connect(lambda *_: changed())
 
     def _get(self) -> str:
-        return str(self.widget.currentText()).strip()
+        text = str(self.widget.currentText()).strip()
+        at = self.widget.findText(text, QtCore.Qt.MatchFlag.MatchExactly)
+        chosen = None if at < 0 else self.widget.itemData(at)
+        return text if chosen is None else str(chosen)
 
     def _put(self, value: Any) -> None:
-        self.widget.setEditText(str(value))
+        at = self.widget.findData(value)
+        self.widget.setEditText(str(value) if at < 0 else self.widget.itemText(at))
 
 
 class ListField(Field):

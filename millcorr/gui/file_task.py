@@ -13,13 +13,12 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-import FreeCAD
-
 from millcorr.app.text import label_of, translate
 from millcorr.app.wording import worded
 from millcorr.errors import InputError
 
 from . import recorder
+from .closed_documents import when_closed
 from .panel import Panel
 from .qt import QtCore, QtGui, QtWidgets
 from .remedies import accepted_by, remedies_in, wrong_field
@@ -210,24 +209,16 @@ class FileTask(Panel):
         self._writer.finish()
 
 
-class _Documents:
-    """What FreeCAD tells of documents."""
-
-    def slotDeletedDocument(self, document: Any) -> None:
-        """Close the windows that are about a document when it is closed."""
-        for window in list(_open.values()):
-            if window.task.home == document.Name:
-                window.close()
-
-
-_documents: list[_Documents] = []
+def _close_of(name: str) -> None:
+    """Close the windows that are about a document."""
+    for window in list(_open.values()):
+        if window.task.home == name:
+            window.close()
 
 
 def open_window(task: Callable[[], FileTask], title: str) -> Window | Dock:
     """Open the window of a task, or bring it forward if it is open; gives it."""
-    if not _documents:
-        _documents.append(_Documents())
-        FreeCAD.addDocumentObserver(_documents[0])
+    when_closed(_close_of)
     if title not in _open:
         made = task()
         _open[title] = (Dock if made.aside else Window)(made, lambda: _open.pop(title, None))

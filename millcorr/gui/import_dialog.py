@@ -21,6 +21,7 @@ from millcorr.readers import mapping as mappings
 from millcorr.readers.preview import HEAD, Preview, preview
 
 from . import origins, panel, preferences
+from .closed_documents import when_closed
 from .field_kinds import field_for
 from .fields import Field
 from .file_preview import FilePreview
@@ -56,6 +57,7 @@ class ImportDialog(QtWidgets.QDialog):
     def __init__(self, document: Any, operation: Any, imported: Callable[[Any], None]) -> None:
         super().__init__(FreeCADGui.getMainWindow())
         self.document, self.operation, self._imported = document, operation, imported
+        self.home = document.Name
         self.setObjectName("MillcorrImport")
         self.setWindowTitle(translate("Millcorr", "Import measurement"))
         self.setWindowIcon(qt_icon("Millcorr_Measurement"))
@@ -387,8 +389,16 @@ def _kept(seen: Preview, columns: dict[str, int]) -> Path:
     return mappings.save(file, mapping)
 
 
+def _close_of(name: str) -> None:
+    """Close the dialog that is about a document."""
+    for dialog in list(_open):
+        if dialog.home == name:
+            dialog.reject()
+
+
 def show(document: Any, operation: Any = None, imported: Callable[[Any], None] = lambda obj: None) -> ImportDialog:
     """Open the dialog, or bring the open one forward; gives it."""
+    when_closed(_close_of)
     if not _open:
         _open.append(ImportDialog(document, operation, imported))
     dialog: ImportDialog = _open[0]

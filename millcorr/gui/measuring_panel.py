@@ -101,10 +101,8 @@ _ROOM = (
 )
 _MORE = (
     Property("Link", "Nominal", "", _text("App::Property", "Contour to measure, where it is not the operation's own")),
-    Property("Float", "Feed", "", _text("App::Property", "Feed of the touch, mm/min"), 100.0),
-    Property(
-        "Float", "PositioningFeed", "", _text("App::Property", "Feed of moves at measuring height, mm/min"), 1000.0
-    ),
+    Property("Feed", "Feed", "", _text("App::Property", "Feed of the touch"), 100.0),
+    Property("Feed", "PositioningFeed", "", _text("App::Property", "Feed of moves at measuring height"), 1000.0),
     Property(
         "Integer",
         "ProbeTool",

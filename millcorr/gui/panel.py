@@ -19,13 +19,14 @@ from millcorr.errors import MillcorrError
 from millcorr.messages import message_of
 
 from . import told
+from .closed_documents import when_closed
 from .field_kinds import field_for
 from .fields import Field
 from .fold import Fold
 from .icons import qt_icon
 from .keys import keep
 from .qt import QtCore, QtWidgets
-from .theme import STYLE, mark
+from .theme import FADED, STYLE, mark
 from .worker import Worker
 
 PAUSE = 250
@@ -108,7 +109,8 @@ class Panel:
         else:
             box = QtWidgets.QGroupBox(title)
             outer = QtWidgets.QVBoxLayout(box)
-            outer.setContentsMargins(6, 4, 6, 4)
+            # Without room above, some styles write the title over the first row.
+            outer.setContentsMargins(6, 8, 6, 4)
             outer.addWidget(inner)
         self.layout.addWidget(box)
         return box
@@ -206,6 +208,12 @@ class Panel:
         """Why what is shown cannot be applied; empty where it can."""
         return self.message.text() if self.wrong else ""
 
+    def applied_by(self, button: Any) -> None:
+        """Take a button for the one that applies."""
+        button.setStyleSheet(FADED)
+        self.applying = button
+        self.judge()
+
     def judge(self) -> None:
         """Switch the button that applies on or off, its reason as a tooltip."""
         if self.applying is not None and not self.closed:
@@ -241,8 +249,7 @@ class Panel:
 
     def modifyStandardButtons(self, box: Any) -> None:
         """FreeCAD's OK and Cancel: OK is there while there is something sound to apply."""
-        self.applying = box.button(QtWidgets.QDialogButtonBox.StandardButton.Ok)
-        self.judge()
+        self.applied_by(box.button(QtWidgets.QDialogButtonBox.StandardButton.Ok))
 
     def accept(self) -> bool:
         """OK: run the lines in one transaction; the panel stays where there is nothing sound to apply."""
@@ -285,16 +292,10 @@ _shown: list[Panel] = []
 """The panel in the task view."""
 
 
-class _Documents:
-    """What FreeCAD tells of documents."""
-
-    def slotDeletedDocument(self, document: Any) -> None:
-        """Close the panel that is about a document when it is closed."""
-        for panel in list(_shown):
-            panel.forsake(document.Name)
-
-
-_documents: list[_Documents] = []
+def _forsake(name: str) -> None:
+    """Close the panel that is about a document."""
+    for panel in list(_shown):
+        panel.forsake(name)
 
 
 def narrow(label: Any) -> Any:
@@ -346,9 +347,7 @@ def show(panel: Any) -> bool:
     if FreeCADGui.Control.activeDialog():
         FreeCAD.Console.PrintWarning(translate("Millcorr", "Close the open task first") + "\n")
         return False
-    if not _documents:
-        _documents.append(_Documents())
-        FreeCAD.addDocumentObserver(_documents[0])
+    when_closed(_forsake)
     FreeCADGui.Control.showDialog(panel)
     _shown[:] = [panel]
     return True

@@ -39,8 +39,7 @@ def _contents(task: Any, close: Callable[[], Any]) -> Any:
         write = buttons.addButton(translate("Millcorr", task.verb), box.ButtonRole.ApplyRole)
         write.setObjectName("Write")
         write.clicked.connect(lambda *_: task.write())
-        task.applying = write
-        task.judge()
+        task.applied_by(write)
     explain = buttons.addButton(translate("Millcorr", "Help"), box.ButtonRole.HelpRole)
     explain.setObjectName("Help")
     explain.clicked.connect(lambda *_: guide.show(task.page))

@@ -17,8 +17,14 @@ _KINDS = {"wrong": "220, 40, 40", "doubt": "230, 160, 0", "good": "40, 160, 80"}
 
 _LABEL = "background: rgba({0}, 50); border-left: 3px solid rgb({0}); padding: 3px 3px 3px 8px;"
 
-STYLE = "\n".join(f'QLabel[millcorr="{kind}"] {{ {_LABEL.format(rgb)} }}' for kind, rgb in _KINDS.items())
-"""Style sheet for labels whose property ``millcorr`` says what they are.
+FADED = "QPushButton:disabled { color: rgba(128, 128, 128, 150); }"
+"""Style sheet of a button: FreeCAD's dark ones paint a disabled button as, or brighter than, one that can be pressed.
+
+Half of a middle grey is faint on a light button and on a dark one.
+"""
+
+STYLE = "\n".join([FADED, *(f'QLabel[millcorr="{kind}"] {{ {_LABEL.format(rgb)} }}' for kind, rgb in _KINDS.items())])
+"""Style sheet of a form, with its labels whose property ``millcorr`` says what they are.
 
 The text keeps the window's own colour: style sheets change it without the palette telling, so a tint that lets
 the window's background through is all that can be read in both.

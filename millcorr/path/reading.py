@@ -494,7 +494,9 @@ class _Follower:
         self.lines = len(starts) - 1
         letter, value, line = words
         there = np.bincount(letter, minlength=256)
-        names = {c: ord(c) for c in "GMXYZIJKRFTHPQLABC"} | {name: ord(c) for name, c in ADDRESS.items() if there[ord(c)]}
+        names = {c: ord(c) for c in "GMXYZIJKRFTHPQLABC"} | {
+            name: ord(c) for name, c in ADDRESS.items() if there[ord(c)]
+        }
         self.words = {}
         for name, sign in names.items():
             rows = np.flatnonzero(letter == sign) if there[sign] else np.empty(0, np.int64)

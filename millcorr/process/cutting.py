@@ -32,6 +32,7 @@ from numpy.typing import ArrayLike
 
 from millcorr.arrays import Floats, Ints
 from millcorr.errors import UsageError
+from millcorr.messages import phrase, xy
 
 from .engagement import Engagement
 from .setup_file import Material, Setup, Tool
@@ -354,7 +355,7 @@ def cutting(engagement: Engagement, setup: Setup, layer: Floats | None = None) -
     if not (np.isfinite(feed) & (feed > 0)).all():
         where = int(step[np.flatnonzero(~(np.isfinite(feed) & (feed > 0)))[0]])
         x, y, _ = e.position[where]
-        raise UsageError(f"cutting: the move that cuts at X{x:.3f} Y{y:.3f} has no feed in mm/min: state F in G94")
+        raise UsageError(phrase("cutting: the move that cuts at {} has no feed in mm/min: state F in G94", xy(x, y)))
     arcs = average_force(
         e.arc_entry,
         e.arc_exit,

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from millcorr.messages import phrase
 from millcorr.production import history
 from millcorr.production.journal import Chain, Entry
 from millcorr.whole_file import write_together
@@ -46,7 +47,7 @@ def page(chains: Sequence[Chain], name: str, *, date: datetime.date | None = Non
         Today by default.
     """
     return html_page(
-        "Serial production",
+        phrase("Serial production"),
         name,
         [_chain(chain) for chain in chains] or ["<p class=verdict>The journal has no part yet.</p>"],
         about="serial production",
@@ -64,7 +65,9 @@ def _chain(chain: Chain) -> str:
     out = [
         f"<section><h2>{escape(chain.name)}</h2><p class=verdict>{count}; after {corrected} of them the program was "
         f"corrected, after {len(entries) - corrected} it stayed as it was.</p>",
-        f"<div class=warnings><b>What the machine does</b><ul>{found}</ul></div>" if said else "",
+        f"<div class=warnings><b>{reader.worded(phrase('What the machine does'))}</b><ul>{found}</ul></div>"
+        if said
+        else "",
     ]
     out += [figure(deviations(entries)), figure(machine(entries))]
     rows = []
@@ -73,15 +76,25 @@ def _chain(chain: Chain) -> str:
         values = (d["mean"], d["std"], d["height"], e.statistics["determined"], e.statistics.get("smoothed", np.nan))
         numbers = [um(v) if np.isfinite(v) else "" for v in (*values, e.statistics["correction"])]
         rows.append([f"{e.part}", e.time, *numbers, reader.worded(history.decision_in_words(e))])
-    head = ("part", "time (UTC)", "mean", "std", "height", "largest", "smoothed", "correction", "decision")
+    head = (
+        phrase("part"),
+        phrase("time (UTC)"),
+        phrase("mean"),
+        phrase("std"),
+        phrase("height"),
+        phrase("largest"),
+        phrase("smoothed"),
+        phrase("correction"),
+        phrase("decision"),
+    )
     out.append(html_table(head, rows))
     last = entries[-1]
     out.append(
         html_facts(
             [
-                ("First program, SHA-256", f"{chain.first}..."),
-                ("Program for the next part", f"{last.after[0]}, SHA-256 {last.after[1]}"),
-                *((f"Settings of part {last.part}", _settings(last)),),
+                (phrase("First program, SHA-256"), f"{chain.first}..."),
+                (phrase("Program for the next part"), f"{last.after[0]}, SHA-256 {last.after[1]}"),
+                *((phrase("Settings of part {}", last.part), _settings(last)),),
             ]
         )
     )

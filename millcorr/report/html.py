@@ -52,7 +52,7 @@ def html_page(
     version = f"millcorr {escape(__version__)}"
     allowed = "default-src 'none'; style-src 'unsafe-inline'" + ("; script-src 'unsafe-inline'" if scripts else "")
     body = [
-        f"<header><p class=kind>{kind}</p><h1>{escape(name)}</h1>"
+        f"<header><p class=kind>{escape(reader.worded(kind))}</p><h1>{escape(name)}</h1>"
         f"<p class=meta>{(date or datetime.date.today()).isoformat()} {DOT} {version}</p></header>",
         *parts,
         f"<footer><p>{files} Made by {version}.</p></footer>",
@@ -165,11 +165,18 @@ def plural(count: int, thing: str) -> str:
     return f"{grouped(count)} {thing}{'' if count == 1 else 's'}"
 
 
+def heading(title: str) -> str:
+    """Heading of a section, in the reader's words."""
+    return f"<h2>{escape(reader.worded(title))}</h2>"
+
+
 def html_table(head: Sequence[str], rows: Iterable[Sequence[str]], css: str = "numbers") -> str:
-    """Table of escaped cells, the first of each row its name."""
-    top = "".join(f"<th>{escape(cell)}</th>" for cell in head)
+    """Table of escaped cells in the reader's words, the first of each row its name."""
+    top = "".join(f"<th>{escape(reader.worded(cell))}</th>" for cell in head)
     body = "".join(
-        f"<tr><th>{escape(row[0])}</th>" + "".join(f"<td>{escape(cell)}</td>" for cell in row[1:]) + "</tr>"
+        f"<tr><th>{escape(reader.worded(row[0]))}</th>"
+        + "".join(f"<td>{escape(reader.worded(cell))}</td>" for cell in row[1:])
+        + "</tr>"
         for row in rows
     )
     header = f"<thead><tr>{top}</tr></thead>" if head else ""
@@ -183,7 +190,10 @@ def html_notes(notes: Iterable[str]) -> str:
 
 def html_tiles(tiles: Iterable[tuple[str, str]]) -> str:
     """Figures to see at once, each with what it is."""
-    inner = "".join(f"<div class=tile><b>{escape(v)}</b><span>{escape(what)}</span></div>" for v, what in tiles)
+    inner = "".join(
+        f"<div class=tile><b>{escape(reader.worded(v))}</b><span>{escape(reader.worded(what))}</span></div>"
+        for v, what in tiles
+    )
     return f"<div class=tiles>{inner}</div>"
 
 

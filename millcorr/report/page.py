@@ -16,17 +16,17 @@ from millcorr.comparison.deviation import statistics
 from millcorr.correction import provenance
 from millcorr.correction.settings import Settings
 from millcorr.geometry.correction import LargestCorrection, largest_correction
+from millcorr.messages import Message, joined, phrase
 from millcorr.options import options_of
 from millcorr.pipeline import Result
 
 from . import reader
 from .html import (
-    DOT,
-    MINUS,
     capital,
     coordinates,
     figure,
     grouped,
+    heading,
     html_facts,
     html_notes,
     html_page,
@@ -89,7 +89,7 @@ def page(
         _files(result, outputs or {}),
     ]
     return html_page(
-        "Toolpath correction report",
+        phrase("Toolpath correction report"),
         PurePath(result.request.program.name).name,
         parts,
         about="toolpath correction",
@@ -133,37 +133,53 @@ def _verdict(result: Result, largest: LargestCorrection) -> str:
     first = f"<p class=verdict><b>{escape(capital(do))}</b>: {escape(reader.worded(why))}.</p>"
     if len(d):
         s, count = statistics(d.value), len(d) + len(d.rejected)
-        span = f"{um(s['min'], True)} to {with_unit(s['max'], True)}, {with_unit(s['mean'], True)} in the mean."
+        span = phrase(
+            "{} to {}, {} in the mean", um(s["min"], True), with_unit(s["max"], True), with_unit(s["mean"], True)
+        )
         measurement, prediction = result.request.measurement, result.prediction
         if prediction is not None and nothing_measured(result):
-            words.append(f"<b>Nothing was measured</b>: the model of {escape(setup_name(prediction))} leaves {span}")
+            words.append(
+                phrase("<b>Nothing was measured</b>: the model of {} leaves {}.", escape(setup_name(prediction)), span)
+            )
         else:
-            name = PurePath(measurement.source).name if measurement is not None else ""
-            show = "shows" if count == 1 else "show"
-            words.append(f"{plural(count, 'measured point')} ({escape(name)}) {show} deviations of {span}")
+            name = escape(PurePath(measurement.source).name) if measurement is not None else ""
+            shown = phrase("{} measured points ({}) show deviations of {}.", grouped(count), name, span)
+            words.append(phrase("1 measured point ({}) shows deviations of {}.", name, span) if count == 1 else shown)
         if prediction is not None:
             words.append(
-                f"The model expects at most {with_unit(prediction.before.largest)} along the whole contour before the "
-                f"correction and {with_unit(prediction.after[-1].largest)} after it."
+                phrase(
+                    "The model expects at most {} along the whole contour before the correction and {} after it.",
+                    with_unit(prediction.before.largest),
+                    with_unit(prediction.after[-1].largest),
+                )
             )
     else:
-        words.append("No measurement: the path is laid on the exact parallel of the nominal contour.")
+        words.append(phrase("No measurement: the path is laid on the exact parallel of the nominal contour."))
     moves = result.regeneration
     if not moves.changed:
-        words.append("Nothing is to be corrected: <b>the program stays as it is</b>.")
+        words.append(phrase("Nothing is to be corrected: <b>the program stays as it is</b>."))
     elif abs(largest.value) < 5e-9:
-        words.append(f"<b>{plural(moves.changed, 'move')} of the program change</b> by the path's own error only.")
+        words.append(phrase("<b>{} of the program change</b> by the path's own error only.", _moves(moves.changed)))
     else:
         words.append(
-            f"<b>The correction moves the contour by up to {with_unit(largest.value, True)}</b> (at "
-            f"{coordinates(*largest.point)}) and changes {plural(moves.changed, 'move')}."
+            phrase(
+                "<b>The correction moves the contour by up to {}</b> (at {}) and changes {}.",
+                with_unit(largest.value, True),
+                coordinates(*largest.point),
+                _moves(moves.changed),
+            )
         )
-    kept = "within" if proof.path_error_max <= settings.tolerance else "<b>outside</b>"
-    words.append(
-        f"Read back, the program keeps the exact path to {with_unit(proof.path_error_max)}, {kept} its tolerance of "
-        f"{with_unit(settings.tolerance)}."
+    kept, limit = with_unit(proof.path_error_max), with_unit(settings.tolerance)
+    within = phrase("Read back, the program keeps the exact path to {}, within its tolerance of {}.", kept, limit)
+    beyond = phrase(
+        "Read back, the program keeps the exact path to {}, <b>outside</b> its tolerance of {}.", kept, limit
     )
-    return f"{first}<p class=verdict>{' '.join(words)}</p>"
+    words.append(within if proof.path_error_max <= settings.tolerance else beyond)
+    return f"{first}<p class=verdict>{' '.join(map(reader.worded, words))}</p>"
+
+
+def _moves(count: int) -> Message:
+    return phrase("1 move") if count == 1 else phrase("{} moves", grouped(count))
 
 
 def _tiles(result: Result, largest: LargestCorrection) -> str:
@@ -172,12 +188,14 @@ def _tiles(result: Result, largest: LargestCorrection) -> str:
         before, after = statistics(result.deviation.value), statistics(result.predicted)
         mean = f"{um(before['mean'], True)} {ARROW} {um(after['mean'], True)}"
         height = f"{um(before['height'])} {ARROW} {um(after['height'])}"
-        tiles.append((mean, f"mean deviation, {reader.fine()}, before and predicted"))
-        tiles.append((height, f"height (max {MINUS} min), {reader.fine()}, before and predicted"))
-    tiles.append((f"{with_unit(largest.value, True)}", "largest correction of the contour"))
+        tiles.append((mean, phrase("mean deviation, {}, before and predicted", reader.fine())))
+        tiles.append((height, phrase("height (max \N{MINUS SIGN} min), {}, before and predicted", reader.fine())))
+    tiles.append((f"{with_unit(largest.value, True)}", phrase("largest correction of the contour")))
     if len(result.deviation) == 0:
-        tiles.append((plural(result.regeneration.changed, "move"), "changed in the program"))
-    tiles.append((f"{with_unit(result.verification.path_error_max)}", "largest path error of the program, read back"))
+        tiles.append((_moves(result.regeneration.changed), phrase("changed in the program")))
+    tiles.append(
+        (f"{with_unit(result.verification.path_error_max)}", phrase("largest path error of the program, read back"))
+    )
     return html_tiles(tiles)
 
 
@@ -185,53 +203,80 @@ def _warnings(result: Result) -> str:
     if not result.warnings:
         return ""
     items = "".join(f"<li>{escape(reader.worded(text))}</li>" for text in result.warnings)
-    title = "Warning" if len(result.warnings) == 1 else f"{len(result.warnings)} warnings"
-    return f"<section class=warnings><b>{title}</b><ul>{items}</ul></section>"
+    title = phrase("Warning") if len(result.warnings) == 1 else phrase("{} warnings", len(result.warnings))
+    return f"<section class=warnings><b>{reader.worded(title)}</b><ul>{items}</ul></section>"
 
 
 def _sign() -> str:
-    return (
-        "Deviations are signed along the nominal's normal: <b>positive is excess material, negative is undercut</b>. "
-        f"Deviations in {reader.fine()}, coordinates and lengths in {reader.coarse()}."
+    return reader.worded(
+        phrase(
+            "Deviations are signed along the nominal's normal: <b>positive is excess material, negative is "
+            "undercut</b>. Deviations in {}, coordinates and lengths in {}.",
+            reader.fine(),
+            reader.coarse(),
+        )
     )
 
 
 def _deviations(result: Result) -> str:
     d = result.deviation
     if not len(d):
-        return f"<h2>Deviations</h2><p>No points were measured.</p><p class=small>{_sign()}</p>"
-    columns = (("before", d.value), ("determined part", result.filtered), ("predicted after", result.predicted))
+        none = reader.worded(phrase("No points were measured."))
+        return heading(phrase("Deviations")) + f"<p>{none}</p><p class=small>{_sign()}</p>"
+    columns = (
+        (phrase("before"), d.value),
+        (phrase("determined part"), result.filtered),
+        (phrase("predicted after"), result.predicted),
+    )
     rows = []
     for name, value in columns:
         s = statistics(value)
         signed = [um(s[key], True) for key in ("mean", "min", "max")]
         rows.append((name, *signed, um(s["height"]), um(s["std"]), um(profile_value(value))))
-    head = (reader.fine(), "mean", "min", "max", "height", "std", "profile value")
+    head = (
+        reader.fine(),
+        phrase("mean"),
+        phrase("min"),
+        phrase("max"),
+        phrase("height"),
+        phrase("std"),
+        phrase("profile value"),
+    )
     if nothing_measured(result):
-        words = "All by the model: the program as it came, and after the correction, each simulated."
+        words = phrase("All by the model: the program as it came, and after the correction, each simulated.")
     elif result.prediction is not None:
-        words = "Predicted: what the model expects at the same points, their random part unchanged."
+        words = phrase("Predicted: what the model expects at the same points, their random part unchanged.")
     else:
-        words = "Predicted: the same points after the correction, this part's random part unchanged."
-    words += f" The profile value is 2{DOT}max|d|, to be held against the width of a profile tolerance zone (ISO 1101)."
+        words = phrase("Predicted: the same points after the correction, this part's random part unchanged.")
+    said = [
+        words,
+        phrase(
+            "The profile value is 2\N{MIDDLE DOT}max|d|, to be held against the width of a profile tolerance zone "
+            "(ISO 1101)."
+        ),
+    ]
     if result.prediction is None:
-        words += " " + _next_part(result)
+        said.append(_next_part(result))
+    words = joined(said, " ")
     return (
-        f"<h2>Deviations</h2>{html_table(head, rows)}<p class=small>{_sign()}</p><p class=small>{words}</p>"
+        heading(phrase("Deviations"))
+        + html_table(head, rows)
+        + f"<p class=small>{_sign()}</p><p class=small>{reader.worded(words)}</p>"
         + _points(result)
         + _by_level(result)
     )
 
 
-def _next_part(result: Result) -> str:
+def _next_part(result: Result) -> Message:
     """What the random part makes of the prediction."""
     again = expected_std(result)
     if math.isfinite(again):
-        return (
+        return phrase(
             "The next part brings its own random part: measured the same way, a standard deviation of about "
-            f"<b>{with_unit(again)}</b> is to be expected."
+            "<b>{}</b> is to be expected.",
+            with_unit(again),
         )
-    return (
+    return phrase(
         "The random part is not known here, so the prediction is too favourable: the next part brings its own, "
         "and what was random on this part comes on top."
     )
@@ -279,7 +324,7 @@ def _by_level(result: Result) -> str:
         before, after = statistics(d.value[at]), statistics(result.predicted[at])
         rows.append(
             (
-                f"contour {contour + 1}, Z {mm(float(d.z[at].mean()))}",
+                phrase("contour {}, Z {}", contour + 1, mm(float(d.z[at].mean()))),
                 grouped(int(at.sum())),
                 um(before["mean"], True),
                 um(before["height"]),
@@ -289,7 +334,16 @@ def _by_level(result: Result) -> str:
                 um(after["std"]),
             )
         )
-    head = (reader.fine(), "points", "mean", "height", "std", "predicted mean", "height", "std")
+    head = (
+        reader.fine(),
+        phrase("points"),
+        phrase("mean"),
+        phrase("height"),
+        phrase("std"),
+        phrase("predicted mean"),
+        phrase("height"),
+        phrase("std"),
+    )
     more = f"<p class=small>{len(keys) - _MOST_ROWS} more are not listed.</p>" if len(keys) > _MOST_ROWS else ""
     return html_table(head, rows) + more
 
@@ -313,19 +367,19 @@ def _plots(result: Result) -> list[str]:
         plot = along_contour(
             result.nominal, d, result.filtered, result.predicted, result.uncertainty, posteriors(result), result.outlier
         )
-        parts.append("<h2>Deviation along the contour</h2>" + figure(plot))
+        parts.append(heading(phrase("Deviation along the contour")) + figure(plot))
     within, why = near_zero(result)
     rejected = None
     left_out = [point.index for point in result.left_out]
     if result.request.measurement is not None and left_out:
         rejected = result.request.measurement.points[left_out]
     plot = on_contour(result.nominal, d, result.filtered, within=within, rejected=rejected)
-    title = "Deviations on the contour" if len(d) else "Contour"
+    title = phrase("Deviations on the contour") if len(d) else phrase("Contour")
     more = f" Near zero: up to {with_unit(within)}, {why}." if len(d) else ""
-    parts.append(f"<h2>{title}</h2>" + figure(Plot(plot.svg, plot.caption + more)))
+    parts.append(heading(title) + figure(Plot(plot.svg, plot.caption + more)))
     if len(d):
-        parts.append("<h2>Path and contour</h2>" + figure(path_and_contour(result)))
-        parts.append("<h2>Distribution</h2>" + figure(histogram(d.value, result.predicted, scatter)))
+        parts.append(heading(phrase("Path and contour")) + figure(path_and_contour(result)))
+        parts.append(heading(phrase("Distribution")) + figure(histogram(d.value, result.predicted, scatter)))
     return parts
 
 
@@ -352,7 +406,7 @@ def _separation(result: Result) -> str:
             f"{reader.length(found.longest_memory, '.2g')}: one part does not tell noise that is "
             "smooth over longer from form, a second part does."
         )
-    out = "<h2>What repeats and what does not</h2>" + "".join(f"<p>{line}</p>" for line in lines)
+    out = heading(phrase("What repeats and what does not")) + "".join(f"<p>{line}</p>" for line in lines)
     wrong = result.outliers()
     if not wrong:
         return out
@@ -360,20 +414,27 @@ def _separation(result: Result) -> str:
         (str(row["index"] + 1), *(mm(row[k]) for k in "xyz"), um(row["value"], True), um(row["expected"], True))
         for row in wrong[:_MOST_ROWS]
     ]
-    head = ("point", "X", "Y", "Z", f"measured / {reader.fine()}", f"expected / {reader.fine()}")
+    head = (
+        phrase("point"),
+        "X",
+        "Y",
+        "Z",
+        phrase("measured / {}", reader.fine()),
+        phrase("expected / {}", reader.fine()),
+    )
     left = len(wrong) - _MOST_ROWS
     more = f"<p class=small>{left} more are in report.json.</p>" if left > 0 else ""
     outside = "left out" if found.filter.leaves_out else "not left out by the filter"
-    return f"{out}<h2>Outliers</h2><p>{len(wrong)} points, {outside}.</p>{html_table(head, rows)}{more}"
+    return f"{out}{heading(phrase('Outliers'))}<p>{len(wrong)} points, {outside}.</p>{html_table(head, rows)}{more}"
 
 
 def _own_path_error(result: Result) -> str:
     error = result.regeneration.original_error
     if error <= PATH_ERROR_WORTH_SAYING:
         return ""
-    title = "<h2>The program's own path error</h2>"
+    title = heading(phrase("The program's own path error"))
     if _corrected_before(result):
-        title = "<h2>The correction in force</h2>"
+        title = heading(phrase("The correction in force"))
         words = (
             f"This program was corrected before: it commands a contour up to <b>{with_unit(error)}</b> off the "
             "nominal. What the part still shows is corrected beside it; where nothing was measured it stays."
@@ -389,8 +450,19 @@ def _own_path_error(result: Result) -> str:
     s = statistics(result.commanded)
     rms = math.sqrt(float((result.commanded**2).mean()))
     signed = [um(s[key], True) for key in ("mean", "min", "max")]
-    row = ("at the points", *signed, um(s["height"]), um(s["std"]), um(rms))
-    return f"{title}<p>{words}</p>" + html_table((reader.fine(), "mean", "min", "max", "height", "std", "rms"), [row])
+    row = (phrase("at the points"), *signed, um(s["height"]), um(s["std"]), um(rms))
+    return f"{title}<p>{words}</p>" + html_table(
+        (
+            reader.fine(),
+            phrase("mean"),
+            phrase("min"),
+            phrase("max"),
+            phrase("height"),
+            phrase("std"),
+            phrase("rms"),
+        ),
+        [row],
+    )
 
 
 def _uncertainty(result: Result) -> list[tuple[str, str]]:
@@ -403,7 +475,7 @@ def _uncertainty(result: Result) -> list[tuple[str, str]]:
     seen = f"from the spread of {parts} parts" if parts > 1 else "from the scatter of the points of one part"
     return [
         (
-            "Uncertainty of the correction",
+            phrase("Uncertainty of the correction"),
             f"expanded (k = {COVERAGE:g}, about 95 %) \N{PLUS-MINUS SIGN}{with_unit(most)} at most, "
             f"\N{PLUS-MINUS SIGN}{with_unit(typical)} typically, "
             f"{seen}. No tolerance is known here, so nothing is said about conformity (ISO 14253-1)",
@@ -419,44 +491,60 @@ def _correction(result: Result, largest: LargestCorrection) -> str:
     side = "out of the material" if largest.value > 0 else "into the material"
     facts = [
         (
-            "Largest correction",
+            phrase("Largest correction"),
             f"{with_unit(largest.value, True)}{where}" + (f" ({side})" if largest.value else ""),
         ),
         *_uncertainty(result),
-        ("Moves", f"{grouped(moves.changed)} of the program's moves changed, {grouped(len(moves.toolpath))} written"),
-        ("Largest displacement of a vertex", f"{with_unit(moves.largest_shift)}"),
+        (
+            phrase("Moves"),
+            phrase(
+                "{} of the program's moves changed, {} written", grouped(moves.changed), grouped(len(moves.toolpath))
+            ),
+        ),
+        (phrase("Largest displacement of a vertex"), f"{with_unit(moves.largest_shift)}"),
     ]
+    how = phrase(
+        "The emitted program was read back and its path compared with the exact parallel of the compensated profile."
+    )
     status = "kept" if proof.path_error_max <= settings.tolerance else "exceeded"
     checks = [
         (
-            "Largest path error",
+            phrase("Largest path error"),
             f"{with_unit(proof.path_error_max)} at {coordinates(*proof.place)}; "
             f"tolerance {with_unit(settings.tolerance)} {status}",
         ),
-        ("Gouge", f"{with_unit(proof.gouge_max)} nearer to the profile than the cutter's radius at most"),
-        ("Profile as NURBS", f"within {with_unit(result.fit_residual)} of the exact compensated contour"),
-        ("Checked length of path", f"{mm(proof.length)} {reader.coarse()}"),
+        (
+            phrase("Gouge"),
+            phrase("{} nearer to the profile than the cutter's radius at most", with_unit(proof.gouge_max)),
+        ),
+        (
+            phrase("Profile as NURBS"),
+            phrase("within {} of the exact compensated contour", with_unit(result.fit_residual)),
+        ),
+        (phrase("Checked length of path"), f"{mm(proof.length)} {reader.coarse()}"),
     ]
     return (
-        f"<h2>Correction</h2>{html_facts(facts)}<h2>Verification</h2><p>The emitted program was read back and its path "
-        f"compared with the exact parallel of the compensated profile.</p>{html_facts(checks)}"
+        f"{heading(phrase('Correction'))}{html_facts(facts)}{heading(phrase('Verification'))}"
+        f"<p>{reader.worded(how)}</p>{html_facts(checks)}"
     )
 
 
 _SETTING_NAMES = {
-    "side": "Side of the cutter",
-    "align": "Alignment",
-    "filter": "Filter",
-    "method": "Method",
-    "gain": "Gain",
-    "limit": "Limit of a correction",
-    "dead_band": "Dead band",
-    "tolerance": "Tolerance of the path",
-    "output_moves": "Kinds of move written",
-    "cutter_compensation": "With G41, G42 the program gives",
-    "depth_along": "Depth along",
-    "transfer_function": "Transfer function",
-    "leave_stock": "Stock left on",
+    "side": phrase("Side of the cutter"),
+    "align": phrase("Alignment"),
+    "filter": phrase("Filter"),
+    "method": phrase("Method"),
+    "gain": phrase("Gain"),
+    "limit": phrase("Limit of a correction"),
+    "dead_band": phrase("Dead band"),
+    "tolerance": phrase("Tolerance of the path"),
+    "output_moves": phrase("Kinds of move written"),
+    "cutter_compensation": phrase("With G41, G42 the program gives"),
+    "depth_along": phrase("Depth along"),
+    "transfer_function": phrase("Transfer function"),
+    "leave_stock": phrase("Stock left on"),
+    "keep_allowance": phrase("Allowance kept"),
+    "unmeasured_share": phrase("Share that may be unmeasured"),
 }
 _LENGTHS = {key for key, one in options_of(Settings).items() if one.unit == "MM"}
 _ELASTIC_ONLY = ("depth_along", "transfer_function")
@@ -465,10 +553,12 @@ _ELASTIC_ONLY = ("depth_along", "transfer_function")
 
 def _settings(result: Result) -> str:
     summary = result.summary()
-    facts = [("Tool diameter", reader.length(2 * result.request.radius))]
-    distance = "the cutter's centre" if result.path_radius else "the contour; the control offsets by the radius"
-    facts.append(("Program gives", distance))
-    facts.append(("Nominal", "given" if result.request.nominal is not None else "the contour that the program cuts"))
+    facts: list[tuple[str, str]] = [(phrase("Tool diameter"), reader.length(2 * result.request.radius))]
+    centre = phrase("the cutter's centre")
+    distance = centre if result.path_radius else phrase("the contour; the control offsets by the radius")
+    facts.append((phrase("Program gives"), distance))
+    given = phrase("given") if result.request.nominal is not None else phrase("the contour that the program cuts")
+    facts.append((phrase("Nominal"), given))
     for name, value in summary["settings"].items():
         if value is None or value == () or (name in _ELASTIC_ONLY and result.request.settings.method == "mirror"):
             continue
@@ -481,9 +571,12 @@ def _settings(result: Result) -> str:
     shift, turn = summary["alignment"]["shift"], summary["alignment"]["rotation_deg"]
     if any(shift) or turn:
         facts.append(
-            ("Aligned by", f"shift X{mm(shift[0], 4)} Y{mm(shift[1], 4)} {reader.coarse()}, turn {turn:.5f} degrees")
+            (
+                phrase("Aligned by"),
+                f"shift X{mm(shift[0], 4)} Y{mm(shift[1], 4)} {reader.coarse()}, turn {turn:.5f} degrees",
+            )
         )
-    return f"<h2>Settings</h2>{html_facts(facts)}"
+    return heading(phrase("Settings")) + html_facts(facts)
 
 
 def _files(result: Result, outputs: Mapping[str, str]) -> str:
@@ -492,9 +585,9 @@ def _files(result: Result, outputs: Mapping[str, str]) -> str:
         f"{escape(str(entry['sha256']))}</span></td></tr>"
         for kind, entry in result.inputs().items()
     )
-    out = f"<h2>Inputs</h2><table class=facts><tbody>{rows}</tbody></table>"
+    out = f"{heading(phrase('Inputs'))}<table class=facts><tbody>{rows}</tbody></table>"
     if outputs:
-        out += f"<h2>Outputs</h2>{html_facts((kind, str(path)) for kind, path in outputs.items())}"
+        out += heading(phrase("Outputs")) + html_facts((kind, str(path)) for kind, path in outputs.items())
     return out
 
 

@@ -8,11 +8,12 @@ from html import escape
 from pathlib import PurePath
 
 from millcorr.comparison.deviation import statistics
+from millcorr.messages import phrase
 from millcorr.pipeline import Result
 from millcorr.process.prediction.predicted_correction import Prediction
 
 from . import reader
-from .html import capital, html_facts, html_table, mm, plural, um, with_unit
+from .html import capital, heading, html_facts, html_table, mm, plural, um, with_unit
 
 _BESIDE = "\N{PLUS-MINUS SIGN}"
 
@@ -50,10 +51,22 @@ def prediction_section(result: Result) -> str:
         s = statistics(cut.deviation.value)
         signed = [um(s[key], True) for key in ("mean", "min", "max")]
         rows.append((name, um(cut.largest), *signed, um(s["height"]), um(s["std"])))
-    table = html_table((f"error expected / {reader.fine()}", "largest", "mean", "min", "max", "height", "std"), rows)
+    table = html_table(
+        (
+            phrase("error expected / {}", reader.fine()),
+            phrase("largest"),
+            phrase("mean"),
+            phrase("min"),
+            phrase("max"),
+            phrase("height"),
+            phrase("std"),
+        ),
+        rows,
+    )
     notes = [text for text in result.advice if text not in prediction.advice()]
     more = "".join(f"<p>{escape(capital(text))}.</p>" for text in notes)
-    return f"<h2>Predicted by the model</h2><p>{words}</p>{html_facts(_facts(result, prediction))}{table}{more}"
+    title = heading(phrase("Predicted by the model"))
+    return f"{title}<p>{words}</p>{html_facts(_facts(result, prediction))}{table}{more}"
 
 
 def _facts(result: Result, prediction: Prediction) -> list[tuple[str, str]]:

@@ -16,12 +16,13 @@ from typing import Any
 import numpy as np
 
 from millcorr.arrays import Floats
+from millcorr.messages import phrase
 from millcorr.pipeline import Request
 from millcorr.process.prediction import Simulation
 from millcorr.process.prediction.signals import Signals
 
 from . import reader
-from .html import figure, html_facts, html_notes, html_page, html_tiles, with_unit
+from .html import figure, heading, html_facts, html_notes, html_page, html_tiles, with_unit
 from .plots import Plot
 from .simulation_script import LOOKS, SCRIPT
 from .simulation_view import magnification, outlines, stock_rings, surface_of, thinned
@@ -77,11 +78,11 @@ def page(
         html_tiles(tiles),
         f"<section class=warnings><b>How far to trust it</b><ul>{cautions}</ul></section>" if cautions else "",
         _STAGE,
-        "<h2>Force, engaged arc and feed</h2>" + figure(plots["load"]),
-        "<h2>Forces and deflections of the axes</h2>" + figure(plots["axes"]),
-        "<h2>Contours and paths</h2>" + figure(plots["contour"]),
+        heading(phrase("Force, engaged arc and feed")) + figure(plots["load"]),
+        heading(phrase("Forces and deflections of the axes")) + figure(plots["axes"]),
+        heading(phrase("Contours and paths")) + figure(plots["contour"]),
         *sections,
-        "<h2>Setup</h2>" + html_facts(_facts(before, setup)),
+        heading(phrase("Setup")) + html_facts(_facts(before, setup)),
     ]
     data = json.dumps(animation(before, after, signals), separators=(",", ":"), allow_nan=False)
     return html_page(

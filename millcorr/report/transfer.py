@@ -10,10 +10,11 @@ import numpy as np
 from millcorr.comparison.deviation import statistics
 from millcorr.correction.wanted_displacement import Elastic
 from millcorr.geometry.correction import along
+from millcorr.messages import phrase
 from millcorr.pipeline import Result
 
 from . import reader
-from .html import figure, html_facts, mm, um, with_unit
+from .html import figure, heading, html_facts, mm, um, with_unit
 from .plots import COVERAGE, MOST_MARKERS, WIDTH, Plot, corners, course, frame, groups
 from .prediction import nothing_measured
 from .svg import Axis, Canvas, columns, polyline
@@ -61,7 +62,8 @@ def transfer_section(result: Result) -> str:
         "Of a commanded depth h the machine removes so much that MS times the removed depth stays (Petrakov 2025, "
         "eq. 4). The corrected program commands (1 + MS) times the next depth."
     )
-    return f"<h2>Transfer function</h2><p>{words}</p>{figure(ms_along_contour(result, elastic))}{html_facts(rows)}"
+    title = heading(phrase("Transfer function"))
+    return f"{title}<p>{words}</p>{figure(ms_along_contour(result, elastic))}{html_facts(rows)}"
 
 
 def _axis(name: str) -> str:

@@ -440,8 +440,12 @@ def _gap_warnings(row: Row, wavelength: float) -> tuple[str, ...]:
         return ()
     i = gaps[np.argmax(row.spacing[gaps])]
     return (
-        f"{gaps.size} gap(s) without points, the longest {row.spacing[i]:.3g} mm from"
-        f" s = {row.place_s[i]:.6g} mm: the deviation there is not known",
+        phrase(
+            "{} gap(s) without points, the longest {} from s = {}: the deviation there is not known",
+            gaps.size,
+            mm(row.spacing[i], ".3g"),
+            mm(row.place_s[i], ".6g"),
+        ),
     )
 
 

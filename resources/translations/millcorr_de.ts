@@ -704,12 +704,12 @@
         <translation>Zu messende Kontur, wenn es nicht die der Operation ist</translation>
     </message>
     <message>
-        <source>Feed of the touch, mm/min</source>
-        <translation>Vorschub der Antastung, mm/min</translation>
+        <source>Feed of the touch</source>
+        <translation>Vorschub der Antastung</translation>
     </message>
     <message>
-        <source>Feed of moves at measuring height, mm/min</source>
-        <translation>Vorschub der Wege in Messhöhe, mm/min</translation>
+        <source>Feed of moves at measuring height</source>
+        <translation>Vorschub der Wege in Messhöhe</translation>
     </message>
     <message>
         <source>Number of the probe in the magazine; 0: it is in use</source>
@@ -1167,6 +1167,18 @@
         <translation>wartet</translation>
     </message>
     <message>
+        <source>Jobs done: {} of {}</source>
+        <translation>Aufträge erledigt: {} von {}</translation>
+    </message>
+    <message>
+        <source>Done in an earlier run: {}</source>
+        <translation>In einem früheren Lauf erledigt: {}</translation>
+    </message>
+    <message>
+        <source>Failed: {}</source>
+        <translation>Fehlgeschlagen: {}</translation>
+    </message>
+    <message>
         <source>the open task ended: OK or Cancel</source>
         <translation>die offene Aufgabe beendet: OK oder Abbrechen</translation>
     </message>
@@ -1277,6 +1289,18 @@
     <message>
         <source>red, undercut blue</source>
         <translation>rot, Unterschnitt blau</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ohne</translation>
+    </message>
+    <message>
+        <source>shift</source>
+        <translation>schieben</translation>
+    </message>
+    <message>
+        <source>rigid</source>
+        <translation>schieben und drehen</translation>
     </message>
     <message>
         <source>none; several separated by ;</source>
@@ -2512,6 +2536,10 @@ In einem Terminal tut dies dasselbe:
         <translation>FreeCADs Postprozessor {} schreibt die Bahn nicht so, wie sie ist: {}; geben Sie mit einem anderen aus</translation>
     </message>
     <message>
+        <source>what FreeCAD's post processor {} makes is no G-code that can be read back and proven ({}{}): choose a post processor of G-code in the job, as linuxcnc or grbl</source>
+        <translation>was FreeCADs Postprozessor {} erzeugt, ist kein G-Code, der zurückgelesen und geprüft werden kann ({}{}): wählen Sie im Auftrag einen Postprozessor für G-Code, etwa linuxcnc oder grbl</translation>
+    </message>
+    <message>
         <source>{}: the operation has no tool with a diameter; set ToolDiameter</source>
         <translation>{}: die Operation hat kein Werkzeug mit Durchmesser; geben Sie den Werkzeugdurchmesser an</translation>
     </message>
@@ -2734,6 +2762,58 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>line {}</source>
         <translation>Zeile {}</translation>
+    </message>
+    <message>
+        <source>a batch needs a plain Python beside FreeCAD's: none was found on the PATH</source>
+        <translation>ein Stapel braucht ein eigenes Python neben dem von FreeCAD: im PATH wurde keines gefunden</translation>
+    </message>
+    <message>
+        <source>{} is not known here: a batch has [defaults] and [[job]]</source>
+        <translation>{} ist hier nicht bekannt: ein Stapel hat [defaults] und [[job]]</translation>
+    </message>
+    <message>
+        <source>a batch needs at least one table [[job]]</source>
+        <translation>ein Stapel braucht mindestens eine Tabelle [[job]]</translation>
+    </message>
+    <message>
+        <source>defaults must be a table</source>
+        <translation>defaults muss eine Tabelle sein</translation>
+    </message>
+    <message>
+        <source>job {}: its name must be one line of text</source>
+        <translation>Auftrag {}: sein Name muss eine Zeile Text sein</translation>
+    </message>
+    <message>
+        <source>{}: verb is one of {}, not {!r}</source>
+        <translation>{}: verb ist eines von {}, nicht {!r}</translation>
+    </message>
+    <message>
+        <source>no TOML in UTF-8: {}</source>
+        <translation>kein TOML in UTF-8: {}</translation>
+    </message>
+    <message>
+        <source>defaults: {} is no option</source>
+        <translation>defaults: {} ist keine Option</translation>
+    </message>
+    <message>
+        <source>{}: {} is no option of {}</source>
+        <translation>{}: {} ist keine Option von {}</translation>
+    </message>
+    <message>
+        <source>{}: {} = {} is not possible</source>
+        <translation>{}: {} = {} ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>{}: two jobs have this name</source>
+        <translation>{}: zwei Aufträge heißen so</translation>
+    </message>
+    <message>
+        <source>{}: {} and {} both write {}</source>
+        <translation>{}: {} und {} schreiben beide {}</translation>
+    </message>
+    <message>
+        <source>{}: {} reads {}, which {} writes: jobs run at the same time; make two batches of them</source>
+        <translation>{}: {} liest {}, das {} schreibt: Aufträge laufen gleichzeitig; machen Sie zwei Stapel daraus</translation>
     </message>
     <message>
         <source>alignment: the points do not determine the {}; the fit leaves it alone</source>
@@ -3366,6 +3446,30 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>this is a binary file or UTF-16 text: save the program as plain text</source>
         <translation>das ist eine Binärdatei oder Text in UTF-16: speichern Sie das Programm als einfachen Text</translation>
+    </message>
+    <message>
+        <source>cannot read '{}': is this a plain-language block?</source>
+        <translation>„{}“ ist nicht zu lesen: ist das ein Klartextsatz?</translation>
+    </message>
+    <message>
+        <source>BEGIN PGM without a unit: state MM or INCH</source>
+        <translation>BEGIN PGM ohne Einheit: geben Sie MM oder INCH an</translation>
+    </message>
+    <message>
+        <source>this line runs {} times, and its {} and {} want other words: write the runs out, each with lines of its own</source>
+        <translation>diese Zeile läuft {}-mal, und ihr {} und ihr {} wollen verschiedene Worte: schreiben Sie die Durchläufe aus, jeden mit eigenen Zeilen</translation>
+    </message>
+    <message>
+        <source>{}{} cannot be corrected: {} is used {} times (line {}); state the numbers in these lines</source>
+        <translation>{}{} kann nicht korrigiert werden: {} wird {}-mal gebraucht (Zeile {}); geben Sie die Zahlen in diesen Zeilen an</translation>
+    </message>
+    <message>
+        <source>'{}' would not be read: {}</source>
+        <translation>„{}“ wäre nicht zu lesen: {}</translation>
+    </message>
+    <message>
+        <source>toolpath: line {} of {} cannot be written</source>
+        <translation>Werkzeugbahn: Zeile {} von {} kann nicht geschrieben werden</translation>
     </message>
     <message>
         <source>arc from an unknown start: state the position before it</source>
@@ -4336,6 +4440,26 @@ In einem Terminal tut dies dasselbe:
         <translation>{} muss zwischen {:g} und 1000 mm liegen</translation>
     </message>
     <message>
+        <source>cutting: the move that cuts at {} has no feed in mm/min: state F in G94</source>
+        <translation>Zerspanung: der schneidende Weg bei {} hat keinen Vorschub in mm/min: geben Sie F in G94 an</translation>
+    </message>
+    <message>
+        <source>setup: [tool] overhang_mm is missing: how the tool bends along its height needs it</source>
+        <translation>Einrichtung: [tool] overhang_mm fehlt: wie sich das Werkzeug über die Höhe biegt, hängt davon ab</translation>
+    </message>
+    <message>
+        <source>{}: [machine] stiffness_along has {:g} N/mm, of the whole loop, tool included, but the tool alone has {:.0f} N/mm at its tip: correct [tool] overhang_mm, youngs_modulus_gpa or stiffness_n_per_mm</source>
+        <translation>{}: [machine] stiffness_along hat {:g} N/mm für den ganzen Kraftfluss samt Werkzeug, aber das Werkzeug allein hat {:.0f} N/mm an der Spitze: berichtigen Sie [tool] overhang_mm, youngs_modulus_gpa oder stiffness_n_per_mm</translation>
+    </message>
+    <message>
+        <source>setup: [machine] {} {:g} N/mm is of the whole loop, tool included, but the tool alone has {:.0f} N/mm at its tip: correct [tool] overhang_mm, youngs_modulus_gpa or stiffness_n_per_mm, or leave the key out for a rigid machine</source>
+        <translation>Einrichtung: [machine] {} {:g} N/mm gilt für den ganzen Kraftfluss samt Werkzeug, aber das Werkzeug allein hat {:.0f} N/mm an der Spitze: berichtigen Sie [tool] overhang_mm, youngs_modulus_gpa oder stiffness_n_per_mm, oder lassen Sie den Schlüssel für eine starre Maschine weg</translation>
+    </message>
+    <message>
+        <source>predicted deviation: the path cuts away again all that it makes</source>
+        <translation>vorhergesagte Abweichung: die Bahn schneidet alles wieder weg, was sie erzeugt</translation>
+    </message>
+    <message>
         <source>wall error: the deflection does not settle near {}, it still changes by {}; check [tool] overhang_mm, [material] and the radial depth of cut</source>
         <translation>Wandfehler: die Verformung kommt nahe {} nicht zur Ruhe, sie ändert sich noch um {}; prüfen Sie [tool] overhang_mm, [material] und die radiale Schnitttiefe</translation>
     </message>
@@ -4346,6 +4470,14 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>wall error: the program makes no wall {} above its deepest tip</source>
         <translation>Wandfehler: das Programm macht keine Wand {} über seiner tiefsten Spitze</translation>
+    </message>
+    <message>
+        <source>{}: no move cuts in the XY plane at constant height</source>
+        <translation>{}: kein Weg schneidet in der XY-Ebene auf gleicher Höhe</translation>
+    </message>
+    <message>
+        <source>{}: no move that cuts in the XY plane can be followed</source>
+        <translation>{}: keinem Weg, der in der XY-Ebene schneidet, ist zu folgen</translation>
     </message>
     <message>
         <source>tilt: the slope of the wall needs two heights at least</source>
@@ -4370,6 +4502,94 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>stretch {} ({}): at most {} off over the heights; shift {}: {}; shift and tilt {:+.4f} deg: {}, and the tilted end face digs {} below the tip</source>
         <translation>Abschnitt {} ({}): höchstens {} Fehler über die Höhen; Verschiebung {}: {}; Verschiebung und Neigung {:+.4f}°: {}, und die geneigte Stirn gräbt {} unter die Spitze</translation>
+    </message>
+    <message>
+        <source>{}: the program cuts with G41 or G42, so it does not say where the cutter's centre goes: give a program of the centre path</source>
+        <translation>{}: das Programm schneidet mit G41 oder G42 und sagt daher nicht, wo die Fräsermitte läuft: geben Sie ein Programm der Mittelpunktsbahn</translation>
+    </message>
+    <message>
+        <source>{}: engagement needs arcs in the XY plane (G17); the program has others that cut</source>
+        <translation>{}: der Eingriff braucht Bögen in der XY-Ebene (G17); das Programm hat andere, die schneiden</translation>
+    </message>
+    <message>
+        <source>{}: line {} cuts from a place the program has not stated: state X and Y before it</source>
+        <translation>{}: Zeile {} schneidet von einem Ort aus, den das Programm nicht angegeben hat: geben Sie davor X und Y an</translation>
+    </message>
+    <message>
+        <source>the curve near {} bends too sharply to be followed</source>
+        <translation>die Kurve bei {} ist zu stark gekrümmt, um ihr zu folgen</translation>
+    </message>
+    <message>
+        <source>load ratio: the cutter takes nothing at {}, where the part was touched</source>
+        <translation>Lastverhältnis: der Fräser nimmt bei {} nichts ab, wo das Teil angetastet wurde</translation>
+    </message>
+    <message>
+        <source>load ratio: the program cuts only air</source>
+        <translation>Lastverhältnis: das Programm schneidet nur Luft</translation>
+    </message>
+    <message>
+        <source>engagement: the program states no Z: give [stock] axial_depth_mm in place of top_z_mm</source>
+        <translation>Eingriff: das Programm gibt kein Z an: geben Sie [stock] axial_depth_mm statt top_z_mm</translation>
+    </message>
+    <message>
+        <source>engagement: the program stays above the stock's face at {}: check [stock] top_z_mm</source>
+        <translation>Eingriff: das Programm bleibt über der Rohteilfläche bei {}: prüfen Sie [stock] top_z_mm</translation>
+    </message>
+    <message>
+        <source>engagement: the program cuts at {} heights, more than {}: it is no flank milling</source>
+        <translation>Eingriff: das Programm schneidet auf {} Höhen, mehr als {}: das ist kein Flankenfräsen</translation>
+    </message>
+    <message>
+        <source>engagement: the program cuts with several tools ({}): give the moves of one</source>
+        <translation>Eingriff: das Programm schneidet mit mehreren Werkzeugen ({}): geben Sie die Wege von einem</translation>
+    </message>
+    <message>
+        <source>engagement: the program has no cutting move in the XY plane</source>
+        <translation>Eingriff: das Programm hat keinen schneidenden Weg in der XY-Ebene</translation>
+    </message>
+    <message>
+        <source>setup: [stock] allowance_mm needs the nominal profile it lies on</source>
+        <translation>Einrichtung: [stock] allowance_mm braucht das Sollprofil, auf dem es liegt</translation>
+    </message>
+    <message>
+        <source>acc/dec time {:g} s: state 0, or {:g} s or more</source>
+        <translation>Beschleunigungszeit {:g} s: geben Sie 0 an, oder {:g} s oder mehr</translation>
+    </message>
+    <message>
+        <source>servo gain {:g} 1/s: state a gain above 0 up to {:g}, or leave it out for an ideal servo</source>
+        <translation>Kv-Faktor {:g} 1/s: geben Sie einen über 0 bis {:g} an, oder lassen Sie ihn für einen idealen Antrieb weg</translation>
+    </message>
+    <message>
+        <source>rapid speed {:g} mm/s: state a speed above 0, or leave it out</source>
+        <translation>Eilgang {:g} mm/s: geben Sie eine Geschwindigkeit über 0 an, oder lassen Sie ihn weg</translation>
+    </message>
+    <message>
+        <source>speed change at corners {:g} mm/s: state a speed above 0</source>
+        <translation>Geschwindigkeitssprung an Ecken {:g} mm/s: geben Sie eine Geschwindigkeit über 0 an</translation>
+    </message>
+    <message>
+        <source>accuracy-maintenance time: slope and intercept are 0 or more, and not both 0</source>
+        <translation>Zeit zum Halten der Genauigkeit: Steigung und Achsenabschnitt sind 0 oder mehr, und nicht beide 0</translation>
+    </message>
+    <message>
+        <source>in-position width {}: state a width above 0</source>
+        <translation>Positionierfenster {}: geben Sie eine Breite über 0 an</translation>
+    </message>
+    <message>
+        <source>this dwell cannot be read: state one of P, X or U</source>
+        <translation>diese Verweilzeit ist nicht zu lesen: geben Sie eines von P, X oder U an</translation>
+    </message>
+    <message>
+        <source>controls differ on whether {}{:g} are seconds or milliseconds: state the unit of dwells</source>
+        <translation>Steuerungen verstehen {}{:g} verschieden, als Sekunden oder Millisekunden: geben Sie die Einheit der Verweilzeiten an</translation>
+    </message>
+    <message>
+        <source>line {}: this curve bends too sharply to be followed; write it as lines or arcs</source>
+        <translation>Zeile {}: diese Kurve ist zu stark gekrümmt, um ihr zu folgen; schreiben Sie sie als Geraden oder Bögen</translation>
+    </message>
+    <message>
+        <source>{}: no move can be followed</source>
+        <translation>{}: keinem Weg ist zu folgen</translation>
     </message>
     <message>
         <source>combined control: no stiffness makes the model leave what was touched, {} are still missing: check {}, [stock] and [material]</source>
@@ -6244,20 +6464,20 @@ In einem Terminal tut dies dasselbe:
         <translation>keine Messpunkte; {} gemessene Merkmale ohne solche</translation>
     </message>
     <message>
+        <source>point set {}: its ProbeRadius is not positive</source>
+        <translation>Punktsatz {}: sein ProbeRadius ist nicht positiv</translation>
+    </message>
+    <message>
         <source>points left out: {}</source>
         <translation>Punkte weggelassen: {}</translation>
     </message>
     <message>
+        <source>measured point {} has no Location</source>
+        <translation>Messpunkt {} hat keine Location</translation>
+    </message>
+    <message>
         <source>points {} to {} are wanted of point set {}, which has {}</source>
         <translation>die Punkte {} bis {} des Punktsatzes {} werden verlangt, der {} hat</translation>
-    </message>
-    <message>
-        <source>measured point {} refers to feature item {}, which is not in the file</source>
-        <translation>Messpunkt {} verweist auf das Merkmal {}, das nicht in der Datei ist</translation>
-    </message>
-    <message>
-        <source>feature item {} refers to nominal {}, which is not in the file</source>
-        <translation>das Merkmal {} verweist auf das Sollmerkmal {}, das nicht in der Datei ist</translation>
     </message>
     <message>
         <source>{} locations are taken for what the file's others are</source>
@@ -6284,8 +6504,12 @@ In einem Terminal tut dies dasselbe:
         <translation>{} von {} Merkmalen</translation>
     </message>
     <message>
-        <source>measured point {} has no Location</source>
-        <translation>Messpunkt {} hat keine Location</translation>
+        <source>feature item {} refers to nominal {}, which is not in the file</source>
+        <translation>das Merkmal {} verweist auf das Sollmerkmal {}, das nicht in der Datei ist</translation>
+    </message>
+    <message>
+        <source>measured point {} refers to feature item {}, which is not in the file</source>
+        <translation>Messpunkt {} verweist auf das Merkmal {}, das nicht in der Datei ist</translation>
     </message>
     <message>
         <source>of feature {}</source>
@@ -6300,6 +6524,10 @@ In einem Terminal tut dies dasselbe:
         <translation>Element {}: </translation>
     </message>
     <message>
+        <source>{} is no range of points of set {}</source>
+        <translation>{} ist kein Bereich von Punkten des Satzes {}</translation>
+    </message>
+    <message>
         <source>{:g} m is no unit of length</source>
         <translation>{:g} m ist keine Längeneinheit</translation>
     </message>
@@ -6312,12 +6540,16 @@ In einem Terminal tut dies dasselbe:
         <translation>id {} kommt zweimal vor, zuerst in Zeile {}</translation>
     </message>
     <message>
-        <source>{} is no range of points of set {}</source>
-        <translation>{} ist kein Bereich von Punkten des Satzes {}</translation>
+        <source>a MeasurePoint of feature {} has no Point</source>
+        <translation>ein MeasurePoint des Merkmals {} hat keinen Point</translation>
     </message>
     <message>
         <source>feature {}: Compensated {} is not true or false</source>
         <translation>Merkmal {}: Compensated {} ist weder true noch false</translation>
+    </message>
+    <message>
+        <source>a MeasurePoint of feature {} lacks Compensated, or all others do</source>
+        <translation>einem MeasurePoint des Merkmals {} fehlt Compensated, oder allen anderen</translation>
     </message>
     <message>
         <source>point set {} has no count</source>
@@ -6332,6 +6564,10 @@ In einem Terminal tut dies dasselbe:
         <translation>Punktsatz {} hat ein eigenes {}: geben Sie die Punkte im gemeinsamen System und in der gemeinsamen Einheit aus</translation>
     </message>
     <message>
+        <source>point set {}: {} {} is not true or false</source>
+        <translation>Punktsatz {}: {} {} ist weder true noch false</translation>
+    </message>
+    <message>
         <source>point set {}: {} has {} bytes for {} points</source>
         <translation>Punktsatz {}: {} hat {} Bytes für {} Punkte</translation>
     </message>
@@ -6344,28 +6580,12 @@ In einem Terminal tut dies dasselbe:
         <translation>{}{:g} ist keine Länge, die eine Maschine fahren kann</translation>
     </message>
     <message>
-        <source>a MeasurePoint of feature {} has no Point</source>
-        <translation>ein MeasurePoint des Merkmals {} hat keinen Point</translation>
-    </message>
-    <message>
-        <source>a MeasurePoint of feature {} lacks Compensated, or all others do</source>
-        <translation>einem MeasurePoint des Merkmals {} fehlt Compensated, oder allen anderen</translation>
-    </message>
-    <message>
-        <source>point set {}: {} {} is not true or false</source>
-        <translation>Punktsatz {}: {} {} ist weder true noch false</translation>
-    </message>
-    <message>
         <source>point set {}: {} is no base64</source>
         <translation>Punktsatz {}: {} ist kein base64</translation>
     </message>
     <message>
         <source>{}{} is no number</source>
         <translation>{}{} ist keine Zahl</translation>
-    </message>
-    <message>
-        <source>point set {}: its ProbeRadius is not positive</source>
-        <translation>Punktsatz {}: sein ProbeRadius ist nicht positiv</translation>
     </message>
     <message>
         <source>the measurement</source>
@@ -6812,8 +7032,428 @@ In einem Terminal tut dies dasselbe:
         <translation>{} braucht Messpunkte: Vorhergesagtes ist kein Prüfergebnis</translation>
     </message>
     <message>
+        <source>Serial production</source>
+        <translation>Serienfertigung</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>time (UTC)</source>
+        <translation>Zeit (UTC)</translation>
+    </message>
+    <message>
+        <source>std</source>
+        <translation>Std.-Abw.</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Spanne</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>größte</translation>
+    </message>
+    <message>
+        <source>smoothed</source>
+        <translation>geglättet</translation>
+    </message>
+    <message>
+        <source>correction</source>
+        <translation>Korrektur</translation>
+    </message>
+    <message>
+        <source>decision</source>
+        <translation>Entscheidung</translation>
+    </message>
+    <message>
+        <source>First program, SHA-256</source>
+        <translation>Erstes Programm, SHA-256</translation>
+    </message>
+    <message>
+        <source>Program for the next part</source>
+        <translation>Programm für das nächste Teil</translation>
+    </message>
+    <message>
+        <source>What the machine does</source>
+        <translation>Was die Maschine tut</translation>
+    </message>
+    <message>
+        <source>Settings of part {}</source>
+        <translation>Einstellungen von Teil {}</translation>
+    </message>
+    <message>
         <source>magnification {:g}: must be from 1 to {:.0f}</source>
         <translation>Vergrößerung {:g}: muss zwischen 1 und {:.0f} liegen</translation>
+    </message>
+    <message>
+        <source>Read back, the program keeps the exact path to {}, within its tolerance of {}.</source>
+        <translation>Zurückgelesen hält das Programm die genaue Bahn auf {} ein, innerhalb seiner Toleranz von {}.</translation>
+    </message>
+    <message>
+        <source>Read back, the program keeps the exact path to {}, &lt;b&gt;outside&lt;/b&gt; its tolerance of {}.</source>
+        <translation>Zurückgelesen hält das Programm die genaue Bahn auf {} ein, &lt;b&gt;außerhalb&lt;/b&gt; seiner Toleranz von {}.</translation>
+    </message>
+    <message>
+        <source>The random part is not known here, so the prediction is too favourable: the next part brings its own, and what was random on this part comes on top.</source>
+        <translation>Der zufällige Anteil ist hier nicht bekannt, die Vorhersage daher zu günstig: das nächste Teil bringt seinen eigenen mit, und was an diesem Teil zufällig war, kommt hinzu.</translation>
+    </message>
+    <message>
+        <source>The emitted program was read back and its path compared with the exact parallel of the compensated profile.</source>
+        <translation>Das geschriebene Programm wurde zurückgelesen und seine Bahn mit der genauen Parallelen des korrigierten Profils verglichen.</translation>
+    </message>
+    <message>
+        <source>Side of the cutter</source>
+        <translation>Seite des Fräsers</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>Einpassung</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Limit of a correction</source>
+        <translation>Grenze einer Korrektur</translation>
+    </message>
+    <message>
+        <source>Dead band</source>
+        <translation>Totband</translation>
+    </message>
+    <message>
+        <source>Tolerance of the path</source>
+        <translation>Toleranz der Bahn</translation>
+    </message>
+    <message>
+        <source>Kinds of move written</source>
+        <translation>Geschriebene Wegarten</translation>
+    </message>
+    <message>
+        <source>With G41, G42 the program gives</source>
+        <translation>Mit G41, G42 gibt das Programm an</translation>
+    </message>
+    <message>
+        <source>Depth along</source>
+        <translation>Tiefe entlang</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Übertragungsfunktion</translation>
+    </message>
+    <message>
+        <source>Stock left on</source>
+        <translation>Aufmaß</translation>
+    </message>
+    <message>
+        <source>Allowance kept</source>
+        <translation>Aufmaß bleibt</translation>
+    </message>
+    <message>
+        <source>Share that may be unmeasured</source>
+        <translation>Anteil, der ungemessen sein darf</translation>
+    </message>
+    <message>
+        <source>the cutter's centre</source>
+        <translation>die Fräsermitte</translation>
+    </message>
+    <message>
+        <source>Toolpath correction report</source>
+        <translation>Bericht der Bahnkorrektur</translation>
+    </message>
+    <message>
+        <source>{} to {}, {} in the mean</source>
+        <translation>{} bis {}, im Mittel {}</translation>
+    </message>
+    <message>
+        <source>1 move</source>
+        <translation>1 Weg</translation>
+    </message>
+    <message>
+        <source>{} moves</source>
+        <translation>{} Wege</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>{} warnings</source>
+        <translation>{} Warnungen</translation>
+    </message>
+    <message>
+        <source>Deviations are signed along the nominal's normal: &lt;b&gt;positive is excess material, negative is undercut&lt;/b&gt;. Deviations in {}, coordinates and lengths in {}.</source>
+        <translation>Abweichungen zählen entlang der Normalen des Sollprofils: &lt;b&gt;positiv ist stehendes Material, negativ ist Unterschnitt&lt;/b&gt;. Abweichungen in {}, Koordinaten und Längen in {}.</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>kleinste</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>größte</translation>
+    </message>
+    <message>
+        <source>profile value</source>
+        <translation>Profilwert</translation>
+    </message>
+    <message>
+        <source>All by the model: the program as it came, and after the correction, each simulated.</source>
+        <translation>Alles nach dem Modell: das Programm, wie es kam, und nach der Korrektur, beide simuliert.</translation>
+    </message>
+    <message>
+        <source>The profile value is 2·max|d|, to be held against the width of a profile tolerance zone (ISO 1101).</source>
+        <translation>Der Profilwert ist 2·max|d|, zu vergleichen mit der Breite einer Profiltoleranzzone (ISO 1101).</translation>
+    </message>
+    <message>
+        <source>The next part brings its own random part: measured the same way, a standard deviation of about &lt;b&gt;{}&lt;/b&gt; is to be expected.</source>
+        <translation>Das nächste Teil bringt seinen eigenen zufälligen Anteil mit: gleich gemessen ist eine Standardabweichung von etwa &lt;b&gt;{}&lt;/b&gt; zu erwarten.</translation>
+    </message>
+    <message>
+        <source>predicted mean</source>
+        <translation>Mittel, erwartet</translation>
+    </message>
+    <message>
+        <source>Deviations on the contour</source>
+        <translation>Abweichungen an der Kontur</translation>
+    </message>
+    <message>
+        <source>Contour</source>
+        <translation>Kontur</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>measured / {}</source>
+        <translation>gemessen / {}</translation>
+    </message>
+    <message>
+        <source>expected / {}</source>
+        <translation>erwartet / {}</translation>
+    </message>
+    <message>
+        <source>The program's own path error</source>
+        <translation>Eigener Bahnfehler des Programms</translation>
+    </message>
+    <message>
+        <source>at the points</source>
+        <translation>an den Punkten</translation>
+    </message>
+    <message>
+        <source>the contour; the control offsets by the radius</source>
+        <translation>die Kontur; die Steuerung versetzt um den Radius</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>angegeben</translation>
+    </message>
+    <message>
+        <source>the contour that the program cuts</source>
+        <translation>die Kontur, die das Programm fräst</translation>
+    </message>
+    <message>
+        <source>{} measured points ({}) show deviations of {}.</source>
+        <translation>{} gemessene Punkte ({}) zeigen Abweichungen von {}.</translation>
+    </message>
+    <message>
+        <source>No measurement: the path is laid on the exact parallel of the nominal contour.</source>
+        <translation>Keine Messung: die Bahn wird auf die genaue Parallele der Sollkontur gelegt.</translation>
+    </message>
+    <message>
+        <source>Nothing is to be corrected: &lt;b&gt;the program stays as it is&lt;/b&gt;.</source>
+        <translation>Nichts ist zu korrigieren: &lt;b&gt;das Programm bleibt, wie es ist&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>largest correction of the contour</source>
+        <translation>größte Korrektur der Kontur</translation>
+    </message>
+    <message>
+        <source>largest path error of the program, read back</source>
+        <translation>größter Bahnfehler des Programms, zurückgelesen</translation>
+    </message>
+    <message>
+        <source>No points were measured.</source>
+        <translation>Es wurden keine Punkte gemessen.</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>determined part</source>
+        <translation>bestimmter Anteil</translation>
+    </message>
+    <message>
+        <source>predicted after</source>
+        <translation>danach erwartet</translation>
+    </message>
+    <message>
+        <source>Predicted: what the model expects at the same points, their random part unchanged.</source>
+        <translation>Erwartet: was das Modell an denselben Punkten voraussagt, ihr zufälliger Anteil unverändert.</translation>
+    </message>
+    <message>
+        <source>Predicted: the same points after the correction, this part's random part unchanged.</source>
+        <translation>Erwartet: dieselben Punkte nach der Korrektur, der zufällige Anteil dieses Teils unverändert.</translation>
+    </message>
+    <message>
+        <source>What repeats and what does not</source>
+        <translation>Was sich wiederholt und was nicht</translation>
+    </message>
+    <message>
+        <source>The correction in force</source>
+        <translation>Die Korrektur, die schon wirkt</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the correction</source>
+        <translation>Unsicherheit der Korrektur</translation>
+    </message>
+    <message>
+        <source>Largest correction</source>
+        <translation>Größte Korrektur</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>Wege</translation>
+    </message>
+    <message>
+        <source>{} of the program's moves changed, {} written</source>
+        <translation>{} Wege des Programms geändert, {} geschrieben</translation>
+    </message>
+    <message>
+        <source>Largest displacement of a vertex</source>
+        <translation>Größte Verschiebung eines Eckpunkts</translation>
+    </message>
+    <message>
+        <source>Largest path error</source>
+        <translation>Größter Bahnfehler</translation>
+    </message>
+    <message>
+        <source>Gouge</source>
+        <translation>Profilverletzung</translation>
+    </message>
+    <message>
+        <source>{} nearer to the profile than the cutter's radius at most</source>
+        <translation>höchstens {} näher am Profil als der Fräserradius</translation>
+    </message>
+    <message>
+        <source>Profile as NURBS</source>
+        <translation>Profil als NURBS</translation>
+    </message>
+    <message>
+        <source>within {} of the exact compensated contour</source>
+        <translation>innerhalb {} der genauen korrigierten Kontur</translation>
+    </message>
+    <message>
+        <source>Checked length of path</source>
+        <translation>Geprüfte Bahnlänge</translation>
+    </message>
+    <message>
+        <source>Tool diameter</source>
+        <translation>Werkzeugdurchmesser</translation>
+    </message>
+    <message>
+        <source>Program gives</source>
+        <translation>Programm gibt an</translation>
+    </message>
+    <message>
+        <source>Nominal</source>
+        <translation>Sollkontur</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Nothing was measured&lt;/b&gt;: the model of {} leaves {}.</source>
+        <translation>&lt;b&gt;Nichts wurde gemessen&lt;/b&gt;: das Modell von {} lässt {}.</translation>
+    </message>
+    <message>
+        <source>The model expects at most {} along the whole contour before the correction and {} after it.</source>
+        <translation>Das Modell erwartet entlang der ganzen Kontur höchstens {} vor der Korrektur und {} danach.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;{} of the program change&lt;/b&gt; by the path's own error only.</source>
+        <translation>Im Programm &lt;b&gt;geändert: {}&lt;/b&gt;, nur um den Fehler der Bahn selbst.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;The correction moves the contour by up to {}&lt;/b&gt; (at {}) and changes {}.</source>
+        <translation>&lt;b&gt;Die Korrektur verschiebt die Kontur um bis zu {}&lt;/b&gt; (bei {}) und ändert {}.</translation>
+    </message>
+    <message>
+        <source>mean deviation, {}, before and predicted</source>
+        <translation>mittlere Abweichung, {}, vorher und erwartet</translation>
+    </message>
+    <message>
+        <source>height (max − min), {}, before and predicted</source>
+        <translation>Spanne (größte − kleinste), {}, vorher und erwartet</translation>
+    </message>
+    <message>
+        <source>changed in the program</source>
+        <translation>im Programm geändert</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>Abweichungen</translation>
+    </message>
+    <message>
+        <source>contour {}, Z {}</source>
+        <translation>Kontur {}, Z {}</translation>
+    </message>
+    <message>
+        <source>Outliers</source>
+        <translation>Ausreißer</translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation>quadr. Mittel</translation>
+    </message>
+    <message>
+        <source>Correction</source>
+        <translation>Korrektur</translation>
+    </message>
+    <message>
+        <source>Verification</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Aligned by</source>
+        <translation>Eingepasst um</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Eingaben</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>Ausgaben</translation>
+    </message>
+    <message>
+        <source>1 measured point ({}) shows deviations of {}.</source>
+        <translation>1 gemessener Punkt ({}) zeigt Abweichungen von {}.</translation>
+    </message>
+    <message>
+        <source>Deviation along the contour</source>
+        <translation>Abweichung entlang der Kontur</translation>
+    </message>
+    <message>
+        <source>Path and contour</source>
+        <translation>Bahn und Kontur</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Verteilung</translation>
     </message>
     <message>
         <source>on the profile</source>
@@ -6852,6 +7492,30 @@ In einem Terminal tut dies dasselbe:
         <translation>stehendes Material {}: muss {} sein</translation>
     </message>
     <message>
+        <source>Predicted by the model</source>
+        <translation>Vom Modell vorhergesagt</translation>
+    </message>
+    <message>
+        <source>error expected / {}</source>
+        <translation>erwarteter Fehler / {}</translation>
+    </message>
+    <message>
+        <source>Force, engaged arc and feed</source>
+        <translation>Kraft, Eingriffsbogen und Vorschub</translation>
+    </message>
+    <message>
+        <source>Forces and deflections of the axes</source>
+        <translation>Kräfte und Auslenkungen der Achsen</translation>
+    </message>
+    <message>
+        <source>Contours and paths</source>
+        <translation>Konturen und Bahnen</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Einrichtung</translation>
+    </message>
+    <message>
         <source>nothing is to be corrected, the program stays as it is</source>
         <translation>nichts ist zu korrigieren, das Programm bleibt, wie es ist</translation>
     </message>
@@ -6866,6 +7530,10 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>look at {}</source>
         <translation>Ansehen: {}</translation>
+    </message>
+    <message>
+        <source>{} was accepted and is not resolved</source>
+        <translation>{} wurde angenommen und ist nicht gelöst</translation>
     </message>
     <message>
         <source>{} of {} points are outliers, there the largest</source>
@@ -6888,10 +7556,6 @@ In einem Terminal tut dies dasselbe:
         <translation>Verwenden, wenn geklärt ist, was die Warnungen fragen</translation>
     </message>
     <message>
-        <source>{} was accepted and is not resolved</source>
-        <translation>{} wurde angenommen und ist nicht gelöst</translation>
-    </message>
-    <message>
         <source>measure again or average parts</source>
         <translation>Neu messen oder Teile mitteln</translation>
     </message>
@@ -6910,6 +7574,10 @@ In einem Terminal tut dies dasselbe:
     <message>
         <source>legal filters: none, mean:5, mean:1,2,3,2,1 (odd number of weights), gauss:MM, robust:MM, auto</source>
         <translation>zulässige Filter: none, mean:5, mean:1,2,3,2,1 (ungerade Zahl von Gewichten), gauss:MM, robust:MM, auto</translation>
+    </message>
+    <message>
+        <source>{} gap(s) without points, the longest {} from s = {}: the deviation there is not known</source>
+        <translation>{} Lücke(n) ohne Punkte, die längste {} ab s = {}: die Abweichung dort ist nicht bekannt</translation>
     </message>
     <message>
         <source>a single point: its deviation is taken as it is, the random part cannot be known</source>

@@ -704,12 +704,12 @@
         <translation>Контур для вимірювання, якщо він не з операції</translation>
     </message>
     <message>
-        <source>Feed of the touch, mm/min</source>
-        <translation>Подача дотику, мм/хв</translation>
+        <source>Feed of the touch</source>
+        <translation>Подача дотику</translation>
     </message>
     <message>
-        <source>Feed of moves at measuring height, mm/min</source>
-        <translation>Подача рухів на висоті вимірювання, мм/хв</translation>
+        <source>Feed of moves at measuring height</source>
+        <translation>Подача рухів на висоті вимірювання</translation>
     </message>
     <message>
         <source>Number of the probe in the magazine; 0: it is in use</source>
@@ -1167,6 +1167,18 @@
         <translation>чекає</translation>
     </message>
     <message>
+        <source>Jobs done: {} of {}</source>
+        <translation>Завдань виконано: {} із {}</translation>
+    </message>
+    <message>
+        <source>Done in an earlier run: {}</source>
+        <translation>Виконано в попередньому запуску: {}</translation>
+    </message>
+    <message>
+        <source>Failed: {}</source>
+        <translation>Не вдалося: {}</translation>
+    </message>
+    <message>
         <source>the open task ended: OK or Cancel</source>
         <translation>завершити відкрите завдання: OK або Скасувати</translation>
     </message>
@@ -1277,6 +1289,18 @@
     <message>
         <source>red, undercut blue</source>
         <translation>червоний, підріз синій</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>без</translation>
+    </message>
+    <message>
+        <source>shift</source>
+        <translation>зсув</translation>
+    </message>
+    <message>
+        <source>rigid</source>
+        <translation>зсув і поворот</translation>
     </message>
     <message>
         <source>none; several separated by ;</source>
@@ -2512,6 +2536,10 @@ In a terminal, this does the same:
         <translation>постпроцесор FreeCAD {} записує траєкторію не такою, якою вона є: {}; виведіть іншим</translation>
     </message>
     <message>
+        <source>what FreeCAD's post processor {} makes is no G-code that can be read back and proven ({}{}): choose a post processor of G-code in the job, as linuxcnc or grbl</source>
+        <translation>те, що створює постпроцесор FreeCAD {}, не є G-кодом, який можна прочитати назад і перевірити ({}{}): виберіть у завданні постпроцесор G-коду, наприклад linuxcnc або grbl</translation>
+    </message>
+    <message>
         <source>{}: the operation has no tool with a diameter; set ToolDiameter</source>
         <translation>{}: операція не має інструмента з діаметром; задайте діаметр інструмента</translation>
     </message>
@@ -2734,6 +2762,58 @@ In a terminal, this does the same:
     <message>
         <source>line {}</source>
         <translation>рядок {}</translation>
+    </message>
+    <message>
+        <source>a batch needs a plain Python beside FreeCAD's: none was found on the PATH</source>
+        <translation>пакету потрібен окремий Python поруч із FreeCAD: у PATH його не знайдено</translation>
+    </message>
+    <message>
+        <source>{} is not known here: a batch has [defaults] and [[job]]</source>
+        <translation>{} тут не відоме: пакет має [defaults] і [[job]]</translation>
+    </message>
+    <message>
+        <source>a batch needs at least one table [[job]]</source>
+        <translation>пакету потрібна щонайменше одна таблиця [[job]]</translation>
+    </message>
+    <message>
+        <source>defaults must be a table</source>
+        <translation>defaults має бути таблицею</translation>
+    </message>
+    <message>
+        <source>job {}: its name must be one line of text</source>
+        <translation>завдання {}: його назва має бути одним рядком тексту</translation>
+    </message>
+    <message>
+        <source>{}: verb is one of {}, not {!r}</source>
+        <translation>{}: verb є одним із {}, а не {!r}</translation>
+    </message>
+    <message>
+        <source>no TOML in UTF-8: {}</source>
+        <translation>не TOML у UTF-8: {}</translation>
+    </message>
+    <message>
+        <source>defaults: {} is no option</source>
+        <translation>defaults: {} не є параметром</translation>
+    </message>
+    <message>
+        <source>{}: {} is no option of {}</source>
+        <translation>{}: {} не є параметром {}</translation>
+    </message>
+    <message>
+        <source>{}: {} = {} is not possible</source>
+        <translation>{}: {} = {} неможливо</translation>
+    </message>
+    <message>
+        <source>{}: two jobs have this name</source>
+        <translation>{}: два завдання мають цю назву</translation>
+    </message>
+    <message>
+        <source>{}: {} and {} both write {}</source>
+        <translation>{}: {} і {} обидва записують {}</translation>
+    </message>
+    <message>
+        <source>{}: {} reads {}, which {} writes: jobs run at the same time; make two batches of them</source>
+        <translation>{}: {} читає {}, який записує {}: завдання виконуються одночасно; зробіть із них два пакети</translation>
     </message>
     <message>
         <source>alignment: the points do not determine the {}; the fit leaves it alone</source>
@@ -3366,6 +3446,30 @@ In a terminal, this does the same:
     <message>
         <source>this is a binary file or UTF-16 text: save the program as plain text</source>
         <translation>це двійковий файл або текст в UTF-16: збережіть програму як простий текст</translation>
+    </message>
+    <message>
+        <source>cannot read '{}': is this a plain-language block?</source>
+        <translation>не вдається прочитати «{}»: чи це кадр Klartext?</translation>
+    </message>
+    <message>
+        <source>BEGIN PGM without a unit: state MM or INCH</source>
+        <translation>BEGIN PGM без одиниці: вкажіть MM або INCH</translation>
+    </message>
+    <message>
+        <source>this line runs {} times, and its {} and {} want other words: write the runs out, each with lines of its own</source>
+        <translation>цей рядок виконується {} разів, і його {} та {} потребують різних слів: випишіть проходи, кожен своїми рядками</translation>
+    </message>
+    <message>
+        <source>{}{} cannot be corrected: {} is used {} times (line {}); state the numbers in these lines</source>
+        <translation>{}{} не можна скоригувати: {} використано {} разів (рядок {}); вкажіть числа в цих рядках</translation>
+    </message>
+    <message>
+        <source>'{}' would not be read: {}</source>
+        <translation>«{}» не було б прочитано: {}</translation>
+    </message>
+    <message>
+        <source>toolpath: line {} of {} cannot be written</source>
+        <translation>траєкторія: рядок {} з {} не можна записати</translation>
     </message>
     <message>
         <source>arc from an unknown start: state the position before it</source>
@@ -4336,6 +4440,26 @@ In a terminal, this does the same:
         <translation>{} має бути від {:g} до 1000 мм</translation>
     </message>
     <message>
+        <source>cutting: the move that cuts at {} has no feed in mm/min: state F in G94</source>
+        <translation>різання: рух, що ріже в {}, не має подачі в мм/хв: вкажіть F у G94</translation>
+    </message>
+    <message>
+        <source>setup: [tool] overhang_mm is missing: how the tool bends along its height needs it</source>
+        <translation>налаштування: немає [tool] overhang_mm: без нього не відомо, як інструмент гнеться по висоті</translation>
+    </message>
+    <message>
+        <source>{}: [machine] stiffness_along has {:g} N/mm, of the whole loop, tool included, but the tool alone has {:.0f} N/mm at its tip: correct [tool] overhang_mm, youngs_modulus_gpa or stiffness_n_per_mm</source>
+        <translation>{}: [machine] stiffness_along має {:g} Н/мм для всього силового контуру разом з інструментом, але сам інструмент має {:.0f} Н/мм на кінці: виправте [tool] overhang_mm, youngs_modulus_gpa або stiffness_n_per_mm</translation>
+    </message>
+    <message>
+        <source>setup: [machine] {} {:g} N/mm is of the whole loop, tool included, but the tool alone has {:.0f} N/mm at its tip: correct [tool] overhang_mm, youngs_modulus_gpa or stiffness_n_per_mm, or leave the key out for a rigid machine</source>
+        <translation>налаштування: [machine] {} {:g} Н/мм стосується всього силового контуру разом з інструментом, але сам інструмент має {:.0f} Н/мм на кінці: виправте [tool] overhang_mm, youngs_modulus_gpa або stiffness_n_per_mm, або приберіть ключ для жорсткого верстата</translation>
+    </message>
+    <message>
+        <source>predicted deviation: the path cuts away again all that it makes</source>
+        <translation>передбачене відхилення: траєкторія знову зрізає все, що створює</translation>
+    </message>
+    <message>
         <source>wall error: the deflection does not settle near {}, it still changes by {}; check [tool] overhang_mm, [material] and the radial depth of cut</source>
         <translation>похибка стінки: прогин біля {} не встановлюється, він ще змінюється на {}; перевірте [tool] overhang_mm, [material] і радіальну глибину різання</translation>
     </message>
@@ -4346,6 +4470,14 @@ In a terminal, this does the same:
     <message>
         <source>wall error: the program makes no wall {} above its deepest tip</source>
         <translation>похибка стінки: програма не робить стінки на {} над найнижчим положенням інструмента</translation>
+    </message>
+    <message>
+        <source>{}: no move cuts in the XY plane at constant height</source>
+        <translation>{}: жоден рух не ріже в площині XY на сталій висоті</translation>
+    </message>
+    <message>
+        <source>{}: no move that cuts in the XY plane can be followed</source>
+        <translation>{}: жоден рух, що ріже в площині XY, не можна простежити</translation>
     </message>
     <message>
         <source>tilt: the slope of the wall needs two heights at least</source>
@@ -4370,6 +4502,94 @@ In a terminal, this does the same:
     <message>
         <source>stretch {} ({}): at most {} off over the heights; shift {}: {}; shift and tilt {:+.4f} deg: {}, and the tilted end face digs {} below the tip</source>
         <translation>ділянка {} ({}): щонайбільше {} похибки за висотами; зсув {}: {}; зсув і нахил {:+.4f}°: {}, а нахилений торець заглиблюється на {} нижче кінчика</translation>
+    </message>
+    <message>
+        <source>{}: the program cuts with G41 or G42, so it does not say where the cutter's centre goes: give a program of the centre path</source>
+        <translation>{}: програма ріже з G41 або G42, тож не каже, де йде центр фрези: дайте програму траєкторії центра</translation>
+    </message>
+    <message>
+        <source>{}: engagement needs arcs in the XY plane (G17); the program has others that cut</source>
+        <translation>{}: для зачеплення потрібні дуги в площині XY (G17); програма має інші, що ріжуть</translation>
+    </message>
+    <message>
+        <source>{}: line {} cuts from a place the program has not stated: state X and Y before it</source>
+        <translation>{}: рядок {} ріже з місця, якого програма не вказала: вкажіть перед ним X і Y</translation>
+    </message>
+    <message>
+        <source>the curve near {} bends too sharply to be followed</source>
+        <translation>крива біля {} вигнута надто різко, щоб за нею йти</translation>
+    </message>
+    <message>
+        <source>load ratio: the cutter takes nothing at {}, where the part was touched</source>
+        <translation>відношення навантажень: фреза нічого не знімає в {}, де деталі торкнулися</translation>
+    </message>
+    <message>
+        <source>load ratio: the program cuts only air</source>
+        <translation>відношення навантажень: програма ріже лише повітря</translation>
+    </message>
+    <message>
+        <source>engagement: the program states no Z: give [stock] axial_depth_mm in place of top_z_mm</source>
+        <translation>зачеплення: програма не вказує Z: дайте [stock] axial_depth_mm замість top_z_mm</translation>
+    </message>
+    <message>
+        <source>engagement: the program stays above the stock's face at {}: check [stock] top_z_mm</source>
+        <translation>зачеплення: програма лишається над поверхнею заготовки в {}: перевірте [stock] top_z_mm</translation>
+    </message>
+    <message>
+        <source>engagement: the program cuts at {} heights, more than {}: it is no flank milling</source>
+        <translation>зачеплення: програма ріже на {} висотах, більше ніж {}: це не бокове фрезерування</translation>
+    </message>
+    <message>
+        <source>engagement: the program cuts with several tools ({}): give the moves of one</source>
+        <translation>зачеплення: програма ріже кількома інструментами ({}): дайте рухи одного</translation>
+    </message>
+    <message>
+        <source>engagement: the program has no cutting move in the XY plane</source>
+        <translation>зачеплення: програма не має руху різання в площині XY</translation>
+    </message>
+    <message>
+        <source>setup: [stock] allowance_mm needs the nominal profile it lies on</source>
+        <translation>налаштування: для [stock] allowance_mm потрібен номінальний профіль, на якому лежить припуск</translation>
+    </message>
+    <message>
+        <source>acc/dec time {:g} s: state 0, or {:g} s or more</source>
+        <translation>час розгону {:g} с: вкажіть 0 або {:g} с чи більше</translation>
+    </message>
+    <message>
+        <source>servo gain {:g} 1/s: state a gain above 0 up to {:g}, or leave it out for an ideal servo</source>
+        <translation>підсилення привода {:g} 1/с: вкажіть понад 0 до {:g}, або приберіть його для ідеального привода</translation>
+    </message>
+    <message>
+        <source>rapid speed {:g} mm/s: state a speed above 0, or leave it out</source>
+        <translation>швидкий хід {:g} мм/с: вкажіть швидкість понад 0 або приберіть</translation>
+    </message>
+    <message>
+        <source>speed change at corners {:g} mm/s: state a speed above 0</source>
+        <translation>стрибок швидкості в кутах {:g} мм/с: вкажіть швидкість понад 0</translation>
+    </message>
+    <message>
+        <source>accuracy-maintenance time: slope and intercept are 0 or more, and not both 0</source>
+        <translation>час утримання точності: нахил і зсув не менші за 0 і не обидва 0</translation>
+    </message>
+    <message>
+        <source>in-position width {}: state a width above 0</source>
+        <translation>вікно позиціювання {}: вкажіть ширину понад 0</translation>
+    </message>
+    <message>
+        <source>this dwell cannot be read: state one of P, X or U</source>
+        <translation>цю витримку не прочитати: вкажіть одне з P, X або U</translation>
+    </message>
+    <message>
+        <source>controls differ on whether {}{:g} are seconds or milliseconds: state the unit of dwells</source>
+        <translation>системи ЧПК розуміють {}{:g} по-різному, секунди чи мілісекунди: вкажіть одиницю витримок</translation>
+    </message>
+    <message>
+        <source>line {}: this curve bends too sharply to be followed; write it as lines or arcs</source>
+        <translation>рядок {}: ця крива вигнута надто різко, щоб за нею йти; запишіть її прямими або дугами</translation>
+    </message>
+    <message>
+        <source>{}: no move can be followed</source>
+        <translation>{}: жодного руху не можна простежити</translation>
     </message>
     <message>
         <source>combined control: no stiffness makes the model leave what was touched, {} are still missing: check {}, [stock] and [material]</source>
@@ -6244,20 +6464,20 @@ In a terminal, this does the same:
         <translation>немає виміряних точок; {} виміряних елементів без них</translation>
     </message>
     <message>
+        <source>point set {}: its ProbeRadius is not positive</source>
+        <translation>набір точок {}: його ProbeRadius не додатний</translation>
+    </message>
+    <message>
         <source>points left out: {}</source>
         <translation>пропущено точки: {}</translation>
     </message>
     <message>
+        <source>measured point {} has no Location</source>
+        <translation>виміряна точка {} не має Location</translation>
+    </message>
+    <message>
         <source>points {} to {} are wanted of point set {}, which has {}</source>
         <translation>потрібні точки від {} до {} набору точок {}, у якому їх {}</translation>
-    </message>
-    <message>
-        <source>measured point {} refers to feature item {}, which is not in the file</source>
-        <translation>виміряна точка {} посилається на елемент {}, якого немає у файлі</translation>
-    </message>
-    <message>
-        <source>feature item {} refers to nominal {}, which is not in the file</source>
-        <translation>елемент {} посилається на номінал {}, якого немає у файлі</translation>
     </message>
     <message>
         <source>{} locations are taken for what the file's others are</source>
@@ -6284,8 +6504,12 @@ In a terminal, this does the same:
         <translation>{} із {} елементів</translation>
     </message>
     <message>
-        <source>measured point {} has no Location</source>
-        <translation>виміряна точка {} не має Location</translation>
+        <source>feature item {} refers to nominal {}, which is not in the file</source>
+        <translation>елемент {} посилається на номінал {}, якого немає у файлі</translation>
+    </message>
+    <message>
+        <source>measured point {} refers to feature item {}, which is not in the file</source>
+        <translation>виміряна точка {} посилається на елемент {}, якого немає у файлі</translation>
     </message>
     <message>
         <source>of feature {}</source>
@@ -6300,6 +6524,10 @@ In a terminal, this does the same:
         <translation>елемент {}: </translation>
     </message>
     <message>
+        <source>{} is no range of points of set {}</source>
+        <translation>{} не є діапазоном точок набору {}</translation>
+    </message>
+    <message>
         <source>{:g} m is no unit of length</source>
         <translation>{:g} м не є одиницею довжини</translation>
     </message>
@@ -6312,12 +6540,16 @@ In a terminal, this does the same:
         <translation>id {} є двічі, вперше в рядку {}</translation>
     </message>
     <message>
-        <source>{} is no range of points of set {}</source>
-        <translation>{} не є діапазоном точок набору {}</translation>
+        <source>a MeasurePoint of feature {} has no Point</source>
+        <translation>MeasurePoint елемента {} не має Point</translation>
     </message>
     <message>
         <source>feature {}: Compensated {} is not true or false</source>
         <translation>елемент {}: Compensated {} не є true чи false</translation>
+    </message>
+    <message>
+        <source>a MeasurePoint of feature {} lacks Compensated, or all others do</source>
+        <translation>у MeasurePoint елемента {} бракує Compensated або в усіх інших</translation>
     </message>
     <message>
         <source>point set {} has no count</source>
@@ -6332,6 +6564,10 @@ In a terminal, this does the same:
         <translation>набір точок {} має власне {}: експортуйте точки в спільній системі та одиниці</translation>
     </message>
     <message>
+        <source>point set {}: {} {} is not true or false</source>
+        <translation>набір точок {}: {} {} не є true чи false</translation>
+    </message>
+    <message>
         <source>point set {}: {} has {} bytes for {} points</source>
         <translation>набір точок {}: {} має {} байтів для {} точок</translation>
     </message>
@@ -6344,28 +6580,12 @@ In a terminal, this does the same:
         <translation>{}{:g} не є довжиною, яку може пройти верстат</translation>
     </message>
     <message>
-        <source>a MeasurePoint of feature {} has no Point</source>
-        <translation>MeasurePoint елемента {} не має Point</translation>
-    </message>
-    <message>
-        <source>a MeasurePoint of feature {} lacks Compensated, or all others do</source>
-        <translation>у MeasurePoint елемента {} бракує Compensated або в усіх інших</translation>
-    </message>
-    <message>
-        <source>point set {}: {} {} is not true or false</source>
-        <translation>набір точок {}: {} {} не є true чи false</translation>
-    </message>
-    <message>
         <source>point set {}: {} is no base64</source>
         <translation>набір точок {}: {} не є base64</translation>
     </message>
     <message>
         <source>{}{} is no number</source>
         <translation>{}{} не є числом</translation>
-    </message>
-    <message>
-        <source>point set {}: its ProbeRadius is not positive</source>
-        <translation>набір точок {}: його ProbeRadius не додатний</translation>
     </message>
     <message>
         <source>the measurement</source>
@@ -6812,8 +7032,428 @@ In a terminal, this does the same:
         <translation>{} потребує виміряних точок: передбачене не є результатом контролю</translation>
     </message>
     <message>
+        <source>Serial production</source>
+        <translation>Серійне виробництво</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>деталь</translation>
+    </message>
+    <message>
+        <source>time (UTC)</source>
+        <translation>час (UTC)</translation>
+    </message>
+    <message>
+        <source>std</source>
+        <translation>станд. відх.</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>розмах</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>найбільше</translation>
+    </message>
+    <message>
+        <source>smoothed</source>
+        <translation>згладжене</translation>
+    </message>
+    <message>
+        <source>correction</source>
+        <translation>корекція</translation>
+    </message>
+    <message>
+        <source>decision</source>
+        <translation>рішення</translation>
+    </message>
+    <message>
+        <source>First program, SHA-256</source>
+        <translation>Перша програма, SHA-256</translation>
+    </message>
+    <message>
+        <source>Program for the next part</source>
+        <translation>Програма для наступної деталі</translation>
+    </message>
+    <message>
+        <source>What the machine does</source>
+        <translation>Що робить верстат</translation>
+    </message>
+    <message>
+        <source>Settings of part {}</source>
+        <translation>Параметри деталі {}</translation>
+    </message>
+    <message>
         <source>magnification {:g}: must be from 1 to {:.0f}</source>
         <translation>збільшення {:g}: має бути від 1 до {:.0f}</translation>
+    </message>
+    <message>
+        <source>Read back, the program keeps the exact path to {}, within its tolerance of {}.</source>
+        <translation>Прочитана назад, програма тримає точну траєкторію в межах {}, у допуску {}.</translation>
+    </message>
+    <message>
+        <source>Read back, the program keeps the exact path to {}, &lt;b&gt;outside&lt;/b&gt; its tolerance of {}.</source>
+        <translation>Прочитана назад, програма тримає точну траєкторію в межах {}, &lt;b&gt;поза&lt;/b&gt; допуском {}.</translation>
+    </message>
+    <message>
+        <source>The random part is not known here, so the prediction is too favourable: the next part brings its own, and what was random on this part comes on top.</source>
+        <translation>Випадкова частина тут не відома, тож прогноз надто сприятливий: наступна деталь матиме свою, а випадкове цієї деталі додасться.</translation>
+    </message>
+    <message>
+        <source>The emitted program was read back and its path compared with the exact parallel of the compensated profile.</source>
+        <translation>Записану програму прочитано назад, а її траєкторію порівняно з точною паралеллю скоригованого профілю.</translation>
+    </message>
+    <message>
+        <source>Side of the cutter</source>
+        <translation>Сторона фрези</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>Вирівнювання</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Фільтр</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Метод</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Коефіцієнт</translation>
+    </message>
+    <message>
+        <source>Limit of a correction</source>
+        <translation>Межа корекції</translation>
+    </message>
+    <message>
+        <source>Dead band</source>
+        <translation>Зона нечутливості</translation>
+    </message>
+    <message>
+        <source>Tolerance of the path</source>
+        <translation>Допуск траєкторії</translation>
+    </message>
+    <message>
+        <source>Kinds of move written</source>
+        <translation>Види записаних рухів</translation>
+    </message>
+    <message>
+        <source>With G41, G42 the program gives</source>
+        <translation>З G41, G42 програма задає</translation>
+    </message>
+    <message>
+        <source>Depth along</source>
+        <translation>Глибина вздовж</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Передавальна функція</translation>
+    </message>
+    <message>
+        <source>Stock left on</source>
+        <translation>Залишений припуск</translation>
+    </message>
+    <message>
+        <source>Allowance kept</source>
+        <translation>Припуск лишається</translation>
+    </message>
+    <message>
+        <source>Share that may be unmeasured</source>
+        <translation>Частка, що може бути не виміряна</translation>
+    </message>
+    <message>
+        <source>the cutter's centre</source>
+        <translation>центр фрези</translation>
+    </message>
+    <message>
+        <source>Toolpath correction report</source>
+        <translation>Звіт про корекцію траєкторії</translation>
+    </message>
+    <message>
+        <source>{} to {}, {} in the mean</source>
+        <translation>від {} до {}, у середньому {}</translation>
+    </message>
+    <message>
+        <source>1 move</source>
+        <translation>1 рух</translation>
+    </message>
+    <message>
+        <source>{} moves</source>
+        <translation>рухів: {}</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Попередження</translation>
+    </message>
+    <message>
+        <source>{} warnings</source>
+        <translation>Попереджень: {}</translation>
+    </message>
+    <message>
+        <source>Deviations are signed along the nominal's normal: &lt;b&gt;positive is excess material, negative is undercut&lt;/b&gt;. Deviations in {}, coordinates and lengths in {}.</source>
+        <translation>Відхилення рахуються вздовж нормалі номіналу: &lt;b&gt;додатне — зайвий матеріал, від’ємне — підріз&lt;/b&gt;. Відхилення в {}, координати й довжини в {}.</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>мін.</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>макс.</translation>
+    </message>
+    <message>
+        <source>profile value</source>
+        <translation>значення профілю</translation>
+    </message>
+    <message>
+        <source>All by the model: the program as it came, and after the correction, each simulated.</source>
+        <translation>Усе за моделлю: програма, якою була, і після корекції, обидві змодельовані.</translation>
+    </message>
+    <message>
+        <source>The profile value is 2·max|d|, to be held against the width of a profile tolerance zone (ISO 1101).</source>
+        <translation>Значення профілю — 2·max|d|, його порівнюють із шириною поля допуску профілю (ISO 1101).</translation>
+    </message>
+    <message>
+        <source>The next part brings its own random part: measured the same way, a standard deviation of about &lt;b&gt;{}&lt;/b&gt; is to be expected.</source>
+        <translation>Наступна деталь матиме власну випадкову частину: за такого самого вимірювання слід чекати стандартного відхилення близько &lt;b&gt;{}&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>predicted mean</source>
+        <translation>очікуване середнє</translation>
+    </message>
+    <message>
+        <source>Deviations on the contour</source>
+        <translation>Відхилення на контурі</translation>
+    </message>
+    <message>
+        <source>Contour</source>
+        <translation>Контур</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>точка</translation>
+    </message>
+    <message>
+        <source>measured / {}</source>
+        <translation>виміряно / {}</translation>
+    </message>
+    <message>
+        <source>expected / {}</source>
+        <translation>очікується / {}</translation>
+    </message>
+    <message>
+        <source>The program's own path error</source>
+        <translation>Власна похибка траєкторії програми</translation>
+    </message>
+    <message>
+        <source>at the points</source>
+        <translation>у точках</translation>
+    </message>
+    <message>
+        <source>the contour; the control offsets by the radius</source>
+        <translation>контур; ЧПК зміщує на радіус</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>задано</translation>
+    </message>
+    <message>
+        <source>the contour that the program cuts</source>
+        <translation>контур, який ріже програма</translation>
+    </message>
+    <message>
+        <source>{} measured points ({}) show deviations of {}.</source>
+        <translation>Виміряні точки, {} ({}), показують відхилення {}.</translation>
+    </message>
+    <message>
+        <source>No measurement: the path is laid on the exact parallel of the nominal contour.</source>
+        <translation>Без вимірювання: траєкторію покладено на точну паралель номінального контуру.</translation>
+    </message>
+    <message>
+        <source>Nothing is to be corrected: &lt;b&gt;the program stays as it is&lt;/b&gt;.</source>
+        <translation>Коригувати нічого: &lt;b&gt;програма лишається, якою є&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>largest correction of the contour</source>
+        <translation>найбільша корекція контуру</translation>
+    </message>
+    <message>
+        <source>largest path error of the program, read back</source>
+        <translation>найбільша похибка траєкторії програми, прочитаної назад</translation>
+    </message>
+    <message>
+        <source>No points were measured.</source>
+        <translation>Точок не виміряно.</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>до</translation>
+    </message>
+    <message>
+        <source>determined part</source>
+        <translation>визначена частина</translation>
+    </message>
+    <message>
+        <source>predicted after</source>
+        <translation>очікується після</translation>
+    </message>
+    <message>
+        <source>Predicted: what the model expects at the same points, their random part unchanged.</source>
+        <translation>Очікується: те, що модель передбачає в тих самих точках, з незмінною випадковою частиною.</translation>
+    </message>
+    <message>
+        <source>Predicted: the same points after the correction, this part's random part unchanged.</source>
+        <translation>Очікується: ті самі точки після корекції, з незмінною випадковою частиною цієї деталі.</translation>
+    </message>
+    <message>
+        <source>What repeats and what does not</source>
+        <translation>Що повторюється, а що ні</translation>
+    </message>
+    <message>
+        <source>The correction in force</source>
+        <translation>Чинна корекція</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the correction</source>
+        <translation>Невизначеність корекції</translation>
+    </message>
+    <message>
+        <source>Largest correction</source>
+        <translation>Найбільша корекція</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>Рухи</translation>
+    </message>
+    <message>
+        <source>{} of the program's moves changed, {} written</source>
+        <translation>змінено рухів програми: {}, записано: {}</translation>
+    </message>
+    <message>
+        <source>Largest displacement of a vertex</source>
+        <translation>Найбільше зміщення вершини</translation>
+    </message>
+    <message>
+        <source>Largest path error</source>
+        <translation>Найбільша похибка траєкторії</translation>
+    </message>
+    <message>
+        <source>Gouge</source>
+        <translation>Зарізання</translation>
+    </message>
+    <message>
+        <source>{} nearer to the profile than the cutter's radius at most</source>
+        <translation>щонайбільше на {} ближче до профілю, ніж радіус фрези</translation>
+    </message>
+    <message>
+        <source>Profile as NURBS</source>
+        <translation>Профіль як NURBS</translation>
+    </message>
+    <message>
+        <source>within {} of the exact compensated contour</source>
+        <translation>у межах {} від точного скоригованого контуру</translation>
+    </message>
+    <message>
+        <source>Checked length of path</source>
+        <translation>Перевірена довжина траєкторії</translation>
+    </message>
+    <message>
+        <source>Tool diameter</source>
+        <translation>Діаметр інструмента</translation>
+    </message>
+    <message>
+        <source>Program gives</source>
+        <translation>Програма задає</translation>
+    </message>
+    <message>
+        <source>Nominal</source>
+        <translation>Номінал</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Параметри</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Nothing was measured&lt;/b&gt;: the model of {} leaves {}.</source>
+        <translation>&lt;b&gt;Нічого не виміряно&lt;/b&gt;: модель {} лишає {}.</translation>
+    </message>
+    <message>
+        <source>The model expects at most {} along the whole contour before the correction and {} after it.</source>
+        <translation>Модель очікує вздовж усього контуру щонайбільше {} до корекції і {} після неї.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;{} of the program change&lt;/b&gt; by the path's own error only.</source>
+        <translation>&lt;b&gt;Змінюється в програмі, {}&lt;/b&gt;, лише на власну похибку траєкторії.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;The correction moves the contour by up to {}&lt;/b&gt; (at {}) and changes {}.</source>
+        <translation>&lt;b&gt;Корекція зсуває контур щонайбільше на {}&lt;/b&gt; (у {}) і змінює {}.</translation>
+    </message>
+    <message>
+        <source>mean deviation, {}, before and predicted</source>
+        <translation>середнє відхилення, {}, до і очікуване</translation>
+    </message>
+    <message>
+        <source>height (max − min), {}, before and predicted</source>
+        <translation>розмах (макс. − мін.), {}, до і очікуваний</translation>
+    </message>
+    <message>
+        <source>changed in the program</source>
+        <translation>змінено в програмі</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>Відхилення</translation>
+    </message>
+    <message>
+        <source>contour {}, Z {}</source>
+        <translation>контур {}, Z {}</translation>
+    </message>
+    <message>
+        <source>Outliers</source>
+        <translation>Викиди</translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation>середньокв.</translation>
+    </message>
+    <message>
+        <source>Correction</source>
+        <translation>Корекція</translation>
+    </message>
+    <message>
+        <source>Verification</source>
+        <translation>Перевірка</translation>
+    </message>
+    <message>
+        <source>Aligned by</source>
+        <translation>Вирівняно на</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Вхідні дані</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>Результати</translation>
+    </message>
+    <message>
+        <source>1 measured point ({}) shows deviations of {}.</source>
+        <translation>1 виміряна точка ({}) показує відхилення {}.</translation>
+    </message>
+    <message>
+        <source>Deviation along the contour</source>
+        <translation>Відхилення вздовж контуру</translation>
+    </message>
+    <message>
+        <source>Path and contour</source>
+        <translation>Траєкторія і контур</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Розподіл</translation>
     </message>
     <message>
         <source>on the profile</source>
@@ -6852,6 +7492,30 @@ In a terminal, this does the same:
         <translation>залишений матеріал {}: має бути {}</translation>
     </message>
     <message>
+        <source>Predicted by the model</source>
+        <translation>Передбачено моделлю</translation>
+    </message>
+    <message>
+        <source>error expected / {}</source>
+        <translation>очікувана похибка / {}</translation>
+    </message>
+    <message>
+        <source>Force, engaged arc and feed</source>
+        <translation>Сила, дуга зачеплення і подача</translation>
+    </message>
+    <message>
+        <source>Forces and deflections of the axes</source>
+        <translation>Сили і прогини осей</translation>
+    </message>
+    <message>
+        <source>Contours and paths</source>
+        <translation>Контури і траєкторії</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Налаштування</translation>
+    </message>
+    <message>
         <source>nothing is to be corrected, the program stays as it is</source>
         <translation>коригувати нічого, програма лишається як є</translation>
     </message>
@@ -6866,6 +7530,10 @@ In a terminal, this does the same:
     <message>
         <source>look at {}</source>
         <translation>Подивитися: {}</translation>
+    </message>
+    <message>
+        <source>{} was accepted and is not resolved</source>
+        <translation>{} прийнято й не усунуто</translation>
     </message>
     <message>
         <source>{} of {} points are outliers, there the largest</source>
@@ -6888,10 +7556,6 @@ In a terminal, this does the same:
         <translation>Застосувати, якщо з'ясовано те, про що питають застереження</translation>
     </message>
     <message>
-        <source>{} was accepted and is not resolved</source>
-        <translation>{} прийнято й не усунуто</translation>
-    </message>
-    <message>
         <source>measure again or average parts</source>
         <translation>Виміряти знову або усереднити деталі</translation>
     </message>
@@ -6910,6 +7574,10 @@ In a terminal, this does the same:
     <message>
         <source>legal filters: none, mean:5, mean:1,2,3,2,1 (odd number of weights), gauss:MM, robust:MM, auto</source>
         <translation>дозволені фільтри: none, mean:5, mean:1,2,3,2,1 (непарна кількість ваг), gauss:MM, robust:MM, auto</translation>
+    </message>
+    <message>
+        <source>{} gap(s) without points, the longest {} from s = {}: the deviation there is not known</source>
+        <translation>проміжків без точок: {}, найдовший {} від s = {}: відхилення там не відоме</translation>
     </message>
     <message>
         <source>a single point: its deviation is taken as it is, the random part cannot be known</source>

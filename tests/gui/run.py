@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Stories of a user in FreeCAD's window, under Xvfb.
 
-    python3 tests/gui/run.py [--root DIR] [--shots DIR] [--screen 1400x900] [STORY ...]
+    python3 tests/gui/run.py [--root DIR] [--shots DIR] [--screen 1400x900] [--look light] [STORY ...]
 
 Makes the demonstration without a window, then plays each story (all of them by default) in a FreeCAD of its own.
-`--root` takes the FreeCAD of a Debian root; pictures go to `--shots` (default build/screenshots).
+`--root` takes the FreeCAD of a Debian root; pictures go to `--shots` (default build/screenshots); `--look` is that of
+the window in German.
 """
 
 from __future__ import annotations
@@ -63,8 +64,8 @@ _run()
 class Stage:
     """A work directory with a FreeCAD user, and how FreeCAD is started in it."""
 
-    def __init__(self, work: Path, root: str | None, screen: str) -> None:
-        self.work, self.root, self.screen = work, root, screen
+    def __init__(self, work: Path, root: str | None, screen: str, look: str) -> None:
+        self.work, self.root, self.screen, self.look = work, root, screen, look
         self.shots = work / "shots"
         self.shots.mkdir()
         user = freecad_root.user_data(work)
@@ -100,7 +101,13 @@ class Stage:
         screen = ["xvfb-run", "-a", "-s", f"-screen 0 {self.screen}x24"]
         start = ["freecad", "-u", str(self.settings), str(HERE / f"story_{story}.py")]
         # The script's own directory is not on FreeCAD's path.
-        names = {"WORK": str(self.work), "SHOTS": str(self.shots), "STORY": story, "TESTS": str(HERE)}
+        names = {
+            "WORK": str(self.work),
+            "SHOTS": str(self.shots),
+            "STORY": story,
+            "TESTS": str(HERE),
+            "LOOK": self.look,
+        }
         environment = {f"MILLCORR_{name}": value for name, value in names.items()} | self.environment
         # FreeCAD 1.1 has broken down inside its own task view, once in several plays of a story and never twice.
         for _ in range(PLAYS):
@@ -118,6 +125,7 @@ def main() -> int:
     parser.add_argument("--root")
     parser.add_argument("--shots", default=str(freecad_root.REPOSITORY / "build" / "screenshots"))
     parser.add_argument("--screen", default="1400x900", help="its size in pixels")
+    parser.add_argument("--look", default="dark", choices=("dark", "light"), help="of the window in German")
     parser.add_argument("stories", nargs="*", metavar="STORY", help=", ".join(STORIES))
     options = parser.parse_args()
     unknown = sorted(set(options.stories) - set(STORIES))
@@ -127,7 +135,7 @@ def main() -> int:
     shots.mkdir(parents=True, exist_ok=True)
     failed = False
     with tempfile.TemporaryDirectory(prefix="millcorr-gui-") as directory:
-        stage = Stage(Path(directory), options.root, options.screen)
+        stage = Stage(Path(directory), options.root, options.screen, options.look)
         trouble = stage.headless("prepare")
         if trouble:
             print(trouble)

@@ -24,12 +24,23 @@ def dark():
     """A dark style sheet of FreeCAD's own, where it has one."""
     theme("dark")
     place = os.path.join(FreeCAD.getResourceDir(), "Gui", "Stylesheets")
-    file = os.path.join(place, "ProDark.qss")
-    if os.path.exists(file):
-        QtCore.QDir.addSearchPath("qss", place)
-        with open(file, encoding="utf-8") as stream:
-            QtGui.QApplication.instance().setStyleSheet(stream.read())
+    for name in ("ProDark.qss", "FreeCAD Dark.qss"):
+        file = os.path.join(place, name)
+        if os.path.exists(file):
+            QtCore.QDir.addSearchPath("qss", place)
+            with open(file, encoding="utf-8") as stream:
+                QtGui.QApplication.instance().setStyleSheet(stream.read())
+            break
     wait(500)
+
+
+def contrast(button):
+    """How far a button's text stands out from what it is written on, in lightness 0 to 255; its icon is on the left."""
+    wait(200)
+    image = button.grab().toImage()
+    columns = range(image.width() // 2, image.width() - 8)
+    seen = [image.pixelColor(x, y).lightness() for x in columns for y in range(8, image.height() - 8)]
+    return max(seen) - min(seen)
 
 
 def plain_words(where):
@@ -40,7 +51,7 @@ def plain_words(where):
 
 
 def said_in_german(document):
-    """Import, correction, refusal, program and measuring program in German, on a dark window."""
+    """Import, correction, refusal, program and measuring program in German, dark unless a light window is wanted."""
     from millcorr.gui import dressup_panel, import_dialog, packages, panel
 
     select(document.getObject("Profile"))
@@ -64,12 +75,15 @@ def said_in_german(document):
     until(lambda: not made.busy, "computing")
     check(made.message.text().startswith("Verwenden"), f"first line in German: {made.message.text()!r}")
     shot("german-panel")
+    usable = contrast(made.applying)
     write(made.fields["Limit"].widget.lineEdit(), "0.001")
     until(lambda: not made.busy, "computing")
     check("eine Korrektur von" in made.message.text(), f"refusal in German: {made.message.text()!r}")
     check("\u201c 0.001 mm" in made.message.text(), f"the field in German: {made.message.text()!r}")
     plain_words("the panel")
     check(not made.applying.isEnabled() and made.applying.toolTip() == made.message.text(), "OK while refused")
+    faded = contrast(made.applying)
+    check(faded < 0.8 * usable, f"OK does not look switched off: its text stands out by {faded}, not {usable}")
     shot("german-refused")
     made.reject()
     FreeCADGui.Control.closeDialog()
@@ -150,7 +164,8 @@ def story():
         shot(f"language-{language}")
         here.close()
         wait(200)
-    dark()
+    if os.environ["MILLCORR_LOOK"] == "dark":
+        dark()
     said_in_german(document)
     theme("")
 

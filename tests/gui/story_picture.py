@@ -288,8 +288,7 @@ def inches(document):
     from millcorr.report.length_unit import INCH
 
     obj = document.getObject("DressupMillcorr")
-    FreeCAD.Units.setSchema(3)
-    FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units").SetInt("UserSchema", 3)
+    schema(3)
     made = obj.ViewObject.Proxy.panel()
     panel.show(made)
     settled(made)
@@ -334,8 +333,49 @@ def inches(document):
     with open(os.path.join(path("inches"), "report.html"), encoding="utf-8") as stream:
         text = re.sub("<style>.*?</style>|<[^>]*>", " ", stream.read(), flags=re.DOTALL)
     check(" thou" in text and not re.search("\\d mm|\u00b5m|--[a-z]", text), "a report in millimetres, or with options")
-    FreeCAD.Units.setSchema(6)
-    FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units").SetInt("UserSchema", 6)
+    schema(6)
+
+
+def schema(number):
+    """Choose FreeCAD's units."""
+    FreeCAD.Units.setSchema(number)
+    FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units").SetInt("UserSchema", number)
+
+
+def series_in_inches(document):
+    """A journal is in mm; its table, its lines, its plot and the feeds of a measuring program are in inches."""
+    from millcorr.gui import file_task, plots
+    from millcorr.production import journal
+
+    schema(3)
+    select(document.getObject("DressupMillcorr"))
+    FreeCADGui.runCommand("Millcorr_History", 0)
+    here = list(file_task._open.values())[-1]
+    task = here.task
+    task.fields["Journal"].show_value(path("series.journal"))
+    task.changed()
+    until(lambda: not task.busy and task.table.rowCount() == 4, "history in inches")
+    heads = [task.table.horizontalHeaderItem(k).text() for k in range(3, 7)]
+    check(all(head.endswith(", thou") for head in heads), f"heads of the history: {heads}")
+    mean = journal.read(path("series.journal"))[0].entries[0].statistics["deviation"]["mean"]
+    check(abs(float(task.table.item(0, 3).text()) * 0.0254 - mean) < 5e-6, f"mean {task.table.item(0, 3).text()} thou")
+    said = task.text.toPlainText()
+    check(not re.search("\\d (mm|um|\u00b5m)", said), f"trends in millimetres: {said!r}")
+    plots.show_history(task.chains)
+    wait(300)
+    label = plots.dock().pages["history"].canvas.axes.get_ylabel()
+    check("thou" in label, f"a history in {label!r}")
+    shot("inch-history")
+    plots.dock().hide()
+    here.close()
+    wait(200)
+    FreeCADGui.runCommand("Millcorr_Probe", 0)
+    here = list(file_task._open.values())[-1]
+    feed = here.task.fields["Feed"]
+    equal([feed.widget.text(), feed.value], ["3.937 in/min", 100.0], "feed of a touch")
+    here.close()
+    wait(200)
+    schema(6)
 
 
 def plotted(document):
@@ -434,6 +474,7 @@ def story():
     on_wall(document)
     inches(document)
     plotted(document)
+    series_in_inches(document)
     simulated(document)
     tips(document)
     found["figures"]["version"] = VERSION

@@ -252,6 +252,16 @@ def wheel(name, root):
     return len(fields)
 
 
+def entered(name, here):
+    """Return in a field ends its entry: it neither closes a window nor writes what lacks something."""
+    for line in here.findChildren(QtGui.QLineEdit):
+        if line.isVisible() and line.isEnabled():
+            press(line, Key.Key_Return, text="\r")
+    check(here.isVisible(), f"{name}: Return in a field closes it")
+    task = getattr(here, "task", None)
+    check(task is None or not (task.writing or task.written), f"{name}: Return in a field writes")
+
+
 def wheels(document, obj):
     from millcorr.gui import file_task, import_dialog, panel
     from millcorr.gui.transfer_panel import SplitPanel, TransferPanel
@@ -266,6 +276,11 @@ def wheels(document, obj):
         panel.show(made)
         settled(made)
         counted[name] = wheel(name, made.form)
+        # Return that ends the entry of another number computes anew, and is not OK.
+        box = next(box for box in made.form.findChildren(QtGui.QDoubleSpinBox) if box.isVisible() and box.isEnabled())
+        write(box.lineEdit(), f"{box.value() + box.singleStep():.6f}")
+        check(not made.closed and FreeCADGui.Control.activeDialog(), f"{name}: Return in a field is taken for OK")
+        settled(made)
         if name == "panel":
             # With the focus it counts.
             gain = made.fields["Gain"].widget
@@ -290,6 +305,7 @@ def wheels(document, obj):
             # Tree and toolbars are where they were.
             check(isinstance(here, QtGui.QDockWidget) and not here.isFloating(), f"{command} is not docked")
             shot(f"docked-{command.lower()}")
+        entered(command, here)
         name = here.objectName()
         press(here, Key.Key_Escape)
         wait(200)
@@ -298,13 +314,63 @@ def wheels(document, obj):
     check(sum(counted.values()) > 40, f"fields: {counted}")
 
 
+def pressed_twice(document, obj):
+    """OK is pressed twice while it computes: one step of undo, and nothing is left open."""
+    from millcorr.gui import panel
+
+    made = obj.ViewObject.Proxy.panel()
+    panel.show(made)
+    settled(made)
+    undone = document.UndoCount
+    write(made.fields["Gain"].widget.lineEdit(), "0.8")
+    check(made.busy, "a changed gain is not computed")
+    button = ok_button()
+    button.click()
+    button.click()
+    until(lambda: not FreeCADGui.Control.activeDialog(), "OK that was pressed twice")
+    wait(300)
+    equal([obj.Gain, document.UndoCount - undone, made.closed], [0.8, 1, True], "after two clicks on OK")
+    document.undo()
+    document.recompute()
+    wait(300)
+    equal(obj.Gain, 1.0, "gain after undo")
+
+
+def written_twice(obj):
+    """What writes is clicked twice: it is written once."""
+    from millcorr.gui import file_task
+
+    select(obj)
+    FreeCADGui.runCommand("Millcorr_Probe", 0)
+    here = list(file_task._open.values())[-1]
+    task, noted = here.task, len(recorded)
+    task.fields["BallRadius"].show_value(2.5)
+    task.fields["Output"].show_value(path("twice.ngc"))
+    task.changed()
+    until(lambda: not task.busy, "plan of touches")
+    button = here.findChild(QtGui.QPushButton, "Write")
+    button.click()
+    button.click()
+    until(lambda: not task.writing, "a measuring program")
+    wait(200)
+    told = [line for line in recorded[noted:] if "twice.ngc" in line]
+    check(len(told) == 1 and os.path.exists(path("twice.ngc")), f"two clicks write {len(told)} times: {task.wrong}")
+    here.close()
+    wait(300)
+
+
 def closing(document):
-    """The document is closed while a window about it, and a panel in the task view, are open."""
-    from millcorr.gui import file_task, panel
+    """The document is closed while windows about it, and a panel in the task view, are open."""
+    from millcorr.gui import file_task, import_dialog, panel
 
     obj = document.getObject("DressupMillcorr")
     select(obj)
     FreeCADGui.runCommand("Millcorr_Probe", 0)
+    select(obj)
+    FreeCADGui.runCommand("Millcorr_Simulate", 0)
+    select(obj)
+    FreeCADGui.runCommand("Millcorr_Measurement", 0)
+    equal([len(file_task._open), len(import_dialog._open)], [2, 1], "windows about the document")
     made = obj.ViewObject.Proxy.panel()
     check(panel.show(made), f"a task is open: {FreeCADGui.Control.activeDialog()}")
     settled(made)
@@ -314,7 +380,8 @@ def closing(document):
     until(lambda: made.points.shown, "points of a refused correction")
     FreeCAD.closeDocument(document.Name)
     wait(500)
-    check(made.closed and not FreeCADGui.Control.activeDialog() and not file_task._open, "windows outlive the document")
+    left = [*file_task._open, *import_dialog._open]
+    check(made.closed and not FreeCADGui.Control.activeDialog() and not left, f"windows outlive the document: {left}")
 
 
 def twice_clicked(obj):
@@ -352,7 +419,9 @@ def story():
         json.dump({"lines": recorded, "label": obj.Label, "path": words(obj)}, stream)
     refused(document, obj)
     doubted(document, obj)
+    pressed_twice(document, obj)
     wheels(document, obj)
+    written_twice(obj)
     closing(document)
 
 

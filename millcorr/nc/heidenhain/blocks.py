@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 
 from millcorr.arrays import Ints
 from millcorr.errors import FormatError
+from millcorr.messages import phrase
 
 PATHS = ("L", "LP", "C", "CP", "CR", "CT", "CTP")
 """Blocks that are one contour element."""
@@ -220,7 +221,7 @@ def read_block(whole: str, first: int, last: int, name: str) -> Block:
         _read_words(block, upper)
         if block.odd and kind == "" and not block.words:
             shown = text[head:stop].strip()[:20].encode("ascii", "replace").decode()
-            raise FormatError(f"cannot read '{shown}': is this a plain-language block?", name, first + 1)
+            raise FormatError(phrase("cannot read '{}': is this a plain-language block?", shown), name, first + 1)
     return block
 
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from millcorr.arrays import Ints
 from millcorr.errors import FormatError
+from millcorr.messages import phrase
 from millcorr.nc.codes import UNSTATED
 from millcorr.nc.motion import Modal, Stretch
 from millcorr.nc.order import Run
@@ -360,7 +361,7 @@ def scale_of(block: Block, name: str) -> float:
     """Millimetres per unit, as the first block states it."""
     found = re.search(r"[ \t](MM|INCH)[ \t]*$", block.rest)
     if found is None:
-        raise FormatError("BEGIN PGM without a unit: state MM or INCH", name, block.first + 1)
+        raise FormatError(phrase("BEGIN PGM without a unit: state MM or INCH"), name, block.first + 1)
     return 25.4 if found[1] == "INCH" else 1.0
 
 

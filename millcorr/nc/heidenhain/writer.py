@@ -18,7 +18,7 @@ import numpy as np
 
 from millcorr.arrays import Bools
 from millcorr.errors import FormatError, InputError
-from millcorr.messages import message, option
+from millcorr.messages import message, mm, option, phrase
 from millcorr.nc.codes import INCH
 from millcorr.nc.comment_texts import comment_texts
 from millcorr.nc.repeated import agreed
@@ -144,8 +144,13 @@ class Writer:
             return f"run {runs.index(k) + 1}" + ("" if math.isnan(height) else f" at Z{height:g}")
 
         raise FormatError(
-            f"this line runs {len(runs)} times, and its {named(a)} and {named(b)} want other words: write the runs "
-            "out, each with lines of its own",
+            phrase(
+                "this line runs {} times, and its {} and {} want other words: write the runs out, each "
+                "with lines of its own",
+                len(runs),
+                named(a),
+                named(b),
+            ),
             self.program.name,
             self.blocks[a].first + 1,
         )
@@ -377,8 +382,14 @@ class Writer:
             came = q if origin is None else f"{q}, set in line {origin + 1},"
             listed = ", ".join(map(str, sorted(set(used))))
             raise FormatError(
-                f"{name}{piece.value if piece else ''} cannot be corrected: {came} is used {len(used)} times "
-                f"(line {listed}); state the numbers in these lines",
+                phrase(
+                    "{}{} cannot be corrected: {} is used {} times (line {}); state the numbers in these lines",
+                    name,
+                    piece.value if piece else "",
+                    came,
+                    len(used),
+                    listed,
+                ),
                 self.program.name,
                 self.blocks[len(self.out) - 1].first + 1,
             )
@@ -509,8 +520,12 @@ class Writer:
             off = [abs(x - y) for x, y in zip(at, move.start, strict=True)]
             if not self.loose and any(way > allowed for way in off):
                 raise InputError(
-                    f"toolpath: a move of line {block.first + 1} of {self.program.name} starts {np.nanmax(off):.4f} mm "
-                    "from where the one before ends"
+                    phrase(
+                        "toolpath: a move of line {} of {} starts {} from where the one before ends",
+                        block.first + 1,
+                        self.program.name,
+                        mm(np.nanmax(off), ".4f"),
+                    )
                 )
             at = move.end
 
@@ -584,11 +599,13 @@ class Writer:
         rows = self.machine.execute([read], 0)
         if self.machine.reasons or len(rows) > 1:
             raise FormatError(
-                f"'{text.strip()}' would not be read: {self.machine.reasons}", self.program.name, block.first + 1
+                phrase("'{}' would not be read: {}", text.strip(), self.machine.reasons),
+                self.program.name,
+                block.first + 1,
             )
         off = [abs(x - y) for row in rows for x, y in zip(row.end, move.end, strict=True)]
         if not self.loose and any(way > 2 * self.numbers.unit + self.tolerance for way in off):
-            raise InputError(f"toolpath: line {block.first + 1} of {self.program.name} cannot be written")
+            raise InputError(phrase("toolpath: line {} of {} cannot be written", block.first + 1, self.program.name))
         if not rows and not first:
             return
         if first or rows:
@@ -758,7 +775,9 @@ class Writer:
         slack = (3 * self.numbers.unit + self.tolerance) / max(abs(s - centre), 1e-12)
         if abs(sweep - move.sweep) > slack:
             raise FormatError(
-                "rounding would make another arc of this one: allow more decimals", self.program.name, block.first + 1
+                phrase("rounding would make another arc of this one: allow more decimals"),
+                self.program.name,
+                block.first + 1,
             )
         self._set_pole(block, centre, move.plane)
         draft.put("DR", "+" if move.sweep > 0 else "-", "+" if move.sweep > 0 else "-")
@@ -849,7 +868,9 @@ class Writer:
         if sagitta <= self.tolerance / 2:
             return False
         raise FormatError(
-            "rounding would make another arc of this one: allow more decimals", self.program.name, block.first + 1
+            phrase("rounding would make another arc of this one: allow more decimals"),
+            self.program.name,
+            block.first + 1,
         )
 
     def _put_feed(self, draft: Draft, move: Row) -> None:

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from millcorr.arrays import Floats
 from millcorr.errors import UsageError
+from millcorr.messages import phrase
 from millcorr.process.setup_file import EFFECTIVE_DIAMETER, Setup, Tool
 
 MPA_PER_GPA = 1000.0
@@ -141,7 +142,9 @@ class Cantilever:
             If the tool has no overhang.
         """
         if tool.overhang_mm is None:
-            raise UsageError("setup: [tool] overhang_mm is missing: how the tool bends along its height needs it")
+            raise UsageError(
+                phrase("setup: [tool] overhang_mm is missing: how the tool bends along its height needs it")
+            )
         if tool.stiffness_n_per_mm is not None:
             return Cantilever(tool.overhang_mm, tool.stiffness_n_per_mm * tool.overhang_mm**3 / 3.0)
         moment = second_moment(tool.diameter_mm, tool.effective_diameter_factor)
@@ -164,9 +167,14 @@ class Cantilever:
             whole = getattr(setup.machine, key)
             if whole is not None and whole > alone * (1 + 1e-9):
                 raise UsageError(
-                    f"setup: [machine] {key} {whole:g} N/mm is of the whole loop, tool included, but the tool alone "
-                    f"has {alone:.0f} N/mm at its tip: correct [tool] overhang_mm, youngs_modulus_gpa or "
-                    "stiffness_n_per_mm, or leave the key out for a rigid machine"
+                    phrase(
+                        "setup: [machine] {} {:g} N/mm is of the whole loop, tool included, but the tool alone "
+                        "has {:.0f} N/mm at its tip: correct [tool] overhang_mm, youngs_modulus_gpa or "
+                        "stiffness_n_per_mm, or leave the key out for a rigid machine",
+                        key,
+                        whole,
+                        alone,
+                    )
                 )
             rest.append(0.0 if whole is None else max(1.0 / whole - 1.0 / alone, 0.0))
         return Cantilever(tool.overhang, tool.rigidity, (rest[0], rest[1]))
@@ -182,8 +190,13 @@ class Cantilever:
         out: Floats = whole - 1.0 / self.tip_stiffness
         if (out < -1e-9 * whole).any():
             raise UsageError(
-                f"{source or 'setup'}: [machine] stiffness_along has {1.0 / whole.min():g} N/mm, of the whole loop, "
-                f"tool included, but the tool alone has {self.tip_stiffness:.0f} N/mm at its tip: correct [tool] "
-                "overhang_mm, youngs_modulus_gpa or stiffness_n_per_mm"
+                phrase(
+                    "{}: [machine] stiffness_along has {:g} N/mm, of the whole loop, tool included, but the "
+                    "tool alone has {:.0f} N/mm at its tip: correct [tool] overhang_mm, youngs_modulus_gpa "
+                    "or stiffness_n_per_mm",
+                    source or "setup",
+                    1.0 / whole.min(),
+                    self.tip_stiffness,
+                )
             )
         return np.maximum(out, 0.0)

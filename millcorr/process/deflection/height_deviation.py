@@ -14,6 +14,7 @@ from millcorr.arrays import Bools, Floats
 from millcorr.comparison.deviation import REACH, Deviation, deviations
 from millcorr.errors import UsageError
 from millcorr.geometry.profile import Profile
+from millcorr.messages import phrase
 from millcorr.nc.toolpath import Kind, Toolpath
 from millcorr.readers.measurement import Measurement
 
@@ -56,7 +57,7 @@ def predicted_deviation(error: HeightError, nominal: Profile, *, spacing: float 
     contact = e.position[row, :2] - e.radius * wall[row]
     row = row[left_standing(error.model.path.toolpath, contact, e.radius)]
     if not len(row):
-        raise UsageError("predicted deviation: the path cuts away again all that it makes")
+        raise UsageError(phrase("predicted deviation: the path cuts away again all that it makes"))
     points, normals = [], []
     for k, z in enumerate(error.z):
         here = row[np.isfinite(error.value[row, k])]

@@ -14,6 +14,7 @@ import numpy as np
 from millcorr.arrays import Bools, Floats, Ints, ReadOnlyArrays
 from millcorr.errors import InputError, UsageError
 from millcorr.geometry.profile import CORNER_ANGLE
+from millcorr.messages import phrase
 from millcorr.nc.toolpath import Compensation, Kind, Plane, Toolpath
 from millcorr.process.engagement.path_pieces import pieces_of_toolpath
 from millcorr.process.kinematics import Control, Halts, motions, schedule
@@ -118,7 +119,7 @@ def real_path(
         raise UsageError(f"real path: a spacing of {spacing!r} mm is not positive")
     flat = flat_cuts(toolpath)
     if not flat.any():
-        raise InputError(f"{name}: no move cuts in the XY plane at constant height")
+        raise InputError(phrase("{}: no move cuts in the XY plane at constant height", name))
     start, end, move, begin, finish = (
         _as_programmed(toolpath, flat, spacing, name)
         if control is None
@@ -183,7 +184,7 @@ def _as_run(
     plan = schedule(toolpath, control, halts, name)
     fastest = float(plan.speed[flat[plan.row]].max(initial=0.0))
     if not fastest > 0:
-        raise InputError(f"{name}: no move that cuts in the XY plane can be followed")
+        raise InputError(phrase("{}: no move that cuts in the XY plane can be followed", name))
     # Twice as dense as asked for, then thinned to one in half a spacing: no line is longer than the spacing.
     kept: list[tuple[Floats, Floats, Ints, Ints]] = []
     total, run, last = 0.0, 0, None

@@ -16,6 +16,7 @@ from millcorr import progress
 from millcorr.arrays import Bools, Floats, Ints, ReadOnlyArrays
 from millcorr.errors import InputError
 from millcorr.geometry.profile import Profile
+from millcorr.messages import phrase, xy
 from millcorr.nc.toolpath import Compensation, Kind, Plane, Toolpath
 
 ARC_TOLERANCE = 1e-7
@@ -208,17 +209,28 @@ def pieces_of_toolpath(toolpath: Toolpath, rows: Ints, *, where: str = "program"
     """
     if (toolpath.compensation[rows] != Compensation.OFF).any():
         raise InputError(
-            f"{where}: the program cuts with G41 or G42, so it does not say where the cutter's centre goes: give a "
-            "program of the centre path"
+            phrase(
+                "{}: the program cuts with G41 or G42, so it does not say where the cutter's centre "
+                "goes: give a program of the centre path",
+                where,
+            )
         )
     arc = toolpath.kind[rows] == Kind.ARC
     if (arc & (toolpath.plane[rows] != Plane.XY)).any():
-        raise InputError(f"{where}: engagement needs arcs in the XY plane (G17); the program has others that cut")
+        raise InputError(
+            phrase("{}: engagement needs arcs in the XY plane (G17); the program has others that cut", where)
+        )
     a, b = toolpath.start[rows], toolpath.end[rows]
     unknown = ~(np.isfinite(a[:, :2]).all(axis=1) & np.isfinite(b[:, :2]).all(axis=1))
     if unknown.any():
         line = toolpath.line(rows[np.flatnonzero(unknown)[0]])
-        raise InputError(f"{where}: line {line} cuts from a place the program has not stated: state X and Y before it")
+        raise InputError(
+            phrase(
+                "{}: line {} cuts from a place the program has not stated: state X and Y before it",
+                where,
+                line,
+            )
+        )
     n = len(rows)
     centre, radius, sweep = np.full((n, 2), np.nan), np.full(n, np.inf), np.zeros(n)
     k = np.flatnonzero(arc)
@@ -322,7 +334,7 @@ def _by_arcs(at: Callable[[Ints, Floats], Floats], count: int) -> tuple[Ints, Fl
         if depth == _HALVINGS:
             if not good.all():
                 x, y = start[np.flatnonzero(~good)[0]]
-                raise InputError(f"the curve near X{x:.3f} Y{y:.3f} bends too sharply to be followed")
+                raise InputError(phrase("the curve near {} bends too sharply to be followed", xy(x, y)))
         done.append(tuple(v[good] for v in (k, t0, t1, start, end, centre, radius, sweep)))
         k, t0, t1 = k[~good], t0[~good], t1[~good]
         if not len(k):

@@ -17,6 +17,7 @@ from millcorr import nc, progress
 from millcorr.arrays import Bools, Floats, Ints, ReadOnlyArrays
 from millcorr.errors import InputError, UsageError
 from millcorr.geometry.profile import Profile
+from millcorr.messages import at_z, phrase, xy
 from millcorr.nc.toolpath import Kind, Toolpath
 from millcorr.process.setup_file import STOCK_ENDS, Setup
 
@@ -156,12 +157,14 @@ class CutterPath:
         tools = np.unique(toolpath.tool[rows[moving]])
         if len(tools) > 1:
             names = ", ".join(f"T{t}" if t >= 0 else "none called" for t in tools)
-            raise InputError(f"engagement: the program cuts with several tools ({names}): give the moves of one")
+            raise InputError(
+                phrase("engagement: the program cuts with several tools ({}): give the moves of one", names)
+            )
         pieces = pieces_of_toolpath(toolpath, rows[moving])
         levels, top, pieces = _levels(pieces, setup)
         length = pieces.length
         if not (length > 0).any():
-            raise InputError("engagement: the program has no cutting move in the XY plane")
+            raise InputError(phrase("engagement: the program has no cutting move in the XY plane"))
         piece, u = _places(pieces, length, step)
         centre = pieces.point(piece, u)
         tangent = pieces.tangent(piece, u)
@@ -370,7 +373,7 @@ def load_ratio(engagement: Engagement, at: int | ArrayLike) -> Floats:
     reference = float(engagement.area[step])
     if not reference > 0:
         x, y, _ = engagement.position[step]
-        raise UsageError(f"load ratio: the cutter takes nothing at X{x:.3f} Y{y:.3f}, where the part was touched")
+        raise UsageError(phrase("load ratio: the cutter takes nothing at {}, where the part was touched", xy(x, y)))
     out: Floats = engagement.area / reference
     return out
 
@@ -379,7 +382,7 @@ def _touching(engagement: Engagement, place: Floats) -> int:
     away = np.hypot(*(engagement.position[:, :2] - place).T)
     cutting = np.flatnonzero(engagement.area > 0)
     if not len(cutting):
-        raise UsageError("load ratio: the program cuts only air")
+        raise UsageError(phrase("load ratio: the program cuts only air"))
     return int(cutting[np.argmin(np.abs(away[cutting] - engagement.radius))])
 
 
@@ -402,7 +405,7 @@ def stock_of(setup: Setup, nominal: Profile | None = None) -> StockRegion:
     stock = setup.stock
     if stock.allowance_mm is not None:
         if nominal is None:
-            raise UsageError("setup: [stock] allowance_mm needs the nominal profile it lies on")
+            raise UsageError(phrase("setup: [stock] allowance_mm needs the nominal profile it lies on"))
         return StockRegion(_ended(nominal, setup), stock.allowance_mm)
     if stock.contour is not None:
         return StockRegion(_ended(Profile.read_json(stock.contour), setup))
@@ -429,15 +432,26 @@ def _levels(pieces: Pieces, setup: Setup) -> tuple[Floats, float, Pieces]:
     stock = setup.stock
     lowest = float(z[stated].min()) if stated.any() else 0.0
     if not stated.any() and stock.axial_depth_mm is None:
-        raise InputError("engagement: the program states no Z: give [stock] axial_depth_mm in place of top_z_mm")
+        raise InputError(
+            phrase("engagement: the program states no Z: give [stock] axial_depth_mm in place of top_z_mm")
+        )
     top = lowest + stock.axial_depth_mm if stock.axial_depth_mm is not None else float(stock.top_z_mm or 0.0)
     heights = np.unique(z[stated & (z < top - LEVEL)]) if stated.any() else np.array([lowest])
     if not len(heights):
-        raise InputError(f"engagement: the program stays above the stock's face at Z{top:g}: check [stock] top_z_mm")
+        raise InputError(
+            phrase(
+                "engagement: the program stays above the stock's face at {}: check [stock] top_z_mm",
+                at_z(top),
+            )
+        )
     heights = heights[np.concatenate([[True], np.diff(heights) > LEVEL])]
     if len(heights) > MOST_LEVELS:
         raise InputError(
-            f"engagement: the program cuts at {len(heights)} heights, more than {MOST_LEVELS}: it is no flank milling"
+            phrase(
+                "engagement: the program cuts at {} heights, more than {}: it is no flank milling",
+                len(heights),
+                MOST_LEVELS,
+            )
         )
     setup.require_overhang(top - lowest)
 

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from millcorr.arrays import Floats, Ints
 from millcorr.errors import UsageError
+from millcorr.messages import mm, phrase
 
 SHAPES = ("linear", "bell", "exponential")
 SHORTEST = 1e-3
@@ -63,14 +64,17 @@ class AxisDynamics:
             raise UsageError(f"acc/dec is {' or '.join(SHAPES)}, not {self.shape!r}")
         shortest = SHORTEST_BELL if self.shape == "bell" else SHORTEST
         if not (self.time == 0 or shortest <= self.time < math.inf):
-            raise UsageError(f"acc/dec time {self.time:g} s: state 0, or {shortest:g} s or more")
+            raise UsageError(phrase("acc/dec time {:g} s: state 0, or {:g} s or more", self.time, shortest))
         if not (0 < self.kv <= 1 / SHORTEST or self.kv == math.inf):
             raise UsageError(
-                f"servo gain {self.kv:g} 1/s: state a gain above 0 up to {1 / SHORTEST:g}, or leave it out for an "
-                "ideal servo"
+                phrase(
+                    "servo gain {:g} 1/s: state a gain above 0 up to {:g}, or leave it out for an ideal servo",
+                    self.kv,
+                    1 / SHORTEST,
+                )
             )
         if self.rapid is not None and not (math.isfinite(self.rapid) and self.rapid > 0):
-            raise UsageError(f"rapid speed {self.rapid:g} mm/s: state a speed above 0, or leave it out")
+            raise UsageError(phrase("rapid speed {:g} mm/s: state a speed above 0, or leave it out", self.rapid))
 
     @property
     def boxes(self) -> tuple[float, ...]:
@@ -190,10 +194,10 @@ class ContourControl:
 
     def __post_init__(self) -> None:
         if not self.speed_change > 0:
-            raise UsageError(f"speed change at corners {self.speed_change:g} mm/s: state a speed above 0")
+            raise UsageError(phrase("speed change at corners {:g} mm/s: state a speed above 0", self.speed_change))
         total = self.slope + self.intercept
         if not (self.slope >= 0 and self.intercept >= 0 and 0 < total < math.inf):
-            raise UsageError("accuracy-maintenance time: slope and intercept are 0 or more, and not both 0")
+            raise UsageError(phrase("accuracy-maintenance time: slope and intercept are 0 or more, and not both 0"))
 
     def time(self, feed: ArrayLike) -> Floats:
         """Accuracy-maintenance time in s at programmed feeds in mm/s (dat-2025, eq. 1)."""
@@ -226,7 +230,7 @@ class Control:
 
     def __post_init__(self) -> None:
         if not self.in_position > 0:
-            raise UsageError(f"in-position width {self.in_position:g} mm: state a width above 0")
+            raise UsageError(phrase("in-position width {}: state a width above 0", mm(self.in_position, "g")))
 
     @staticmethod
     def alike(axis: AxisDynamics, contour: ContourControl | None = None, in_position: float = 0.01) -> Control:

@@ -7,6 +7,7 @@ import numpy as np
 
 from millcorr.arrays import Bools, Floats, Ints
 from millcorr.errors import FormatError, UsageError
+from millcorr.messages import phrase
 from millcorr.nc import Program
 from millcorr.nc.words import Words
 
@@ -94,13 +95,17 @@ def _dwells(words: Words, codes: Words, program: Program, unit: str | None) -> F
         letter, value = letters[0], float(here.value[0])
         if len(letters) > 1 or letter in "FS" or not value >= 0:
             raise FormatError(
-                "this dwell cannot be read: state one of P, X or U", program.name, program.line_of(line) + 1
+                phrase("this dwell cannot be read: state one of P, X or U"), program.name, program.line_of(line) + 1
             )
         if letter != "P" and here.decimals[0] >= 0:
             out[line] = value
         elif unit is None and value > 0:
             raise FormatError(
-                f"controls differ on whether {letter}{value:g} are seconds or milliseconds: state the unit of dwells",
+                phrase(
+                    "controls differ on whether {}{:g} are seconds or milliseconds: state the unit of dwells",
+                    letter,
+                    value,
+                ),
                 program.name,
                 program.line_of(line) + 1,
             )

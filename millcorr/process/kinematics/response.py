@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from millcorr.arrays import Floats, Ints
 from millcorr.errors import InputError
+from millcorr.messages import phrase
 from millcorr.nc.toolpath import Kind
 
 from .control import AxisDynamics
@@ -316,6 +317,8 @@ def _divide(plan: Schedule, move: Ints, share: Floats) -> tuple[Ints, Floats, Fl
         low, high = np.concatenate([low, middle]), np.concatenate([middle, high])
     else:
         line = plan.moves.toolpath.line(move[part[0]])
-        raise InputError(f"line {line}: this curve bends too sharply to be followed; write it as lines or arcs")
+        raise InputError(
+            phrase("line {}: this curve bends too sharply to be followed; write it as lines or arcs", line)
+        )
     columns = [np.concatenate(c) for c in zip(*done, strict=True)]
     return columns[0], columns[1], columns[2], columns[3]

@@ -9,6 +9,7 @@ import numpy as np
 
 from millcorr.arrays import Bools, Floats, Ints, ReadOnlyArrays
 from millcorr.errors import InputError
+from millcorr.messages import phrase
 from millcorr.nc.toolpath import Compensation, Kind, Toolpath
 
 from .control import Control
@@ -162,7 +163,7 @@ def schedule(toolpath: Toolpath, control: Control, halts: Halts | None = None, n
     refuse(toolpath, cutting & kept & ~(toolpath.feed > 0), "the feed is not known in mm/min: state F with G94", name)
     row = np.flatnonzero(kept)
     if not len(row):
-        raise InputError(f"{name}: no move can be followed")
+        raise InputError(phrase("{}: no move can be followed", name))
     first, last = (d[row] for d in moves.directions())
     start, end = moves.toolpath.start[row], moves.toolpath.end[row]
     jump = np.zeros((len(row), 3))

@@ -205,7 +205,7 @@ def test_summary_and_status_of_the_command(shop, capsys):
     path = batch(shop, JOB.format(name="out1", measured="cmm1.csv"), JOB.format(name="bad", measured="missing.csv"))
     assert main(["batch", str(path)]) == 3
     said = capsys.readouterr().out
-    assert "1 of 2 jobs done" in said and "failed      bad: millcorr: missing.csv" in said
+    assert "1 of 2 jobs done" in said and "failed      bad: missing.csv" in said
 
 
 @pytest.mark.thorough

@@ -22,6 +22,7 @@ from millcorr.gui.figures import NONE
 from millcorr.gui.options import AS_FILE, Expression, call, reading_options, setting_options
 from millcorr.gui.remedies import first_field
 from millcorr.gui.transfer_figures import transfer_figures
+from millcorr.messages import AS_DATA, message_of, mm, option, phrase
 from millcorr.probing.controls import DIALECTS
 from millcorr.readers import Reading
 
@@ -164,29 +165,28 @@ def test_a_series_is_controlled_by_the_same_call(tmp_path):
             programs.correct(p1, second, **options, **given)
 
 
-NAMES = ("bracket", "bracket  with blanks", "cam disc")
-
-
 @pytest.mark.parametrize(
     "outcome",
     [
         jobs.Outcome("bracket", 0, "fine", 0.94),
         jobs.Outcome("cam disc", 0, "", 4.25, before=True),
-        jobs.Outcome("bracket", 3, "millcorr: a.csv: cannot be read", 0.5),
+        jobs.Outcome("bracket", 3, phrase("{} is too small: {}", mm(0.5), option("limit", 0.1)), 0.5),
         jobs.Outcome("bracket  with blanks", -9, "killed", 12345.6),
     ],
 )
-def test_lines_of_a_batch_are_understood(outcome):
+def test_lines_of_a_batch_are_understood(outcome, monkeypatch):
+    monkeypatch.setenv(AS_DATA, "1")
     out = io.StringIO()
     jobs._Progress(3, out).line(outcome)
-    seen = batch_run.ended(out.getvalue().rstrip("\n"), NAMES)
-    assert (seen.name, seen.status, seen.before) == (outcome.name, outcome.status, outcome.before)
-    assert seen.seconds == pytest.approx(outcome.seconds, abs=0.051)
-    assert seen.text == ("" if outcome.status == 0 else outcome.text)
+    seen = batch_run.ended(out.getvalue())
+    assert seen == outcome
+    # The window words what it names.
+    assert seen.text.options == message_of(outcome.text).options
 
 
-def test_other_lines_of_a_batch_are_none_of_a_job():
-    assert batch_run.ended("2 of 3 jobs done", NAMES) is None
+@pytest.mark.parametrize("line", ["2 of 3 jobs done", "[]", "3", '{"name": "a"}'])
+def test_other_lines_of_a_batch_are_none_of_a_job(line):
+    assert batch_run.ended(line) is None
 
 
 def test_a_batch_runs_and_is_stopped_with_its_jobs(tmp_path):
@@ -202,7 +202,7 @@ def test_a_batch_runs_and_is_stopped_with_its_jobs(tmp_path):
         events += run.news()
         time.sleep(0.02)
     assert [(e.name, e.status) for e in events] == [("a", 0)] and run.status == 0
-    assert (tmp_path / "first.nc").exists() and run.said == ["1 of 1 jobs done"]
+    assert (tmp_path / "first.nc").exists() and run.said == "1 of 1 jobs done"
     run = batch_run.BatchRun(tmp_path / "first.toml", again=True)
     run.cancel()
     while run.running and time.monotonic() < end:

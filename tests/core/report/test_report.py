@@ -678,3 +678,23 @@ def test_of_every_place_the_largest_deviation_is_drawn():
     part = np.minimum(((s - s.min()) / np.ptp(s) * 300).astype(int), 299)
     expected = [max(np.flatnonzero(part == k), key=lambda i: (abs(value[i]), -i)) for k in np.unique(part)]
     np.testing.assert_array_equal(chosen, expected)
+
+
+class Marked(Wording):
+    """A language whose every phrase begins with a mark."""
+
+    def template(self, text):
+        return f"\N{SECTION SIGN}{text}"
+
+
+def test_headings_and_names_of_a_report_are_in_the_readers_language(disc):
+    with read_by(Reader(wording=Marked())):
+        text = pages.page(disc, outputs={"program": "out.nc"}, date=DAY)
+    said = re.findall(r"<h2>(.*?)</h2>", text) + re.findall(r"<div class=tile>.*?<span>(.*?)</span>", text)
+    facts = [table for table in re.findall(r"<table class=facts>(.*?)</table>", text) if "out.nc" not in table]
+    said += [name for table in facts for name in re.findall(r"<th>(.*?)</th>", table)]
+    units = {"\N{MICRO SIGN}m", "X", "Y", "Z"}
+    said += [cell for head in re.findall(r"<thead>(.*?)</thead>", text) for cell in re.findall(r"<th>(.*?)</th>", head)]
+    others = {one for one in said if not one.startswith("\N{SECTION SIGN}")} - units
+    # Inputs are named as the command line names them.
+    assert others <= {"program", "measurement", "nominal"} and len(said) > 40, others
