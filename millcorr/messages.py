@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, fields
 from numbers import Integral, Real
 from string import Formatter
-from typing import Any
+from typing import Any, get_args
 
 FLAGS = {"unmeasured_share": "unmeasured", "tools": "tool", "probe_tool": "tool"}
 """Options that the command line calls otherwise than by their key."""
@@ -318,7 +318,7 @@ def message_of(said: object) -> Message:
     return said if isinstance(said, Message) else Message(str(said))
 
 
-_KINDS: dict[str, type] = {kind.__name__: kind for kind in (Option, Accept, Place, Length, Coordinates, Phrase)}
+_KINDS: dict[str, type] = {kind.__name__: kind for kind in get_args(Piece) if kind is not str}
 
 
 def as_data(said: object) -> object:

@@ -128,33 +128,10 @@ PROGRAM_ENDS = (2, 30, 99)
 # The axis words of a line with one of these are not the target of a move.
 NOT_A_TARGET = frozenset(
     [
-        40,
-        100,
-        110,
-        281,
-        301,
-        520,
-        920,
-        921,
-        922,
-        923,
-        500,
-        501,
-        510,
-        511,
-        650,
-        660,
-        680,
-        682,
-        683,
-        684,
-        685,
-        925,
-        71,
-        1070,
-        *SHIFTS,
+        40, 71, 100, 110, 281, 301, 500, 501, 510, 511, 520, 650, 660, 680, 682, 683, 684, 685,
+        920, 921, 922, 923, 925, 1070, *SHIFTS,
     ]
-)
+)  # fmt: skip
 HARMLESS = frozenset(
     [code for group in GROUPS.values() for code in group]
     + [*FRAME_ON, *FRAME_OFF, *OFFSETS, *LENGTH_OFFSETS, *HOMING, *CALL_CODES, *NOT_A_TARGET, *MACHINE]

@@ -11,6 +11,7 @@ import pytest
 from millcorr.errors import UsageError, unsaid
 from millcorr.messages import (
     Accept,
+    Accepted,
     Place,
     Wording,
     as_data,
@@ -35,6 +36,7 @@ from millcorr.messages import (
         phrase("{} and {}", phrase("{} left", np.int64(3)), message(option("depth", (0.4, 0.5)), Accept("ball"))),
         unsaid("why", option("points", of="KIND")).message,
         UsageError(option("setup"), " is missing").message,
+        phrase("accepted {}: {}", Accepted("unmeasured", (1.0, -2.5)), "a side"),
     ],
 )
 def test_a_message_goes_to_another_process(said):
