@@ -3,12 +3,16 @@
 
 from __future__ import annotations
 
+import csv
+import io
+
 import numpy as np
 import pytest
 
 from millcorr import nc, pipeline
 from millcorr.production import contour_check
 from millcorr.readers.measurement import Measurement
+from millcorr.report.files import deviation_lines
 
 RADIUS = 10.0
 # Climb milling of two walls, X+ then up at 60 degrees, joined by a hollow arc of part radius 15 (path radius 5).
@@ -89,11 +93,9 @@ def test_path_lies_a_radius_off_the_contour(checked):
 def test_files_and_table_hold_the_same(checked):
     result, foot, _, _, error = checked
     points = contour_check.touched_points(result)
-    rows = [line.split(",") for line in b"".join(contour_check.point_lines(points)).decode().splitlines()]
-    assert tuple(rows[0]) == contour_check.POINT_COLUMNS
-    values = np.array(rows[1:], dtype=float)
-    np.testing.assert_allclose(values[:, 9], error, atol=2e-8)
-    np.testing.assert_allclose(values[:, 6:8], foot, atol=2e-8)
+    rows = list(csv.DictReader(io.TextIOWrapper(io.BytesIO(b"".join(deviation_lines(result))))))
+    np.testing.assert_allclose([float(row["deviation"]) for row in rows], error, atol=2e-8)
+    np.testing.assert_allclose([(float(row["x_nominal"]), float(row["y_nominal"])) for row in rows], foot, atol=2e-8)
     stations = contour_check.path_stations(result)
     path = [line.split(",") for line in b"".join(contour_check.path_lines(stations)).decode().splitlines()]
     assert tuple(path[0]) == contour_check.PATH_COLUMNS and len(path) == len(stations) + 1
