@@ -20,6 +20,10 @@ SAID = {
 }
 
 
+ACCENTS = {"@ThemeAccentColor1": "#4aa5ff", "@ThemeAccentColor2": "#b477ff", "@ThemeAccentColor3": "#181d2a"}
+"""What FreeCAD 1.0 puts in for these words of its dark style sheet: colours of its preference pack "FreeCAD Dark"."""
+
+
 def dark():
     """A dark style sheet of FreeCAD's own, where it has one."""
     theme("dark")
@@ -29,7 +33,8 @@ def dark():
         if os.path.exists(file):
             QtCore.QDir.addSearchPath("qss", place)
             with open(file, encoding="utf-8") as stream:
-                QtGui.QApplication.instance().setStyleSheet(stream.read())
+                sheet = re.sub(r"@ThemeAccentColor\d", lambda found: ACCENTS[found[0]], stream.read())
+            QtGui.QApplication.instance().setStyleSheet(sheet)
             break
     wait(500)
 
