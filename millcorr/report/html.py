@@ -9,6 +9,9 @@ from collections.abc import Iterable, Sequence
 from html import escape
 
 from millcorr import __version__
+from millcorr.arrays import Floats
+from millcorr.comparison.deviation import statistics
+from millcorr.messages import phrase
 
 from . import reader
 from .length_unit import MM
@@ -131,6 +134,16 @@ def um(value: float, signed: bool = False) -> str:
     if float(text) == 0:
         text = f"{0.0:.{digits}f}"
     return text.replace("-", MINUS)
+
+
+STATISTICS = (phrase("mean"), phrase("min"), phrase("max"), phrase("height"), phrase("std"))
+"""Heads of what `statistics_of` gives."""
+
+
+def statistics_of(value: Floats) -> tuple[str, ...]:
+    """Statistics of deviations given in mm, (n,), as cells of a table in the reader's small unit."""
+    s = statistics(value)
+    return *(um(s[key], True) for key in ("mean", "min", "max")), um(s["height"]), um(s["std"])
 
 
 def with_unit(value: float, signed: bool = False) -> str:

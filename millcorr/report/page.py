@@ -22,6 +22,7 @@ from millcorr.pipeline import Result
 
 from . import reader
 from .html import (
+    STATISTICS,
     capital,
     coordinates,
     figure,
@@ -34,6 +35,7 @@ from .html import (
     html_tiles,
     mm,
     plural,
+    statistics_of,
     um,
     with_unit,
 )
@@ -230,18 +232,8 @@ def _deviations(result: Result) -> str:
     )
     rows = []
     for name, value in columns:
-        s = statistics(value)
-        signed = [um(s[key], True) for key in ("mean", "min", "max")]
-        rows.append((name, *signed, um(s["height"]), um(s["std"]), um(profile_value(value))))
-    head = (
-        reader.fine(),
-        phrase("mean"),
-        phrase("min"),
-        phrase("max"),
-        phrase("height"),
-        phrase("std"),
-        phrase("profile value"),
-    )
+        rows.append((name, *statistics_of(value), um(profile_value(value))))
+    head = (reader.fine(), *STATISTICS, phrase("profile value"))
     if nothing_measured(result):
         words = phrase("All by the model: the program as it came, and after the correction, each simulated.")
     elif result.prediction is not None:
@@ -447,22 +439,9 @@ def _own_path_error(result: Result) -> str:
         )
     if not len(result.commanded):
         return f"{title}<p>{words}</p>"
-    s = statistics(result.commanded)
     rms = math.sqrt(float((result.commanded**2).mean()))
-    signed = [um(s[key], True) for key in ("mean", "min", "max")]
-    row = (phrase("at the points"), *signed, um(s["height"]), um(s["std"]), um(rms))
-    return f"{title}<p>{words}</p>" + html_table(
-        (
-            reader.fine(),
-            phrase("mean"),
-            phrase("min"),
-            phrase("max"),
-            phrase("height"),
-            phrase("std"),
-            phrase("rms"),
-        ),
-        [row],
-    )
+    row = (phrase("at the points"), *statistics_of(result.commanded), um(rms))
+    return f"{title}<p>{words}</p>" + html_table((reader.fine(), *STATISTICS, phrase("rms")), [row])
 
 
 def _uncertainty(result: Result) -> list[tuple[str, str]]:

@@ -7,13 +7,12 @@ import math
 from html import escape
 from pathlib import PurePath
 
-from millcorr.comparison.deviation import statistics
 from millcorr.messages import phrase
 from millcorr.pipeline import Result
 from millcorr.process.prediction.predicted_correction import Prediction
 
 from . import reader
-from .html import capital, heading, html_facts, html_table, mm, plural, um, with_unit
+from .html import STATISTICS, capital, heading, html_facts, html_table, mm, plural, statistics_of, um, with_unit
 
 _BESIDE = "\N{PLUS-MINUS SIGN}"
 
@@ -48,21 +47,8 @@ def prediction_section(result: Result) -> str:
     names = ["after"] if len(rounds) == 1 else [f"after round {k}" for k in range(1, len(rounds) + 1)]
     rows = []
     for name, cut in zip(["before", *names], [prediction.before, *rounds], strict=True):
-        s = statistics(cut.deviation.value)
-        signed = [um(s[key], True) for key in ("mean", "min", "max")]
-        rows.append((name, um(cut.largest), *signed, um(s["height"]), um(s["std"])))
-    table = html_table(
-        (
-            phrase("error expected / {}", reader.fine()),
-            phrase("largest"),
-            phrase("mean"),
-            phrase("min"),
-            phrase("max"),
-            phrase("height"),
-            phrase("std"),
-        ),
-        rows,
-    )
+        rows.append((name, um(cut.largest), *statistics_of(cut.deviation.value)))
+    table = html_table((phrase("error expected / {}", reader.fine()), phrase("largest"), *STATISTICS), rows)
     notes = [text for text in result.advice if text not in prediction.advice()]
     more = "".join(f"<p>{escape(capital(text))}.</p>" for text in notes)
     title = heading(phrase("Predicted by the model"))
